@@ -1,0 +1,18 @@
+// From the core's fault to the caller's hm_error: numbers in the caller's numbering, one sentence.
+#pragma once
+
+#include "harmorph.h"
+#include "harmorph/types.hpp"
+
+namespace harmorph {
+
+// What the caller counts from.
+struct Bases {
+    Index mesh = 0;
+    Index curves = 0;
+};
+
+// Fills *err (may be null) and returns the status. A fault without status clears the error.
+hm_status tell(hm_error* err, Fault const& fault, Bases bases = {}) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,369 @@
+/* harmorph: morphs an airfoil and its CFD mesh together. MIT licence.
+ *
+ * The airfoil is a B-spline. Its basis functions N_i are boundary data of Laplace's equation on the mesh; the solutions
+ * F_i, computed once, carry any movement dP_i of the control points to every mesh point: X += sum_i F_i dP_i. (Method:
+ * Nikolos, Lygidakis, Leloudas, Tavla, "Application of B-spline basis functions as harmonic functions for the concurrent
+ * shape and mesh morphing of airfoils".)
+ *
+ * CONVENTIONS, which hold for every function below
+ *
+ * Order of calls   hm_analysis_size > hm_analysis_init   mesh, curves and conditions checked; ordering; symbolic pass
+ *                  hm_plan_size > hm_plan_init           the matrix and its factor, in a block of the caller
+ *                  hm_basis_size > hm_basis_init         the functions F_i, in another block of the caller
+ *                  hm_plan_factor > hm_plan_solve        numbers; then the analysis and the plan may be given back
+ *                  hm_morph, hm_adjoint, ...             as often as wished; they need nothing but basis and mesh
+ * Memory           The library allocates nothing. A *_size function tells how many bytes, exactly; any alignment is fine.
+ *                  The object lives inside the block: there is nothing to free, and the block must not move while the
+ *                  object is used (a basis may be copied or written to a file, see hm_basis_attach).
+ * Ownership        Arrays given in structs stay the caller's; they are never changed. A mesh and its arrays must outlive
+ *                  the analysis and the plan made of them. The basis keeps copies of all it needs.
+ * Numbers          Coordinates in any one length unit. Angles do not occur. All lengths of arrays stand in [brackets].
+ * Numbering        Points and cells count from mesh.index_base (also in reports, unless said otherwise), control points
+ *                  from curves.index_base. Curves, conditions and functions count from 0; function i belongs to control
+ *                  point i + curves.index_base.
+ * Orientation      Free: cells may run clockwise, counter-clockwise or mixed. Neighbours traverse a shared edge in
+ *                  opposite directions; that settles which cells agree, and the sign of the larger total area wins.
+ *                  Cells against it are the inverted ones.
+ * NULL             Allowed only where it is said so. hm_error may always be NULL.
+ * Status           0: done. Above 0: done and usable, with a warning. Below 0: refused; outputs and blocks' contents as
+ *                  before the call, except that a block given for a new object may have been written.
+ * Structs          Set struct_size = sizeof the struct and the rest to 0 first: `hm_options options = {sizeof options};`
+ *                  A field that is 0 has its default. Fields are only ever added at the end; reports are filled as far
+ *                  as the caller's struct_size goes.
+ * Threads          No hidden state. One thread at a time may write an object (plan, basis); reading (morph, adjoint,
+ *                  quality) is free for any number. Two plans in two threads share nothing.
+ * Repeatability    Same input, same bits, from run to run.
+ */
+#ifndef HARMORPH_H
+#define HARMORPH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define HM_VERSION "0.1.0"
+#define HM_ABI 1 /* what hm_abi_version() returns when header and library fit */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#if defined(__GNUC__)
+#define HM_API __attribute__((visibility("default")))
+#else
+#define HM_API
+#endif
+
+/* ---- Status and error ------------------------------------------------------------------------------------------- */
+
+typedef int32_t hm_status;
+enum {
+    HM_OK = 0,
+    HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
+    HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
+    HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
+    HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
+    HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
+    HM_BAD_CURVE = -4,        /* degree, knots, indices, weights, control points, or a fit that is not determined */
+    HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, nothing to solve */
+    HM_BAD_BASIS = -6,        /* the block is not a basis, truncated, damaged, foreign, or not solved yet */
+    HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
+    HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where it was seen */
+    HM_UNSUPPORTED = -9       /* options that do not go together */
+};
+
+typedef struct hm_error {     /* 128 bytes for ever */
+    hm_status code;
+    int32_t   item;           /* first offending point, cell, ... in the caller's numbering; -1: none */
+    double    value;          /* what was found: area [length^2], residual [-], missing [bytes]; 0 if nothing */
+    char      text[112];      /* one sentence, NUL-terminated */
+} hm_error;
+
+HM_API int32_t     hm_abi_version(void);
+HM_API const char *hm_version(void);                      /* "major.minor.patch" of the library */
+HM_API const char *hm_status_name(hm_status status);      /* "HM_OK", ...; "unknown status" otherwise */
+
+/* ---- Mesh: a view of the caller's arrays ------------------------------------------------------------------------ */
+
+enum {                        /* hm_mesh.cell_layout */
+    HM_CELLS_ROWS = 0,        /* cell_start, cell_points: compressed rows of 3 or 4 points */
+    HM_CELLS_TRIANGLES = 1,   /* cell_points [3*n_cells] */
+    HM_CELLS_QUADS = 2,       /* cell_points [4*n_cells]; a triangle repeats its last point */
+    HM_CELLS_STRUCTURED = 3   /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
+};
+
+typedef struct hm_mesh {
+    uint64_t struct_size;
+    int32_t  index_base;           /* 0 or 1: what points and cells are counted from, in all arrays and reports */
+    int32_t  n_points;             /* 3 .. 2^31-2; points that no cell uses are allowed and never move */
+    const double *x, *y;           /* point k at x[k*stride], y[k*stride], k from 0 */
+    int64_t  stride;               /* [doubles] x(:),y(:): 1; xy(2,n): 2 with y = x+1; xy(n,2): 1 with y = x+n; 0 means 1 */
+    int32_t  cell_layout;          /* HM_CELLS_... */
+    int32_t  n_cells;              /* structured: 0 or (ni-1)*(nj-1) */
+    const int32_t *cell_start;     /* [n_cells+1] rows only: where a cell's points begin, counted from index_base */
+    const int32_t *cell_points;    /* each cell's points in order round it */
+    int32_t  ni, nj;               /* structured only: points along i (fastest) and j; ni*nj = n_points */
+    int32_t  n_faces;              /* boundary as faces (0 if given as lists, or both) */
+    const int32_t *face_points;    /* [2*n_faces] */
+    const int32_t *face_markers;   /* [n_faces] any integers */
+    int32_t  n_lists;              /* boundary as ordered lists of points; a closed one repeats its first point */
+    const int32_t *list_start;     /* [n_lists+1] counted from index_base */
+    const int32_t *list_points;
+    const int32_t *list_markers;   /* [n_lists] */
+} hm_mesh;
+/* Every boundary edge must be on a marker. The exception is a cut, as O- and C-meshes have along their seam and wake:
+ * boundary edges on no marker whose end points coincide bit by bit with those of another such edge are joined, and their
+ * points move as one. Faces of one marker may belong to several bodies, and one body may carry several markers. */
+
+/* ---- Curves ----------------------------------------------------------------------------------------------------- */
+
+typedef struct hm_curve {          /* C(u) = sum_k N_k(u) P[indices[k]], u in [knots[degree], knots[n_indices]] */
+    uint64_t struct_size;          /* the same in all curves of one hm_curves */
+    int32_t  degree;               /* 1..5 */
+    int32_t  n_indices;            /* control points counted with their repeats; > degree */
+    const int32_t *indices;        /* [n_indices] NULL: the points in order. Repeats close a curve: the first `degree`
+                                      points again at the end with periodic knots, or the first again with clamped knots */
+    const double  *knots;          /* [n_indices + degree + 1] not decreasing, no inner knot more than degree-fold */
+} hm_curve;
+
+typedef struct hm_curves {         /* curves over common control points; a point in two curves belongs to both */
+    uint64_t struct_size;
+    int32_t  index_base;           /* 0 or 1 */
+    int32_t  n_control;            /* control points >= 2 = number of functions */
+    const double *control;         /* [2*n_control] x,y pairs, finite */
+    const double *weights;         /* [n_control] > 0, or NULL: not rational */
+    int32_t  n_curves;             /* >= 1 */
+    const hm_curve *curve;         /* [n_curves] */
+} hm_curves;
+
+/* Are the curves well formed? */
+HM_API hm_status hm_curves_check(const hm_curves *curves, hm_error *err);
+/* The degree+1 B-spline basis functions (rational ones where there are weights) that are not 0 at u.
+ * control [degree+1]: their control points; values [(n_derivatives+1)*(degree+1)]: row d is the d-th derivative by u.
+ * 0 <= n_derivatives <= 5. (Piegl & Tiller, The NURBS Book, A2.3 and eq. 4.8.) */
+HM_API hm_status hm_curve_basis(const hm_curves *curves, int32_t curve, double u, int32_t n_derivatives,
+                                int32_t *control, double *values, hm_error *err);
+/* C(u) and its derivatives: xy [2*(n_derivatives+1)], x,y pairs. */
+HM_API hm_status hm_curve_point(const hm_curves *curves, int32_t curve, double u, int32_t n_derivatives,
+                                double *xy, hm_error *err);
+/* The parameter of the point of the curve nearest to (x, y), and the distance [length]; a global search, then Newton. */
+HM_API hm_status hm_curve_project(const hm_curves *curves, int32_t curve, double x, double y,
+                                  double *u, double *distance, hm_error *err);
+
+/* ---- Fit: a B-spline through the ordered points of a boundary ----------------------------------------------------- */
+
+enum {                             /* hm_fit_options.closed */
+    HM_CLOSED_AUTO = 0,            /* of a loop: no corner: periodic; one: tied there; a blunt base: open, and a straight
+                                      curve of degree 1 over the base that shares both end points. Otherwise open */
+    HM_OPEN = 1,                   /* clamped at the first and the last point */
+    HM_TIED = 2,                   /* clamped, both ends one control point: a sharp trailing edge */
+    HM_PERIODIC = 3                /* smooth all round */
+};
+
+typedef struct hm_fit_options {
+    uint64_t struct_size;
+    int32_t  degree;               /* 1..5; 0 means 3 */
+    int32_t  n_control;            /* distinct control points > degree; at most the number of points; 0 means 20 */
+    int32_t  closed;               /* HM_CLOSED_AUTO, ... */
+} hm_fit_options;
+
+typedef struct hm_fit_report {
+    uint64_t struct_size;
+    double   max_error, rms_error; /* [length] distances of the points from the curves */
+    int32_t  max_error_point;      /* which of the n points, from 0 */
+    int32_t  closed;               /* HM_OPEN, HM_TIED or HM_PERIODIC: what was made */
+    int32_t  first_point;          /* where the curve begins (the corner of a loop), from 0 */
+    int32_t  base_points;          /* points on a blunt base, both ends counted; 0: none */
+} hm_fit_report;
+
+HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
+/* Least squares through n points in order; is_loop: the last is joined to the first (which is not repeated). Knots are
+ * placed by arc length and curvature. *curves lives in the block, as do its arrays (index_base 0). options may be NULL. */
+HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const double *x, const double *y,
+                        int64_t stride, int32_t n, int32_t is_loop, const hm_fit_options *options,
+                        hm_fit_report *report, hm_error *err);
+
+/* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
+
+enum {                             /* hm_condition.kind; a point on several markers: the smallest wins */
+    HM_ON_CURVE = 0,               /* F_i = N_i(u) */
+    HM_FIXED = 1,                  /* F_i = 0; also every marker without a condition */
+    HM_FREE = 2                    /* zero normal derivative: points are free to move off the line they are on */
+};
+
+typedef struct hm_condition {
+    uint64_t struct_size;          /* the same in all conditions of one problem */
+    int32_t  marker;
+    int32_t  kind;                 /* HM_ON_CURVE, ... */
+    int32_t  first_curve, n_curves;/* on curve: the points lie on one of curves first .. first+n-1 */
+} hm_condition;
+
+typedef struct hm_problem {
+    uint64_t struct_size;
+    const hm_mesh      *mesh;
+    const hm_curves    *curves;    /* NULL: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
+    int32_t             n_conditions;
+    const hm_condition *conditions;/* [n_conditions] at least one on a curve (if there are curves) */
+    int32_t             n_given;   /* curve points whose parameter is given; the others' are found by projection */
+    const int32_t      *given_points;  /* [n_given] */
+    const int32_t      *given_curves;  /* [n_given] */
+    const double       *given_u;       /* [n_given] */
+} hm_problem;
+
+/* What goes together (everything else is HM_UNSUPPORTED):
+ *   operator     scheme      engine     conditions
+ *   HM_LAPLACE   HM_COMPACT  HM_DIRECT  on curve, fixed, free */
+enum { HM_LAPLACE = 0 };           /* operator_kind: the paper's harmonic functions */
+enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
+enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
+
+enum {                             /* phases, in the order in which they are reported */
+    HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
+    HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
+    HM_PHASE_SOLVE = 5, HM_PHASE_RESIDUAL = 6                               /* hm_plan_solve */
+};
+/* Called at the start of each phase (fraction 0), sometimes in between, at its end (1). Not 0: stop, HM_CANCELLED. */
+typedef int32_t (*hm_progress)(void *user, int32_t phase, double fraction);
+
+typedef struct hm_options {
+    uint64_t struct_size;
+    int32_t  operator_kind;        /* default HM_LAPLACE */
+    int32_t  scheme;               /* default HM_COMPACT */
+    int32_t  engine;               /* default HM_DIRECT */
+    int32_t  reserved;             /* 0 */
+    double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10 */
+    hm_progress progress;          /* NULL: none */
+    void    *progress_user;
+} hm_options;
+
+/* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
+
+typedef struct hm_analysis hm_analysis;
+
+typedef struct hm_mesh_report {
+    uint64_t struct_size;
+    int32_t  points, used_points, cells, triangles, quads, edges, boundary_edges, boundary_loops;
+    int32_t  inverted;             /* cells with a corner of area <= 0 */
+    int32_t  first_inverted;       /* cell; -1: none */
+    double   min_area;             /* [length^2] smallest signed corner area (half the cross product of its two edges) */
+    double   min_quality, mean_quality; /* skew quality, see hm_quality */
+} hm_mesh_report;
+
+/* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */
+HM_API hm_status hm_analysis_size(const hm_problem *problem, const hm_options *options, size_t *bytes, hm_error *err);
+/* Checks everything, numbers the unknowns, finds the parameters of the curve points. The mesh must have no inverted
+ * cell, unless problem.curves is NULL. */
+HM_API hm_status hm_analysis_init(hm_analysis **analysis, void *block, size_t bytes, const hm_problem *problem,
+                                  const hm_options *options, hm_error *err);
+HM_API hm_status hm_analysis_report(const hm_analysis *analysis, hm_mesh_report *report, hm_error *err);
+/* The points of the given markers in order along the boundary, the mesh on the left (round a body: clockwise).
+ * A marker set with several pieces: `piece` (from 0) selects one. points [capacity]; *n: how many there are, also when
+ * capacity is too small (HM_BAD_ARGUMENT); *is_loop: closed, the first point is not repeated. */
+HM_API hm_status hm_analysis_boundary(const hm_analysis *analysis, int32_t n_markers, const int32_t *markers,
+                                      int32_t piece, int32_t *points, int32_t capacity, int32_t *n, int32_t *is_loop,
+                                      hm_error *err);
+
+/* ---- Plan and basis ---------------------------------------------------------------------------------------------- */
+
+typedef struct hm_plan hm_plan;
+typedef struct hm_basis hm_basis;
+
+/* The analysis must have curves. Plan and basis copy what they need of it. */
+HM_API hm_status hm_plan_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
+HM_API hm_status hm_plan_init(hm_plan **plan, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
+HM_API hm_status hm_basis_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
+HM_API hm_status hm_basis_init(hm_basis **basis, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
+
+/* Assembles and factors on the mesh's coordinates, or on moved ones of the same mesh (x, y not NULL): ordering and
+ * symbolic pass serve again. A failed or cancelled call leaves the plan without a factor. */
+HM_API hm_status hm_plan_factor(hm_plan *plan, const double *x, const double *y, int64_t stride, hm_error *err);
+
+typedef struct hm_solve_report {
+    uint64_t struct_size;
+    int32_t  unknowns, functions;
+    double   residual;             /* [-] largest over the functions of |b - A F| / |b|, 2-norms */
+    int32_t  residual_function;    /* where */
+    int32_t  boundary_error_point; /* where */
+    double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, N_i evaluated anew */
+    double   partition_defect;     /* [-] largest |sum_i F_i - 1| on the curves */
+    double   min_value, max_value; /* [-] of all F_i */
+    double   max_distance;         /* [length] of a curve point from its curve: the mesh's offset from the fit, kept */
+    int32_t  max_distance_point;
+    int32_t  curve_points;         /* mesh points on curves */
+    int64_t  factor_entries;       /* numbers in the factor */
+} hm_solve_report;
+
+/* Solves all functions in the basis, with the plan's factor. Both must come from one analysis. report may be NULL.
+ * Cancelled: the basis counts as not solved, the factor stays. */
+HM_API hm_status hm_plan_solve(hm_plan *plan, hm_basis *basis, hm_solve_report *report, hm_error *err);
+
+/* A basis is one block without pointers: write it to a file as it is (hm_basis_info.bytes), read or map it back, attach.
+ * block aligned to 8 bytes. Refused with the reason: not a basis, another format version or byte order, truncated,
+ * damaged (checksum), another mesh's. mesh NULL: not compared. HM_MOVED: the same mesh with other coordinates. */
+HM_API hm_status hm_basis_attach(const hm_basis **basis, const void *block, size_t bytes, const hm_mesh *mesh,
+                                 hm_error *err);
+
+typedef struct hm_basis_info {
+    uint64_t struct_size;
+    uint64_t bytes;                /* of the block from the basis's address on */
+    int32_t  solved;               /* 0 or 1 */
+    int32_t  points, cells, functions, curves, curve_points;
+    int32_t  numbers_per_value;    /* 1: real */
+    int32_t  operator_kind, scheme, engine;
+    int32_t  index_base;           /* of the mesh it was solved on: what points and cells in reports count from */
+    const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
+    const int32_t *point_curve;    /* [curve_points] the curve each is on */
+    const double  *point_u;        /* [curve_points] its parameter */
+} hm_basis_info;
+HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
+/* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it. */
+HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
+/* values [n_points] of function i (from 0). */
+HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, double *values, hm_error *err);
+
+/* ---- Morph ------------------------------------------------------------------------------------------------------- */
+
+/* x_new = x + sum_i F_i dx_i, likewise y; move [2*n_control] holds dx,dy pairs [length]. In place (x_new == x, equal
+ * strides) or to another array that does not overlap. Points whose sum is 0 keep their bits. Strides: 0 means 1. Also
+ * for velocities: give the control points' and x = NULL (taken as 0). */
+HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
+                          double *x_new, double *y_new, int64_t stride_new, hm_error *err);
+/* The transpose: gradient [2*n_control] of an objective by the control points, from its gradient by the mesh points. */
+HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
+                            double *gradient, hm_error *err);
+/* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
+HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const double *x, const double *y,
+                                   int64_t stride, const double *x_new, const double *y_new, int64_t stride_new,
+                                   double *error, int32_t *point, hm_error *err);
+
+/* ---- Validity and quality ---------------------------------------------------------------------------------------- */
+
+typedef struct hm_step_report {
+    uint64_t struct_size;
+    double   admissible;           /* [-] largest s for which x + t dx has no inverted corner for all t < s; infinite:
+                                      unlimited; 0: a corner of the mesh itself has no positive area */
+    int32_t  cell, point;          /* the limiting cell and its corner's point; -1: none */
+} hm_step_report;
+/* Exact: along the step each corner's area is a quadratic in s. dx, dy [n_points, stride]: hm_morph with x = NULL.
+ * The mesh's own coordinates are the start. */
+HM_API hm_status hm_admissible_step(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy,
+                                    int64_t stride, hm_step_report *report, hm_error *err);
+
+typedef struct hm_quality_report {
+    uint64_t struct_size;
+    int32_t  inverted, first_inverted; /* cells with a corner of area <= 0; the first, or -1 */
+    double   min_area;             /* [length^2] smallest signed corner area */
+    double   min_quality, mean_quality; /* [0..1] size-skew quality sqrt(f_size) f_skew; inverted cells count 0 */
+    int32_t  min_quality_cell;
+    int32_t  self_crossing;        /* 1: the boundary crosses itself or another body */
+    int32_t  crossing_points[4];   /* begin and end of one face, then of the other; -1: none */
+} hm_quality_report;
+/* Quality of the mesh at x, y [n_points, stride]. f_size = min(t, 1/t), t the cell's area over its area at the reference
+ * coordinates; x_ref NULL: f_size = 1. f_skew: Knupp, Finite Elem. Anal. Des. 39 (2003) 217, the shape metric for
+ * triangles. Combined as in de Boer, van der Schoot, Bijl, Comput. Struct. 85 (2007) 784. */
+HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const double *x, const double *y, int64_t stride,
+                            const double *x_ref, const double *y_ref, int64_t stride_ref,
+                            hm_quality_report *report, hm_error *err);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

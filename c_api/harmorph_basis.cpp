@@ -1,0 +1,230 @@
+// The C interface, part 3: everything that needs only a solved basis and the mesh.
+#include "fault_text.hpp"
+#include "harmorph/admissible_step.hpp"
+#include "harmorph/crossing.hpp"
+#include "harmorph/morph.hpp"
+#include "harmorph/quality.hpp"
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+Status open_basis(const hm_basis* basis, Basis& out, Fault& fault) noexcept {
+    if (basis == nullptr) return fault.refuse(Status::bad_argument, "basis is NULL");
+    out = Basis::view(static_cast<const void*>(basis));
+    return Status::ok;
+}
+
+Status open_solved(const hm_basis* basis, Basis& out, Fault& fault) noexcept {
+    HARMORPH_TRY(open_basis(basis, out, fault));
+    if (out.header->solved == 1) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis has not been solved");
+}
+
+// Basis and mesh that belong together, as far as the counts tell.
+Status open_pair(const hm_basis* basis, const hm_mesh* given, Basis& out, Mesh& mesh, Fault& fault) noexcept {
+    HARMORPH_TRY(open_basis(basis, out, fault));
+    HARMORPH_TRY(view_mesh(given, mesh, fault));
+    if (mesh.n_points == out.n_points() && mesh.n_cells == out.header->counts.cells) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells", Counts::from_zero,
+                        out.n_points(), out.header->counts.cells);
+}
+
+Status check_points(Points points, Fault& fault) noexcept {
+    if (points.x == nullptr || points.y == nullptr) {
+        return fault.refuse(Status::bad_argument, "an array of coordinates is NULL");
+    }
+    return points.stride >= 1 ? Status::ok : fault.refuse(Status::bad_argument, "a stride is negative");
+}
+
+Status check_finite(const double* numbers, Index n, const char* sentence, Fault& fault) noexcept {
+    if (numbers == nullptr) return fault.refuse(Status::bad_argument, "an argument is NULL");
+    for (Index k = 0; k < n; ++k) {
+        if (!is_finite(numbers[k])) return fault.refuse(Status::bad_argument, sentence, Counts::from_zero, k / 2);
+    }
+    return Status::ok;
+}
+
+Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept {
+    return check_finite(move, 2 * basis.n_functions(), "the movement of control point # (from 0) is not finite", fault);
+}
+
+Bases bases_of(Basis const& basis) noexcept { return {basis.header != nullptr ? basis.header->index_base : 0, 0}; }
+
+Index numbered(Index item, Index base) noexcept { return item == none ? none : item + base; }
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t bytes, const hm_mesh* mesh, hm_error* err) {
+    Fault fault;
+    Mesh view;
+    if (basis == nullptr || block == nullptr) {
+        fault.refuse(Status::bad_argument, "basis or block is NULL");
+    } else if (reinterpret_cast<std::uintptr_t>(block) % 8 != 0) {
+        fault.refuse(Status::bad_argument, "the block of a basis must be aligned to 8 bytes");
+    } else if (mesh == nullptr || !failed(view_mesh(mesh, view, fault))) {
+        if (mesh == nullptr || !failed(check_mesh(view, fault))) {
+            check_basis(block, bytes, mesh != nullptr ? &view : nullptr, fault);
+        }
+    }
+    if (!failed(fault.status)) *basis = static_cast<const hm_basis*>(block);
+    return tell(err, fault, {view.index_base, 0});
+}
+
+hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (info == nullptr) fault.refuse(Status::bad_argument, "info is NULL");
+    if (!failed(fault.status) && !failed(open_basis(basis, b, fault))) {
+        BasisHeader const& header = *b.header;
+        hm_basis_info filled = {};
+        filled.bytes = header.bytes;
+        filled.solved = header.solved;
+        filled.points = header.counts.points;
+        filled.cells = header.counts.cells;
+        filled.functions = header.counts.functions;
+        filled.curves = header.counts.curves;
+        filled.curve_points = header.counts.wall;
+        filled.numbers_per_value = 1;
+        filled.operator_kind = header.method.operator_kind;
+        filled.scheme = header.method.scheme;
+        filled.engine = header.method.engine;
+        filled.index_base = header.index_base;
+        filled.curve_point = b.wall_point.data();
+        filled.point_curve = b.wall_curve.data();
+        filled.point_u = b.wall_u.data();
+        write_struct(filled, info);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (out == nullptr || curve == nullptr) fault.refuse(Status::bad_argument, "out or curve is NULL");
+    if (!failed(fault.status) && !failed(open_basis(basis, b, fault))) {
+        Index const n = b.header->counts.curves;
+        if (capacity < n) {
+            fault.refuse(Status::bad_argument, "curve has room for #, the basis has @", Counts::from_zero, capacity, n);
+            return tell(err, fault);
+        }
+        for (Index i = 0; i < n; ++i) {
+            Curve const its = b.curve(i);
+            curve[i] = {sizeof(hm_curve), its.degree, its.n_indices, its.indices, its.knots};
+        }
+        hm_curves const filled = {sizeof(hm_curves), 0, b.n_functions(), b.control.data(),
+                                  b.weights.empty() ? nullptr : b.weights.data(), n, curve};
+        write_struct(filled, out);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_basis_values(const hm_basis* basis, int32_t function, double* values, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (values == nullptr) fault.refuse(Status::bad_argument, "values is NULL");
+    if (!failed(fault.status) && !failed(open_solved(basis, b, fault))) {
+        if (function < 0 || function >= b.n_functions()) {
+            fault.refuse(Status::bad_argument, "there is no function #; the basis has @", Counts::from_zero, function,
+                         b.n_functions());
+        } else {
+            for (Index point = 0; point < b.n_points(); ++point) values[point] = b.row(point)[function];
+        }
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_morph(const hm_basis* basis, const double* move, const double* x, const double* y, int64_t stride, double* x_new,
+                   double* y_new, int64_t stride_new, hm_error* err) {
+    Fault fault;
+    Basis b;
+    Points const from = points_of(x, y, stride);
+    MutablePoints const to{x_new, y_new, stride_of(stride_new)};
+    if (!failed(open_solved(basis, b, fault)) && !failed(check_move(b, move, fault)) &&
+        !failed(check_points({to.x, to.y, to.stride}, fault)) && (!from.given() || !failed(check_points(from, fault)))) {
+        morph(b, move, from, to);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_adjoint(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride, double* gradient,
+                     hm_error* err) {
+    Fault fault;
+    Basis b;
+    Points const by_points = points_of(dj_dx, dj_dy, stride);
+    if (gradient == nullptr) fault.refuse(Status::bad_argument, "gradient is NULL");
+    if (!failed(fault.status) && !failed(open_solved(basis, b, fault)) && !failed(check_points(by_points, fault))) {
+        adjoint_morph(b, by_points, gradient);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_boundary_error(const hm_basis* basis, const double* move, const double* x, const double* y, int64_t stride,
+                            const double* x_new, const double* y_new, int64_t stride_new, double* error, int32_t* point,
+                            hm_error* err) {
+    Fault fault;
+    Basis b;
+    Points const from = points_of(x, y, stride), to = points_of(x_new, y_new, stride_new);
+    if (error == nullptr) fault.refuse(Status::bad_argument, "error is NULL");
+    if (!failed(fault.status) && !failed(open_basis(basis, b, fault)) && !failed(check_move(b, move, fault)) &&
+        !failed(check_points(from, fault)) && !failed(check_points(to, fault))) {
+        BoundaryError const worst = boundary_error(b, move, from, to);
+        *error = worst.error;
+        if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
+    }
+    return tell(err, fault, bases_of(b));
+}
+
+hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const double* dx, const double* dy, int64_t stride,
+                             hm_step_report* report, hm_error* err) {
+    Fault fault;
+    Basis b;
+    Mesh view;
+    Points const displacement = points_of(dx, dy, stride);
+    if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
+    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
+        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault))) {
+        AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed);
+        hm_step_report filled = {};
+        filled.admissible = limit.step;
+        filled.cell = numbered(limit.cell, view.index_base);
+        filled.point = numbered(limit.point, view.index_base);
+        write_struct(filled, report);
+    }
+    return tell(err, fault, {view.index_base, 0});
+}
+
+hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x, const double* y, int64_t stride,
+                     const double* x_ref, const double* y_ref, int64_t stride_ref, hm_quality_report* report, hm_error* err) {
+    Fault fault;
+    Basis b;
+    Mesh view;
+    Points const points = points_of(x, y, stride), reference = points_of(x_ref, y_ref, stride_ref);
+    if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
+    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
+        (!reference.given() || !failed(check_points(reference, fault)))) {
+        Quality const quality = measure_quality(view, points, reference, b.reversed);
+        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
+        hm_quality_report filled = {};
+        filled.inverted = quality.inverted;
+        filled.first_inverted = numbered(quality.first_inverted, view.index_base);
+        filled.min_area = quality.min_area;
+        filled.min_quality = quality.min_quality;
+        filled.mean_quality = quality.mean_quality;
+        filled.min_quality_cell = numbered(quality.min_quality_cell, view.index_base);
+        filled.self_crossing = crossing.found ? 1 : 0;
+        for (Index k = 0; k < 2; ++k) {
+            filled.crossing_points[k] = numbered(crossing.first[k], view.index_base);
+            filled.crossing_points[2 + k] = numbered(crossing.second[k], view.index_base);
+        }
+        write_struct(filled, report);
+    }
+    return tell(err, fault, {view.index_base, 0});
+}
+
+}  // extern "C"

@@ -1,0 +1,127 @@
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+Status missing(Fault& fault, const char* sentence) noexcept { return fault.refuse(Status::bad_argument, sentence); }
+
+}  // namespace
+
+Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
+    if (given == nullptr) return missing(fault, "mesh is NULL");
+    hm_mesh m;
+    if (!read_struct(given, m)) return missing(fault, "mesh.struct_size is not set");
+    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_STRUCTURED) {
+        return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
+    }
+    mesh = Mesh{};
+    mesh.index_base = m.index_base;
+    mesh.n_points = m.n_points;
+    mesh.points = points_of(m.x, m.y, m.stride);
+    mesh.layout = static_cast<CellLayout>(m.cell_layout);
+    mesh.n_cells = m.n_cells;
+    bool const block = mesh.layout == CellLayout::structured && m.ni > 1 && m.nj > 1;
+    if (block && m.n_cells == 0) {
+        Offset const n = (Offset{m.ni} - 1) * (Offset{m.nj} - 1);
+        mesh.n_cells = n <= Mesh::max_cells ? static_cast<Index>(n) : 0;
+    }
+    mesh.cell_start = m.cell_start;
+    mesh.cell_points = m.cell_points;
+    mesh.ni = m.ni;
+    mesh.nj = m.nj;
+    mesh.n_faces = m.n_faces;
+    mesh.face_points = m.face_points;
+    mesh.face_markers = m.face_markers;
+    mesh.n_lists = m.n_lists;
+    mesh.list_start = m.list_start;
+    mesh.list_points = m.list_points;
+    mesh.list_markers = m.list_markers;
+    return check_counts(mesh, fault);
+}
+
+Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexcept {
+    if (given == nullptr) return missing(fault, "curves is NULL");
+    if (!read_struct(given, view.set)) return missing(fault, "curves.struct_size is not set");
+    hm_curves const& set = view.set;
+    if (set.index_base != 0 && set.index_base != 1) return missing(fault, "curves.index_base must be 0 or 1");
+    if (set.control == nullptr || set.curve == nullptr) return missing(fault, "curves.control or curves.curve is NULL");
+    constexpr Index most = Index{1} << 24;
+    if (set.n_control < 2 || set.n_control > most) {
+        return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #", Counts::from_zero,
+                            set.n_control);
+    }
+    if (set.n_curves < 1 || set.n_curves > most) {
+        return fault.refuse(Status::bad_curve, "curves.n_curves must be between 1 and 2^24, not #", Counts::from_zero,
+                            set.n_curves);
+    }
+    return Status::ok;
+}
+
+Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
+    hm_curve c;
+    if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
+        return fault.refuse(Status::bad_argument, "struct_size of curve # is not set", Counts::from_zero, number);
+    }
+    if (c.knots == nullptr) {
+        return fault.refuse(Status::bad_argument, "knots of curve # is NULL", Counts::from_zero, number);
+    }
+    out = Curve{};
+    out.degree = c.degree;
+    out.n_indices = c.n_indices;
+    out.index_base = set.index_base;
+    out.n_control = set.n_control;
+    out.indices = c.indices;
+    out.knots = c.knots;
+    out.control = set.control;
+    out.weights = set.weights;
+    return Status::ok;
+}
+
+Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
+    hm_condition c;
+    if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
+        return fault.refuse(Status::bad_argument, "struct_size of condition # is not set", Counts::from_zero, number);
+    }
+    if (c.kind < HM_ON_CURVE || c.kind > HM_FREE) {
+        return fault.refuse(Status::bad_argument, "condition # has the unknown kind @", Counts::from_zero, number, c.kind);
+    }
+    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves};
+    return Status::ok;
+}
+
+Status view_options(const hm_options* given, Method& method, Progress& progress, Fault& fault) noexcept {
+    method = Method{};
+    progress = Progress{};
+    if (given == nullptr) return Status::ok;
+    hm_options o;
+    if (!read_struct(given, o)) return missing(fault, "options.struct_size is not set");
+    if (o.operator_kind != HM_LAPLACE || o.scheme != HM_COMPACT || o.engine != HM_DIRECT) {
+        return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
+    }
+    if (!(o.tolerance >= 0 && o.tolerance < 1)) {
+        return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~", Counts::from_zero,
+                            none, none, o.tolerance);
+    }
+    method.operator_kind = o.operator_kind;
+    method.scheme = o.scheme;
+    method.engine = o.engine;
+    if (o.tolerance > 0) method.tolerance = o.tolerance;
+    progress = {o.progress, o.progress_user};
+    return Status::ok;
+}
+
+Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept {
+    options = FitOptions{};
+    if (given == nullptr) return Status::ok;
+    hm_fit_options o;
+    if (!read_struct(given, o)) return missing(fault, "fit options: struct_size is not set");
+    if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
+        return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown", Counts::from_zero, o.closed);
+    }
+    if (o.degree != 0) options.degree = o.degree;
+    if (o.n_control != 0) options.n_control = o.n_control;
+    options.closure = static_cast<Closure>(o.closed);
+    return Status::ok;
+}
+
+}  // namespace harmorph

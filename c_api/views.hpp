@@ -1,0 +1,55 @@
+// From the caller's structs to the core's views, and from the core's reports to the caller's structs.
+#pragma once
+
+#include <cstring>
+
+#include "harmorph.h"
+#include "harmorph/analysis.hpp"
+#include "harmorph/bspline.hpp"
+#include "harmorph/fit.hpp"
+
+namespace harmorph {
+
+// A caller's struct of any age: what it does not have is 0. False if its size was never set.
+template <class T>
+bool read_struct(const T* given, T& out) noexcept {
+    out = T{};
+    constexpr std::uint64_t largest_ever = 4096;
+    if (given->struct_size < sizeof given->struct_size || given->struct_size > largest_ever) return false;
+    std::memcpy(static_cast<void*>(&out), given, smaller<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
+    return true;
+}
+
+template <class T>
+void write_struct(T filled, T* to) noexcept {
+    filled.struct_size = to->struct_size;
+    std::memcpy(static_cast<void*>(to), &filled, smaller<Size>(static_cast<Size>(to->struct_size), sizeof(T)));
+}
+
+// Element i of an array of structs whose size the first one tells.
+template <class T>
+const T* element(const T* array, Index i) noexcept {
+    const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(array);
+    return reinterpret_cast<const T*>(bytes + static_cast<Size>(i) * static_cast<Size>(array->struct_size));
+}
+
+constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
+    return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
+}
+inline Points points_of(const double* x, const double* y, std::int64_t stride) noexcept { return {x, y, stride_of(stride)}; }
+
+Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept;
+
+// A caller's curves: counts and pointers checked, one view at a time.
+struct CurvesView {
+    hm_curves set;
+    Index count() const noexcept { return set.n_curves; }
+    Status curve(Index number, Curve& out, Fault& fault) const noexcept;
+};
+Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexcept;
+
+Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
+Status view_options(const hm_options* given, Method& method, Progress& progress, Fault& fault) noexcept;
+Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,64 @@
+// Everything that depends on the mesh's structure and not on the size of numbers: checks, boundary, unknowns, ordering.
+#pragma once
+
+#include "harmorph/basis.hpp"
+#include "harmorph/boundary.hpp"
+#include "harmorph/fronts.hpp"
+#include "harmorph/matrix.hpp"
+#include "harmorph/orientation.hpp"
+#include "harmorph/progress.hpp"
+#include "harmorph/wall.hpp"
+
+namespace harmorph {
+
+// What the caller wants, beside curves and conditions, as views of the caller's arrays.
+struct Problem {
+    Mesh mesh;
+    GivenParameters given;
+    Method method;
+    Progress progress;
+};
+
+struct Analysis {
+    Problem problem;
+    Span<Curve> curves;           // set by the caller before run(); none: the analysis stops after the mesh
+    Span<Condition> conditions;   // set by the caller before run()
+    Span<Index> representative;   // [n_points] joined points: the smallest of them
+    Span<std::uint8_t> reversed;  // [n_cells]
+    Edges edges;
+    Boundary boundary;
+    Index used_points = 0;        // points of cells
+    Span<PointKind> kinds;        // [n_points]
+    Wall wall;
+    Graph graph;
+    Span<Index> order;            // [n] unknown at each position
+    AssemblyTree tree;
+    BorderWork border;
+    Span<Offset> border_start;    // [nodes + 1]
+    FrontSizes fronts;
+    Matrix::Sizes matrix;
+
+    // Working arrays.
+    OrientationWork orientation_work;
+    WallWork wall_work;
+    DissectionWork dissection_work;
+
+    // Sizes from the counts alone.
+    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions) noexcept;
+    Status run(Problem const& its_problem, Fault& fault) noexcept;
+
+    bool has_curves() const noexcept { return !curves.empty(); }
+    Index n_functions() const noexcept { return curves[0].n_control; }
+    BasisCounts basis_counts() const noexcept;
+
+private:
+    Status analyse_mesh(Fault& fault) noexcept;
+    void count_used_points() noexcept;
+    Status analyse_unknowns(Fault& fault) noexcept;
+    Status analyse_order(Fault& fault) noexcept;
+};
+
+// First cell with a corner that has no positive area, or none.
+Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,64 @@
+// The boundary of the mesh as directed faces, the mesh on their left, in order along closed loops.
+#pragma once
+
+#include "harmorph/arena.hpp"
+#include "harmorph/edges.hpp"
+
+namespace harmorph {
+
+struct Boundary {
+    Index count = 0;          // faces
+    Index n_loops = 0;
+    Span<Index> point;        // [count] where each face begins; it ends where the next of its loop does
+    Span<Index> marker;       // [count]
+    Span<Index> loop_start;   // [n_loops + 1]
+
+    Span<Index> given_begin, given_end, given_marker;  // [max_faces] as marked: not yet directed, not yet in order
+    Span<Index> head;         // [n_points] working space of order()
+    Span<Index> next;         // [max_faces]
+
+    // As many faces as the caller gives, segments of lists counted generously.
+    static Size max_faces(Mesh const& mesh) noexcept;
+    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+
+    // Finds the edge of every face and list segment and notes its marker there (edges.second).
+    Status mark(Mesh const& mesh, Edges& edges, Span<const Index> representative, Fault& fault) noexcept;
+    // Refuses a boundary edge without a marker, and puts the faces in order.
+    Status order(Mesh const& mesh, Edges const& edges, Span<const std::uint8_t> reversed, Fault& fault) noexcept;
+
+    // Pieces: runs of faces for which is_on(face) holds. visit(piece, point) for their points in order, then
+    // close(piece, is_loop); the first point of a whole loop is not repeated. Returns how many pieces there are.
+    template <class IsOn, class Visit, class Close>
+    Index for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept;
+
+    // The face after this one on its loop.
+    Index after(Index face, Index loop) const noexcept { return face + 1 == loop_start[loop + 1] ? loop_start[loop] : face + 1; }
+};
+
+template <class IsOn, class Visit, class Close>
+Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept {
+    Index piece = 0;
+    for (Index loop = 0; loop < n_loops; ++loop) {
+        Index const begin = loop_start[loop], n = loop_start[loop + 1] - begin;
+        Index gap = none;  // a face that is not on: behind it a piece may begin
+        for (Index k = 0; k < n && gap == none; ++k) {
+            if (!is_on(begin + k)) gap = k;
+        }
+        bool inside = false;
+        for (Index k = 0; k < n; ++k) {
+            Index const face = begin + (gap == none ? k : (gap + 1 + k) % n);
+            bool const on = is_on(face);
+            if (on || inside) visit(piece, point[face]);  // where a face begins, or the last of a piece ends
+            if (!on && inside) close(piece++, false);
+            inside = on;
+        }
+        if (inside) close(piece++, true);
+    }
+    return piece;
+}
+
+// Joins the points of a cut: edges without marker whose end points coincide bit by bit in pairs. `points` [n_points] is
+// working space. Returns how many points were joined to another.
+Index join_cuts(Mesh const& mesh, Edges const& edges, Span<Index> points, Span<Index> representative) noexcept;
+
+}  // namespace harmorph

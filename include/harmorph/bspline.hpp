@@ -1,0 +1,58 @@
+// One B-spline curve, rational where there are weights: B-spline basis functions, points, derivatives.
+// Piegl & Tiller, The NURBS Book, 2nd ed.: algorithm A2.1, equations 2.5 (basis), 2.7 (derivatives), 4.8 (rational).
+#pragma once
+
+#include "harmorph/span.hpp"
+#include "harmorph/vec2.hpp"
+
+namespace harmorph {
+
+// A view: C(u) = sum_k N_k(u) P[indices[k]], u in [knots[degree], knots[n]], n = number of indices.
+struct Curve {
+    Index degree = 0;
+    Index n_indices = 0;
+    Index index_base = 0;
+    Index n_control = 0;               // of the set that the curve belongs to
+    const Index* indices = nullptr;    // [n_indices], or null: the control points in order
+    const Real* knots = nullptr;       // [n_indices + degree + 1]
+    const Real* control = nullptr;     // [2 * n_control] x,y pairs
+    const Real* weights = nullptr;     // [n_control], or null
+
+    Index control_point(Index k) const noexcept { return indices != nullptr ? indices[k] - index_base : k; }
+    Vec2 point(Index k) const noexcept { return {control[2 * control_point(k)], control[2 * control_point(k) + 1]}; }
+    Real weight(Index k) const noexcept { return weights != nullptr ? weights[control_point(k)] : 1; }
+    Real begin() const noexcept { return knots[degree]; }
+    Real end() const noexcept { return knots[n_indices]; }
+};
+
+// The functions that are not 0 at one parameter: value[d][k] is the d-th derivative of the function of control[k].
+// A control point that the curve repeats within one span appears twice; its values add up.
+struct CurveBasis {
+    Index order = 0;  // degree + 1
+    Index control[max_order] = {};
+    Real value[max_order][max_order] = {};
+};
+
+// Degree, knots, indices, weights and control points; `number` names the curve in the fault (as its `other`).
+Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept;
+
+// The i with knots[i] <= u < knots[i + 1]; at the curve's end the last span that is not empty.
+Index knot_span(Curve const& curve, Real u) noexcept;
+
+// 0 <= n_derivatives <= max_degree; u outside the curve's range counts as the nearer end.
+CurveBasis curve_basis(Curve const& curve, Real u, Index n_derivatives) noexcept;
+
+// The polynomials of one span, which must not be empty: at a knot, they tell its left side from its right side.
+CurveBasis curve_basis_in(Curve const& curve, Index span, Real u, Index n_derivatives) noexcept;
+
+// C(u) and its derivatives: out [n_derivatives + 1].
+void curve_point(Curve const& curve, Real u, Index n_derivatives, Vec2* out) noexcept;
+void curve_point_in(Curve const& curve, Index span, Real u, Index n_derivatives, Vec2* out) noexcept;
+
+inline Vec2 curve_point(Curve const& curve, Real u) noexcept {
+    Vec2 point;
+    curve_point(curve, u, 0, &point);
+    return point;
+}
+
+}  // namespace harmorph

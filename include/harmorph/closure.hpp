@@ -1,0 +1,30 @@
+// How a fitted curve closes: where it begins, which way it runs round the body, and which corners it has on its way.
+#pragma once
+
+#include "harmorph/corners.hpp"
+
+namespace harmorph {
+
+enum class Closure : std::int32_t { automatic = 0, open = 1, tied = 2, periodic = 3 };
+
+// The curve's positions 0 .. n_positions - 1 are the points first, first + 1, ... (mod n). A tied or periodic curve has the
+// first point at both ends.
+struct Course {
+    Closure closure = Closure::open;
+    Index first = 0;
+    Index n_positions = 0;
+    Index base_points = 0;  // points on the blunt base, which a second curve takes; both ends counted
+
+    bool closes() const noexcept { return closure == Closure::tied || closure == Closure::periodic; }
+};
+
+// Automatic, for a loop: no corner: periodic; a blunt base (the shortest, if there are several): open, the long way from one
+// of its corners to the other; else tied at the sharpest corner. Tied or periodic at the caller's wish: begins at the
+// sharpest corner; without corners, at the point where the outline turns most. Open: from the first point to the last.
+Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
+
+// Turns corners (points) into those inside the course (positions, ascending), the sharpest `most` of them; a periodic
+// curve is to be smooth and has none. Returns how many are left.
+Index corners_on(Course const& course, Outline const& outline, Span<Index> corner, Index most) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,20 @@
+// Does the boundary cross itself, or one body another? Positive cell areas do not tell.
+#pragma once
+
+#include "harmorph/span.hpp"
+#include "harmorph/vec2.hpp"
+
+namespace harmorph {
+
+// Two faces: the points where they begin and end.
+struct Crossing {
+    bool found = false;
+    Index first[2] = {none, none};
+    Index second[2] = {none, none};
+};
+
+// Boundary faces in the order of their loops (see Boundary). Faces that follow each other lie close together, so halving
+// the list halves the place it takes: boxes of list ranges prune the pairs, without any memory.
+Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,41 @@
+// Nested dissection on the coordinates: the order of elimination, and the tree in which the matrix is factored.
+#pragma once
+
+#include "harmorph/graph.hpp"
+
+namespace harmorph {
+
+// Nodes are numbered children before parents, so that a loop over them is a postorder. A node eliminates the unknowns at
+// positions begin .. end-1 of the order: a separator, or a whole part that is too small to cut.
+struct AssemblyTree {
+    struct Node {
+        Index begin = 0, end = 0;  // pivots
+        Index parent = none;
+        Index child = none;        // the first; the others follow by `sibling`
+        Index sibling = none;
+        Index pivots() const noexcept { return end - begin; }
+    };
+
+    Span<Node> nodes;
+    Index count = 0;
+
+    void lay_out(Arena& arena, Index max_unknowns) noexcept;
+};
+
+struct DissectionWork {
+    struct Place {           // of an unknown
+        Real x, y;
+        float reach_x, reach_y;  // largest extent of its edges: farther from a cut than that, it has no neighbour across
+    };
+    Span<Place> place;       // [n]
+    Span<Index> moved;       // [n]
+    Span<std::uint8_t> side; // [n] of each unknown
+
+    void lay_out(Arena& arena, Index max_unknowns) noexcept;
+};
+
+// order [n]: the unknowns in the order of elimination. Source of the method: A. George, SIAM J. Numer. Anal. 10 (1973) 345,
+// with straight cuts through sampled medians and the smaller of the two one-sided vertex separators.
+void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept;
+
+}  // namespace harmorph

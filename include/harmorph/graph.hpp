@@ -1,0 +1,33 @@
+// The unknowns and which of them share a cell: the pattern of the matrix, and what the dissection cuts.
+#pragma once
+
+#include "harmorph/conditions.hpp"
+#include "harmorph/edges.hpp"
+
+namespace harmorph {
+
+// Two points of one cell: an edge, or the diagonal of a quad. visit(a, b) for each edge once and for each cell's diagonals.
+template <class Visit>
+void for_each_pair(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Visit visit) noexcept {
+    edges.for_each([&](Index, Index low, Index high) { visit(low, high); });
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        if (cell.n != 4) continue;
+        visit(representative[cell.point[0]], representative[cell.point[2]]);
+        visit(representative[cell.point[1]], representative[cell.point[3]]);
+    }
+}
+
+struct Graph {
+    Index n = 0;             // unknowns
+    Span<Index> point;       // [n] mesh point of each unknown, increasing
+    Span<Index> unknown;     // [n_points] unknown of each point, or none
+    Span<Offset> start;      // [n + 1]
+    Span<Index> neighbour;   // both directions
+
+    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+    void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds) noexcept;
+    Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
+};
+
+}  // namespace harmorph

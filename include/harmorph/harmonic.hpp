@@ -1,0 +1,48 @@
+// The plan: boundary functions in, harmonic functions out. Chooses operator and engine, fills and seals the basis.
+#pragma once
+
+#include "harmorph/analysis.hpp"
+#include "harmorph/multifrontal.hpp"
+
+namespace harmorph {
+
+struct SolveReport {
+    Index unknowns = 0, functions = 0;
+    Real residual = 0;
+    Index residual_function = none;
+    Offset factor_entries = 0;
+};
+
+struct Plan {
+    Mesh mesh;
+    Method method;
+    Progress progress;
+    BasisCounts basis_counts;
+    std::uint64_t topology = 0;   // fingerprint of the mesh
+    std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
+    bool factored = false;
+    Span<Index> point_of;         // [n] mesh point of each position
+    Span<std::uint8_t> reversed;  // [n_cells]
+    Matrix matrix;
+    Multifrontal engine;
+    Span<Real> residual;          // [n x residual_width] in the place of the engine's stack
+
+    static constexpr Index residual_width = 8;
+
+    void lay_out(Arena& arena, Analysis const& analysis) noexcept;
+    void init(Analysis const& analysis) noexcept;
+
+    // On Status::bad_mesh (an inverted cell of moved coordinates), not_positive or cancelled there is no factor.
+    Status factor(Points points, Fault& fault) noexcept;
+    Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+
+private:
+    void set_right_hand_sides(Basis const& basis) const noexcept;
+    void copy_joined_points(Basis const& basis) const noexcept;
+    Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
+};
+
+// Makes an unsolved basis in a block that has been laid out for the analysis's counts.
+void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& analysis) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,107 @@
+// The caller's mesh as it stands in the caller's arrays: cells in any of four layouts, boundary as faces or point lists.
+#pragma once
+
+#include "harmorph/span.hpp"
+#include "harmorph/vec2.hpp"
+
+namespace harmorph {
+
+enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3 };
+
+// The points of one cell, counted from 0, in order round it; n is 3 or 4.
+struct Cell {
+    Index n = 0;
+    Index point[4] = {};
+
+    Index next(Index corner) const noexcept { return point[corner + 1 == n ? 0 : corner + 1]; }
+    Index previous(Index corner) const noexcept { return point[corner == 0 ? n - 1 : corner - 1]; }
+};
+
+struct BoundaryFace {
+    Index begin = none, end = none;  // points, counted from 0
+    Index marker = 0;
+};
+
+struct Mesh {
+    Index index_base = 0;
+    Index n_points = 0;
+    Points points;
+    CellLayout layout = CellLayout::rows;
+    Index n_cells = 0;
+    const Index* cell_start = nullptr;
+    const Index* cell_points = nullptr;
+    Index ni = 0, nj = 0;
+    Index n_faces = 0;
+    const Index* face_points = nullptr;
+    const Index* face_markers = nullptr;
+    Index n_lists = 0;
+    const Index* list_start = nullptr;
+    const Index* list_points = nullptr;
+    const Index* list_markers = nullptr;
+
+    static constexpr Index max_points = Index{1} << 30;
+    static constexpr Index max_cells = Index{1} << 29;  // four corners of each are counted in an Index
+
+    // Whatever the layout: a quad whose last point is repeated is a triangle.
+    Cell cell(Index i) const noexcept;
+    // Upper bound of the number of cell sides, from the counts alone.
+    Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
+
+    // Faces, then the segments of the lists. visit(face, list or none, its number among its kind) may stop with false.
+    template <class Visit>
+    bool for_each_face(Visit visit) const noexcept;
+};
+
+// The n corner triangles of a cell; with all areas positive a triangle runs counter-clockwise and a quad is convex.
+struct CornerAreas {
+    Index n = 0;
+    Real area[4] = {};
+    Real smallest() const noexcept;
+};
+CornerAreas corner_areas(Cell const& cell, Points points, bool reversed) noexcept;
+
+// Counter-clockwise area (half the cross product of the diagonals, for a quad).
+Real cell_area(Cell const& cell, Points points) noexcept;
+
+// Ranges of the counts alone: all that a size query may look at.
+Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
+
+// Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no neighbourhood.
+Status check_mesh(Mesh const& mesh, Fault& fault) noexcept;
+
+inline Cell Mesh::cell(Index i) const noexcept {
+    Cell cell;
+    if (layout == CellLayout::structured) {
+        Index const row = i / (ni - 1);
+        Index const corner = i + row;  // a row of cells has one cell less than points
+        return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
+    }
+    const Index* first = cell_points;
+    if (layout == CellLayout::rows) {
+        first += cell_start[i] - index_base;
+        cell.n = cell_start[i + 1] - cell_start[i];
+    } else {
+        cell.n = layout == CellLayout::triangles ? 3 : 4;
+        first += Offset{cell.n} * i;
+    }
+    for (Index k = 0; k < cell.n; ++k) cell.point[k] = first[k] - index_base;
+    if (cell.n == 4 && cell.point[3] == cell.point[2]) cell.n = 3;
+    return cell;
+}
+
+template <class Visit>
+bool Mesh::for_each_face(Visit visit) const noexcept {
+    for (Index face = 0; face < n_faces; ++face) {
+        Index const* const ends = face_points + 2 * Offset{face};
+        if (!visit(BoundaryFace{ends[0] - index_base, ends[1] - index_base, face_markers[face]}, none, face)) return false;
+    }
+    for (Index list = 0; list < n_lists; ++list) {
+        for (Index k = list_start[list] - index_base; k + 1 < list_start[list + 1] - index_base; ++k) {
+            BoundaryFace const face{list_points[k] - index_base, list_points[k + 1] - index_base, list_markers[list]};
+            if (!visit(face, list, k)) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,20 @@
+// Which cells run clockwise: settled by neighbours, who must traverse their common edge in opposite directions.
+#pragma once
+
+#include "harmorph/arena.hpp"
+#include "harmorph/edges.hpp"
+
+namespace harmorph {
+
+struct OrientationWork {
+    Span<Index> parent;  // [n_cells] 2 * cell it agrees with, + 1 if in the opposite sense
+    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with its root
+    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+};
+
+// reversed [n_cells]: 1 where the cell's points must be read backwards to run counter-clockwise. In each connected part
+// the sense with the larger total area is the right one, so that few inverted cells do not turn the others.
+Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
+              Fault& fault) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,33 @@
+// The few functions of numbers that the core needs; <cmath> would bring errno and a mathematics library.
+#pragma once
+
+#include <cstring>
+
+#include "harmorph/types.hpp"
+
+namespace harmorph {
+
+inline constexpr Real infinity = __builtin_huge_val();
+inline constexpr Real epsilon = 2.220446049250313e-16;  // 2^-52: spacing of doubles at 1
+
+// -fno-math-errno makes this one instruction wherever the processor has it.
+inline Real square_root(Real x) noexcept { return __builtin_sqrt(x); }
+
+constexpr Real absolute(Real x) noexcept { return x < 0 ? -x : x; }
+template <class T>
+constexpr T smaller(T a, T b) noexcept { return b < a ? b : a; }
+template <class T>
+constexpr T larger(T a, T b) noexcept { return a < b ? b : a; }
+template <class T>
+constexpr T clamp(T x, T low, T high) noexcept { return x < low ? low : high < x ? high : x; }
+
+// Neither infinite nor NaN.
+inline bool is_finite(Real x) noexcept { return absolute(x) <= 1.7976931348623157e308; }
+
+inline std::uint64_t bits_of(Real x) noexcept {
+    std::uint64_t bits;
+    std::memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+}  // namespace harmorph

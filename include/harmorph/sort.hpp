@@ -1,0 +1,49 @@
+// Counting, summing, filling: the idiom of every sparse build here; and a heap sort for the few things without keys to count.
+#pragma once
+
+#include "harmorph/span.hpp"
+
+namespace harmorph {
+
+// starts [n + 1] holds counts in its first n places; afterwards the places where they start, and the total at the end.
+template <class T>
+T counts_to_starts(Span<T> starts) noexcept {
+    T sum = 0;
+    for (T& start : starts) {
+        T const count = start;
+        start = sum;
+        sum += count;
+    }
+    return sum;
+}
+
+// Filling advances each start to its end, which is the next one's start: this puts them back.
+template <class T>
+void rewind_starts(Span<T> starts) noexcept {
+    for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];
+    starts[0] = 0;
+}
+
+// In place, no extra memory. Not stable: let `before` break ties.
+template <class T, class Before>
+void sort(Span<T> items, Before before) noexcept {
+    auto const sink = [&](Size root, Size end) {
+        for (Size child = 2 * root + 1; child < end; child = 2 * root + 1) {
+            if (child + 1 < end && before(items[child], items[child + 1])) ++child;
+            if (!before(items[root], items[child])) return;
+            T const item = items[root];
+            items[root] = items[child];
+            items[child] = item;
+            root = child;
+        }
+    };
+    for (Size root = items.size() / 2; root-- > 0;) sink(root, items.size());
+    for (Size end = items.size(); end-- > 1;) {
+        T const largest = items[0];
+        items[0] = items[end];
+        items[end] = largest;
+        sink(0, end);
+    }
+}
+
+}  // namespace harmorph

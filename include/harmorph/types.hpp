@@ -1,0 +1,61 @@
+// The words everything else is written in: index and number types, status, and the fault that explains a refusal.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace harmorph {
+
+using Index = std::int32_t;   // points, cells, edges, unknowns
+using Offset = std::int64_t;  // positions in arrays that may exceed 2^31: the factor, function values
+using Size = std::size_t;     // bytes
+using Real = double;
+
+inline constexpr Index none = -1;
+inline constexpr Index max_degree = 5;
+inline constexpr Index max_order = max_degree + 1;  // functions that are not 0 at a parameter
+
+// The numbers are those of the C header, which explains them.
+enum class Status : std::int32_t {
+    ok = 0,
+    not_converged = 1,
+    moved = 2,
+    cancelled = -1,
+    bad_argument = -2,
+    bad_mesh = -3,
+    bad_curve = -4,
+    bad_condition = -5,
+    bad_basis = -6,
+    block_too_small = -7,
+    not_positive = -8,
+    unsupported = -9
+};
+
+constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
+
+// What a number in a fault counts; mesh and curves each have an index base that the caller's reports are shifted by.
+enum class Counts : std::int32_t { from_zero, mesh, curves };
+
+// Why a call was refused. In the sentence # stands for item, @ for other and ~ for value.
+struct Fault {
+    Status status = Status::ok;
+    Counts counts = Counts::from_zero;
+    Index item = none;
+    Index other = none;
+    Real value = 0;
+    const char* sentence = "";
+
+    Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none, Index second = none,
+                  Real found = 0) noexcept {
+        *this = {why, base, first, second, found, text};
+        return why;
+    }
+};
+
+#define HARMORPH_TRY(call)                                                                                              \
+    do {                                                                                                                \
+        ::harmorph::Status const status_of_call = (call);                                                               \
+        if (::harmorph::failed(status_of_call)) return status_of_call;                                                  \
+    } while (false)
+
+}  // namespace harmorph

@@ -1,0 +1,42 @@
+// Points of the plane, signed areas, and a strided view of the caller's coordinates.
+#pragma once
+
+#include <cstddef>
+
+#include "harmorph/scalar.hpp"
+
+namespace harmorph {
+
+struct Vec2 {
+    Real x = 0, y = 0;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) noexcept { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) noexcept { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator*(Real s, Vec2 a) noexcept { return {s * a.x, s * a.y}; }
+constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
+constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
+constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
+inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
+
+// Area of triangle a, b, c; positive when it runs counter-clockwise.
+constexpr Real triangle_area(Vec2 a, Vec2 b, Vec2 c) noexcept { return 0.5 * cross(b - a, c - a); }
+
+// Coordinates as the caller keeps them: x of point k at x[k * stride].
+template <class T>
+struct StridedPoints {
+    T* x = nullptr;
+    T* y = nullptr;
+    std::ptrdiff_t stride = 1;
+
+    bool given() const noexcept { return x != nullptr; }
+    Vec2 operator[](Index k) const noexcept { return {x[k * stride], y[k * stride]}; }
+    void set(Index k, Vec2 p) const noexcept {
+        x[k * stride] = p.x;
+        y[k * stride] = p.y;
+    }
+};
+using Points = StridedPoints<const Real>;
+using MutablePoints = StridedPoints<Real>;
+
+}  // namespace harmorph

@@ -1,0 +1,45 @@
+// The points on curves, and where on them: parameters given by the caller or found by projection along the boundary.
+#pragma once
+
+#include "harmorph/conditions.hpp"
+#include "harmorph/projection.hpp"
+
+namespace harmorph {
+
+struct Wall {
+    Index count = 0;
+    Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
+    Span<Index> curve;
+    Span<Real> u;
+
+    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+};
+
+// Working arrays of parametrise().
+struct WallWork {
+    Span<Index> slot;         // [n_points] number of the point on the wall, or none
+    Span<Index> chain;        // points of one condition's pieces of the boundary, in order
+    Span<Index> piece_start;  // pieces of `chain`
+    Span<std::uint8_t> is_loop;
+    Span<std::uint8_t> is_break;  // a curve begins or ends at this point of `chain`
+    Span<Vec2> position;      // of one segment between breaks
+    Span<Real> u, best_u;
+    ChainWork projection;
+
+    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+};
+
+struct GivenParameters {
+    Index index_base = 0;  // of `point`
+    Span<const Index> point, curve;
+    Span<const Real> u;
+};
+
+// Finds curve and parameter of every point on a marker that is on curves. Curves meet, begin and end at break points of
+// the boundary: the points nearest to the ends of curves that are not periodic. Each segment between breaks belongs to
+// the curve it is closest to.
+Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
+                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+                   Fault& fault) noexcept;
+
+}  // namespace harmorph

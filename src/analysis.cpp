@@ -1,0 +1,116 @@
+#include "harmorph/analysis.hpp"
+
+namespace harmorph {
+
+void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions) noexcept {
+    arena.take(curves, n_curves);
+    arena.take(conditions, n_conditions);
+    arena.take(representative, mesh.n_points);
+    arena.take(reversed, mesh.n_cells);
+    edges.lay_out(arena, mesh);
+    boundary.lay_out(arena, mesh);
+    orientation_work.lay_out(arena, mesh);
+    if (n_curves == 0) return;
+    arena.take(kinds, mesh.n_points);
+    wall.lay_out(arena, mesh);
+    wall_work.lay_out(arena, mesh);
+    graph.lay_out(arena, mesh);
+    arena.take(order, mesh.n_points);
+    tree.lay_out(arena, mesh.n_points);
+    dissection_work.lay_out(arena, mesh.n_points);
+    border.lay_out(arena, mesh.n_points);
+    arena.take(border_start, mesh.n_points / 2 + 2);
+}
+
+Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
+    problem = its_problem;
+    HARMORPH_TRY(problem.progress.report(Phase::structure, 0, fault));
+    HARMORPH_TRY(analyse_mesh(fault));
+    if (!has_curves()) return problem.progress.report(Phase::structure, 1, fault);
+    HARMORPH_TRY(analyse_unknowns(fault));
+    HARMORPH_TRY(problem.progress.report(Phase::structure, 1, fault));
+    return analyse_order(fault);
+}
+
+Status Analysis::analyse_mesh(Fault& fault) noexcept {
+    Mesh const& mesh = problem.mesh;
+    HARMORPH_TRY(check_mesh(mesh, fault));
+    for (Index k = 0; k < mesh.n_points; ++k) representative[k] = k;
+    HARMORPH_TRY(edges.build(mesh, representative, fault));
+    HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    if (join_cuts(mesh, edges, boundary.head, representative) > 0) {
+        HARMORPH_TRY(edges.build(mesh, representative, fault));
+        HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    }
+    HARMORPH_TRY(orient(mesh, edges, orientation_work, reversed, fault));
+    HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
+    count_used_points();
+    return Status::ok;
+}
+
+void Analysis::count_used_points() noexcept {
+    Mesh const& mesh = problem.mesh;
+    Span<Index> const is_used = boundary.head;  // the boundary is in order: nobody needs its working space
+    fill(is_used, Index{0});
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < cell.n; ++k) is_used[cell.point[k]] = 1;
+    }
+    used_points = 0;
+    for (Index const used : is_used) used_points += used;
+}
+
+Status Analysis::analyse_unknowns(Fault& fault) noexcept {
+    Mesh const& mesh = problem.mesh;
+    for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
+    HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
+    Index const inverted = first_inverted(mesh, mesh.points, reversed);
+    if (inverted != none) {
+        Real const area = corner_areas(mesh.cell(inverted), mesh.points, reversed[inverted] != 0).smallest();
+        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
+                            inverted, none, area);
+    }
+    classify(mesh, boundary, representative, conditions, kinds);
+    HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
+    graph.build(mesh, edges, representative, kinds);
+    if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
+    matrix = Matrix::count(mesh, edges, representative, graph, wall_work.slot);
+    return Status::ok;
+}
+
+Status Analysis::analyse_order(Fault& fault) noexcept {
+    Progress const& progress = problem.progress;
+    HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
+    dissect(graph, problem.mesh.points, dissection_work, order, tree);
+    HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
+    HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
+    fronts = count_borders(graph, order, tree, border, border_start);
+    return progress.report(Phase::symbolic, 1, fault);
+}
+
+BasisCounts Analysis::basis_counts() const noexcept {
+    BasisCounts counts;
+    counts.points = problem.mesh.n_points;
+    counts.cells = problem.mesh.n_cells;
+    counts.functions = n_functions();
+    counts.curves = curves.count();
+    for (Curve const& curve : curves) {
+        counts.indices += curve.n_indices;
+        counts.knots += curve.n_indices + curve.degree + 1;
+    }
+    counts.weights = curves[0].weights != nullptr ? n_functions() : 0;
+    counts.wall = wall.count;
+    counts.boundary = boundary.count;
+    counts.loops = boundary.n_loops;
+    counts.conditions = conditions.count();
+    return counts;
+}
+
+Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept {
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        if (!(corner_areas(mesh.cell(i), points, reversed[i] != 0).smallest() > 0)) return i;
+    }
+    return none;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,127 @@
+#include "harmorph/boundary.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index face_of_edge(Index second) noexcept { return -2 - second; }
+constexpr Index marked_with(Index face) noexcept { return -2 - face; }
+
+}  // namespace
+
+Size Boundary::max_faces(Mesh const& mesh) noexcept {
+    Offset const in_lists = mesh.n_lists > 0 && mesh.list_start != nullptr ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base : 0;
+    return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists);
+}
+
+void Boundary::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    Size const n = max_faces(mesh);
+    arena.take(point, n);
+    arena.take(marker, n);
+    arena.take(loop_start, n + 1);
+    arena.take(given_begin, n);
+    arena.take(given_end, n);
+    arena.take(given_marker, n);
+    arena.take(head, mesh.n_points);
+    arena.take(next, n);
+}
+
+Status Boundary::mark(Mesh const& mesh, Edges& edges, Span<const Index> representative, Fault& fault) noexcept {
+    count = 0;
+    mesh.for_each_face([&](BoundaryFace face, Index list, Index number) {
+        Index const edge = edges.find(representative[face.begin], representative[face.end]);
+        if (edge == none || !edges.is_boundary(edge)) {
+            fault.refuse(Status::bad_mesh,
+                         list == none ? "boundary face # is not an edge with a cell on one side only"
+                                      : "places # and @ of the boundary lists are not joined by a boundary edge",
+                         Counts::mesh, number, list == none ? none : number + 1);
+            return false;
+        }
+        if (edges.second[edge] == Edges::unmarked) {
+            given_marker[count] = face.marker;
+            edges.second[edge] = marked_with(count++);
+        } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
+            fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on two markers", Counts::mesh,
+                         face.begin, face.end);
+            return false;
+        }
+        return true;
+    });
+    return fault.status;
+}
+
+Status Boundary::order(Mesh const& mesh, Edges const& edges, Span<const std::uint8_t> reversed, Fault& fault) noexcept {
+    edges.for_each([&](Index edge, Index low, Index high) {
+        Index const second = edges.second[edge];
+        if (second >= 0) return;
+        if (second == Edges::unmarked) {
+            if (fault.status == Status::ok) {
+                fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on no marker", Counts::mesh, low,
+                             high);
+            }
+            return;
+        }
+        Index const code = edges.first[edge].code;
+        bool const downwards = runs_backwards(code) != (reversed[cell_of_side(code)] != 0);
+        given_begin[face_of_edge(second)] = downwards ? high : low;
+        given_end[face_of_edge(second)] = downwards ? low : high;
+    });
+    HARMORPH_TRY(fault.status);
+
+    fill(head.first(mesh.n_points), none);
+    for (Index face = count; face-- > 0;) {  // faces that begin at each point, in the given order
+        next[face] = head[given_begin[face]];
+        head[given_begin[face]] = face;
+    }
+    n_loops = 0;
+    Index placed = 0;
+    for (Index first = 0; first < count; ++first) {
+        if (head[given_begin[first]] == none) continue;
+        loop_start[n_loops++] = placed;
+        // At every point as many faces begin as end, so a walk comes to its end only where it began.
+        for (Index at = given_begin[first]; head[at] != none;) {
+            Index const face = head[at];
+            head[at] = next[face];
+            point[placed] = at;
+            marker[placed++] = given_marker[face];
+            at = given_end[face];
+        }
+    }
+    loop_start[n_loops] = placed;
+    return Status::ok;
+}
+
+Index join_cuts(Mesh const& mesh, Edges const& edges, Span<Index> points, Span<Index> representative) noexcept {
+    Size n = 0;
+    fill(points, none);  // first as a set: points[k] = k if k is an end of an unmarked edge
+    edges.for_each([&](Index edge, Index low, Index high) {
+        if (edges.second[edge] == Edges::unmarked) {
+            points[low] = low;
+            points[high] = high;
+        }
+    });
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        if (points[k] != none) points[n++] = k;
+    }
+    auto const order_of = [&](Index a, Index b) -> int {
+        Vec2 const p = mesh.points[a], q = mesh.points[b];
+        if (p.x != q.x) return p.x < q.x ? -1 : 1;
+        if (p.y != q.y) return p.y < q.y ? -1 : 1;
+        return 0;
+    };
+    Span<Index> const ends = points.first(n);
+    sort(ends, [&](Index a, Index b) {
+        int const order = order_of(a, b);
+        return order != 0 ? order < 0 : a < b;
+    });
+    Index joined = 0;
+    for (Size k = 1; k < n; ++k) {
+        if (order_of(ends[k - 1], ends[k]) != 0) continue;
+        representative[ends[k]] = representative[ends[k - 1]];
+        ++joined;
+    }
+    return joined;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,98 @@
+#include "harmorph/edges.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+bool comes_before(Edges::Side a, Edges::Side b) noexcept { return a.end != b.end ? a.end < b.end : a.code < b.code; }
+
+// Most points begin a handful of edges; the heap sort is for hubs of fans.
+void sort_sides(Span<Edges::Side> sides) noexcept {
+    if (sides.size() > 24) return sort(sides, comes_before);
+    for (Size i = 1; i < sides.size(); ++i) {
+        Edges::Side const side = sides[i];
+        Size place = i;
+        for (; place > 0 && comes_before(side, sides[place - 1]); --place) sides[place] = sides[place - 1];
+        sides[place] = side;
+    }
+}
+
+// visit(smaller point, side) for every side of every cell; false if a side has no length.
+template <class Visit>
+bool for_each_side(Mesh const& mesh, Span<const Index> representative, Index& bad_cell, Visit visit) noexcept {
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const a = representative[cell.point[k]], b = representative[cell.next(k)];
+            if (a == b) {
+                bad_cell = i;
+                return false;
+            }
+            if (a < b) {
+                visit(a, Edges::Side{b, 2 * i});
+            } else {
+                visit(b, Edges::Side{a, 2 * i + 1});
+            }
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+void Edges::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    arena.take(start, Size{1} + static_cast<Size>(mesh.n_points));
+    arena.take(first, mesh.max_sides());
+    arena.take(second, mesh.max_sides());
+}
+
+Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept {
+    fill(start, Index{0});
+    Index bad_cell = none;
+    if (!for_each_side(mesh, representative, bad_cell, [&](Index point, Side) { ++start[point]; })) {
+        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh, bad_cell);
+    }
+    counts_to_starts(start);
+    for_each_side(mesh, representative, bad_cell, [&](Index point, Side side) { first[start[point]++] = side; });
+    rewind_starts(start);
+
+    Index n_edges = 0;
+    Index sides_begin = 0;
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Index const sides_end = start[point + 1];
+        Span<Side> const sides = first.from(sides_begin, sides_end - sides_begin);
+        sort_sides(sides);
+        start[point] = n_edges;
+        for (Size k = 0; k < sides.size();) {  // edges overwrite sides that have been read
+            Side const side = sides[k++];
+            Index other = unmarked;
+            if (k < sides.size() && sides[k].end == side.end) other = sides[k++].code;
+            if (k < sides.size() && sides[k].end == side.end) {
+                return fault.refuse(Status::bad_mesh, "the edge between points # and @ belongs to more than two cells",
+                                    Counts::mesh, point, side.end);
+            }
+            first[n_edges] = side;
+            second[n_edges++] = other;
+        }
+        sides_begin = sides_end;
+    }
+    start[mesh.n_points] = n_edges;
+    return Status::ok;
+}
+
+Index Edges::find(Index a, Index b) const noexcept {
+    Index const begin = smaller(a, b), end = larger(a, b);
+    Index low = start[begin], high = start[begin + 1];
+    while (low < high) {
+        Index const middle = low + (high - low) / 2;
+        if (first[middle].end < end) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low < start[begin + 1] && first[low].end == end ? low : none;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,75 @@
+#include "harmorph/fronts.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+// visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the position's
+// earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986) 127).
+// Positions come in increasing order, so each border is filled in order.
+template <class Visit>
+void for_each_border_entry(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
+                           Visit visit) noexcept {
+    fill(work.seen.first(tree.count), none);
+    for (Index position = 0; position < graph.n; ++position) {
+        Index const own = work.node[position];
+        for (Index const neighbour : graph.of(order[position])) {
+            Index const earlier = work.position[neighbour];
+            if (earlier >= position) continue;
+            for (Index node = work.node[earlier]; node != own && work.seen[node] != position; node = tree.nodes[node].parent) {
+                work.seen[node] = position;
+                visit(node, position);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void BorderWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(node, max_unknowns);
+    arena.take(position, max_unknowns);
+    arena.take(seen, max_unknowns / 2 + 1);
+    arena.take(filled, max_unknowns / 2 + 1);
+}
+
+FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
+                         Span<Offset> border_start) noexcept {
+    for (Index t = 0; t < tree.count; ++t) {
+        for (Index k = tree.nodes[t].begin; k < tree.nodes[t].end; ++k) work.node[k] = t;
+    }
+    for (Index k = 0; k < graph.n; ++k) work.position[order[k]] = k;
+    fill(border_start.first(tree.count + 1), Offset{0});
+    for_each_border_entry(graph, order, tree, work, [&](Index node, Index) { ++border_start[node]; });
+
+    FrontSizes sizes;
+    auto const update_entries = [&](Index node) {
+        Index const border = static_cast<Index>(border_start[node]);
+        return border * update_row(border);
+    };
+    for (Index t = 0; t < tree.count; ++t) {
+        Index const border = static_cast<Index>(border_start[t]);
+        Index const front = tree.nodes[t].pivots() + border;
+        sizes.border_entries += border;
+        sizes.factor_entries += Offset{tree.nodes[t].pivots()} * front;
+        sizes.largest_front = larger(sizes.largest_front, front);
+        sizes.largest_border = larger(sizes.largest_border, border);
+        if (tree.nodes[t].child != none) continue;
+        Offset path = 0;  // a path down ends at a leaf
+        for (Index node = t; node != none; node = tree.nodes[node].parent) path += update_entries(node);
+        sizes.stack_entries = larger(sizes.stack_entries, path);
+    }
+    counts_to_starts(border_start.first(tree.count + 1));
+    return sizes;
+}
+
+void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
+                  Span<const Offset> border_start, Span<Index> border) noexcept {
+    fill(work.filled.first(tree.count), Index{0});
+    for_each_border_entry(graph, order, tree, work, [&](Index node, Index position) {
+        border[border_start[node] + work.filled[node]++] = position;
+    });
+}
+
+}  // namespace harmorph

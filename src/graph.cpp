@@ -1,0 +1,42 @@
+#include "harmorph/graph.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+
+void Graph::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    Size const n_points = static_cast<Size>(mesh.n_points);
+    Size const diagonals = 2 * static_cast<Size>(mesh.n_cells);
+    Size const pairs = mesh.max_sides() + diagonals;
+    arena.take(point, n_points);
+    arena.take(unknown, n_points);
+    arena.take(start, n_points + 1);
+    arena.take(neighbour, 2 * pairs);
+}
+
+void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
+                  Span<const PointKind> kinds) noexcept {
+    n = 0;
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        bool const is = is_unknown(kinds[k]);
+        unknown[k] = is ? n : none;
+        if (is) point[n++] = k;
+    }
+    Span<Offset> const starts = start.first(n + 1);
+    fill(starts, Offset{0});
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        if (unknown[a] == none || unknown[b] == none) return;
+        ++starts[unknown[a]];
+        ++starts[unknown[b]];
+    });
+    counts_to_starts(starts);
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        Index const i = unknown[a], j = unknown[b];
+        if (i == none || j == none) return;
+        neighbour[starts[i]++] = j;
+        neighbour[starts[j]++] = i;
+    });
+    rewind_starts(starts);
+}
+
+}  // namespace harmorph

@@ -1,0 +1,183 @@
+#include "harmorph/harmonic.hpp"
+
+#include "harmorph/laplace.hpp"
+
+namespace harmorph {
+
+void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
+    Index const n = analysis.graph.n;
+    arena.take(point_of, n);
+    arena.take(reversed, analysis.problem.mesh.n_cells);
+    matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
+    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.n_functions());
+    Size const shared = arena.mark();
+    engine.lay_out_stack(arena, analysis.fronts);
+    arena.release(shared);
+    arena.take(residual, Offset{n} * residual_width);
+}
+
+void Plan::init(Analysis const& analysis) noexcept {
+    mesh = analysis.problem.mesh;
+    method = analysis.problem.method;
+    progress = analysis.problem.progress;
+    basis_counts = analysis.basis_counts();
+    topology = topology_print(mesh);
+    factored = false;
+    for (Index k = 0; k < point_of.count(); ++k) point_of[k] = analysis.graph.point[analysis.order[k]];
+    copy(reversed, Span<const std::uint8_t>(analysis.reversed));
+    matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
+                 analysis.wall_work.slot);
+    engine.tree.count = analysis.tree.count;
+    copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
+    copy(engine.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
+    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.border_start, engine.border);
+    engine.place_panels();
+}
+
+Status Plan::factor(Points points, Fault& fault) noexcept {
+    factored = false;
+    HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
+    Index const inverted = first_inverted(mesh, points, reversed);
+    if (inverted != none) {
+        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+    }
+    assemble_laplace(mesh, points, matrix);
+    HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
+    HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
+    Status const status = engine.factorise(matrix, progress, fault);
+    if (status == Status::not_positive) fault.item = point_of[fault.item];
+    HARMORPH_TRY(status);
+    coordinates = coordinates_print(points, mesh.n_points);
+    factored = true;
+    return progress.report(Phase::factor, 1, fault);
+}
+
+Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
+    basis.unseal();
+    HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
+    set_right_hand_sides(basis);
+    Index const width = basis.n_functions();
+    HARMORPH_TRY(engine.solve({basis.value.data(), point_of.data(), width, width}, progress, fault));
+    copy_joined_points(basis);
+    HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
+
+    HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
+    report.unknowns = matrix.n;
+    report.functions = width;
+    report.factor_entries = engine.panel_start[engine.tree.count];
+    HARMORPH_TRY(measure_residual(basis, report, fault));
+    basis.header->coordinates = coordinates;
+    basis.seal();
+    HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
+    if (report.residual <= method.tolerance) return Status::ok;
+    return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
+                        Counts::from_zero, report.residual_function, none, report.residual);
+}
+
+// Known values to their rows, and what they pass on to their neighbours' rows.
+void Plan::set_right_hand_sides(Basis const& basis) const noexcept {
+    fill(basis.value, 0.0);
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        CurveBasis const functions = basis.boundary_functions(slot);
+        Real* const own = basis.row(basis.wall_point[slot]);
+        for (Index k = 0; k < functions.order; ++k) own[functions.control[k]] += functions.value[0][k];
+        for (Index c = matrix.coupling_start[slot]; c < matrix.coupling_start[slot + 1]; ++c) {
+            Real* const row = basis.row(point_of[matrix.coupling_row[c]]);
+            for (Index k = 0; k < functions.order; ++k) {
+                row[functions.control[k]] -= matrix.coupling_value[c] * functions.value[0][k];
+            }
+        }
+    }
+}
+
+void Plan::copy_joined_points(Basis const& basis) const noexcept {
+    Size const width = static_cast<Size>(basis.n_functions());
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Index const place = matrix.place[point];
+        if (place == none) continue;
+        Index const its = Matrix::is_wall(place) ? basis.wall_point[Matrix::wall(place)] : point_of[place];
+        if (its != point) copy(Span<Real>(basis.row(point), width), Span<const Real>(basis.row(its), width));
+    }
+}
+
+// Function by function |b - A F| / |b|, a few functions at a time in whole rows.
+Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept {
+    Index const n_functions = basis.n_functions();
+    auto const row_of = [&](Index position) { return residual.data() + Offset{position} * residual_width; };
+    for (Index first = 0; first < n_functions; first += residual_width) {
+        Index const width = smaller(residual_width, n_functions - first);
+        auto const sum_of_squares = [&](Real* sums) {
+            for (Index k = 0; k < width; ++k) sums[k] = 0;
+            for (Index i = 0; i < matrix.n; ++i) {
+                for (Index k = 0; k < width; ++k) sums[k] += row_of(i)[k] * row_of(i)[k];
+            }
+        };
+        Real right_hand_side[residual_width], rest[residual_width];
+        fill(residual, 0.0);
+        for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+            const Real* const known = basis.row(basis.wall_point[slot]) + first;
+            for (Index c = matrix.coupling_start[slot]; c < matrix.coupling_start[slot + 1]; ++c) {
+                Real* const row = row_of(matrix.coupling_row[c]);
+                for (Index k = 0; k < width; ++k) row[k] += matrix.coupling_value[c] * known[k];
+            }
+        }
+        sum_of_squares(right_hand_side);
+        for (Index i = 0; i < matrix.n; ++i) {
+            const Real* const own = basis.row(point_of[i]) + first;
+            for (Index k = 0; k < width; ++k) row_of(i)[k] += matrix.diagonal[i] * own[k];
+            for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+                Index const j = matrix.column[e];
+                const Real* const other = basis.row(point_of[j]) + first;
+                for (Index k = 0; k < width; ++k) row_of(i)[k] += matrix.value[e] * other[k];
+                for (Index k = 0; k < width; ++k) row_of(j)[k] += matrix.value[e] * own[k];
+            }
+        }
+        sum_of_squares(rest);
+        for (Index k = 0; k < width; ++k) {
+            Real const scale = right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1;
+            Real const relative = square_root(rest[k]) / scale;
+            bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
+            if (!worse) continue;
+            report.residual = relative;
+            report.residual_function = first + k;
+        }
+        HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_functions, fault));
+    }
+    return Status::ok;
+}
+
+void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& analysis) noexcept {
+    BasisHeader& header = *basis.header;
+    std::memset(static_cast<void*>(&header), 0, Basis::bytes(counts));
+    std::memcpy(header.magic, "harmorph", sizeof header.magic);
+    header.format = BasisHeader::current_format;
+    header.byte_order = BasisHeader::native_order;
+    header.bytes = Basis::bytes(counts);
+    header.topology = topology_print(analysis.problem.mesh);
+    header.index_base = analysis.problem.mesh.index_base;
+    header.counts = counts;
+    header.method = analysis.problem.method;
+
+    Index first_index = 0, first_knot = 0;
+    for (Index number = 0; number < analysis.curves.count(); ++number) {
+        Curve const& curve = analysis.curves[number];
+        Index const n_knots = curve.n_indices + curve.degree + 1;
+        basis.shape[number] = {curve.degree, curve.n_indices, first_index, first_knot};
+        for (Index k = 0; k < curve.n_indices; ++k) basis.indices[first_index + k] = curve.control_point(k);
+        for (Index k = 0; k < n_knots; ++k) basis.knots[first_knot + k] = curve.knots[k];
+        first_index += curve.n_indices;
+        first_knot += n_knots;
+    }
+    Curve const& any = analysis.curves[0];
+    copy(basis.control, Span<const Real>(any.control, basis.control.size()));
+    if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
+    copy(basis.conditions, Span<const Condition>(analysis.conditions));
+    copy(basis.wall_point, Span<const Index>(analysis.wall.point.first(counts.wall)));
+    copy(basis.wall_curve, Span<const Index>(analysis.wall.curve.first(counts.wall)));
+    copy(basis.wall_u, Span<const Real>(analysis.wall.u.first(counts.wall)));
+    copy(basis.boundary_point, Span<const Index>(analysis.boundary.point.first(counts.boundary)));
+    copy(basis.loop_start, Span<const Index>(analysis.boundary.loop_start.first(counts.loops + 1)));
+    copy(basis.reversed, Span<const std::uint8_t>(analysis.reversed));
+}
+
+}  // namespace harmorph

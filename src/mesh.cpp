@@ -1,0 +1,146 @@
+#include "harmorph/mesh.hpp"
+
+namespace harmorph {
+namespace {
+
+Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.layout == CellLayout::structured) {
+        if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
+            return fault.refuse(Status::bad_mesh, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
+                                Counts::from_zero, mesh.ni, mesh.nj);
+        }
+        if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
+            return fault.refuse(Status::bad_mesh, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
+                                Counts::from_zero, mesh.n_cells);
+        }
+        return Status::ok;
+    }
+    if (mesh.cell_points == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
+    if (mesh.layout != CellLayout::rows) return Status::ok;
+    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
+    if (mesh.cell_start[0] != mesh.index_base) {
+        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
+                            mesh.cell_start[0]);
+    }
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
+        if (n != 3 && n != 4) {
+            return fault.refuse(Status::bad_mesh, "cell # has ~ points; only 3 or 4 are possible", Counts::mesh, i, none,
+                                static_cast<Real>(n));
+        }
+    }
+    return Status::ok;
+}
+
+Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.layout == CellLayout::structured) return Status::ok;
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const point = cell.point[k];
+            if (point < 0 || point >= mesh.n_points) {
+                return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
+            }
+            for (Index earlier = 0; earlier < k; ++earlier) {
+                if (cell.point[earlier] == point) {
+                    return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
+                }
+            }
+        }
+    }
+    return Status::ok;
+}
+
+Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.n_faces > 0 && (mesh.face_points == nullptr || mesh.face_markers == nullptr)) {
+        return fault.refuse(Status::bad_argument, "mesh.face_points or mesh.face_markers is NULL");
+    }
+    if (mesh.n_lists > 0 && (mesh.list_start == nullptr || mesh.list_points == nullptr || mesh.list_markers == nullptr)) {
+        return fault.refuse(Status::bad_argument, "mesh.list_start, list_points or list_markers is NULL");
+    }
+    for (Index list = 0; list < mesh.n_lists; ++list) {
+        if (mesh.list_start[0] != mesh.index_base || mesh.list_start[list + 1] < mesh.list_start[list]) {
+            return fault.refuse(Status::bad_mesh, "mesh.list_start must begin with index_base and never decrease; see list #",
+                                Counts::from_zero, list);
+        }
+    }
+    auto const points_exist = [&](BoundaryFace face, Index list, Index number) {
+        Index const ends[] = {face.begin, face.end};
+        for (Index point : ends) {
+            if (point >= 0 && point < mesh.n_points) continue;
+            fault.refuse(Status::bad_mesh,
+                         list == none ? "boundary face # names point @, which does not exist"
+                                      : "place # of the boundary lists names point @, which does not exist",
+                         Counts::mesh, number, point);
+            return false;
+        }
+        return true;
+    };
+    return mesh.for_each_face(points_exist) ? Status::ok : fault.status;
+}
+
+Status check_coordinates(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.points.x == nullptr || mesh.points.y == nullptr) {
+        return fault.refuse(Status::bad_argument, "mesh.x or mesh.y is NULL");
+    }
+    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.stride must not be negative");
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        Vec2 const p = mesh.points[k];
+        if (!is_finite(p.x) || !is_finite(p.y)) {
+            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+        }
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.index_base != 0 && mesh.index_base != 1) {
+        return fault.refuse(Status::bad_argument, "mesh.index_base must be 0 or 1, not #", Counts::from_zero, mesh.index_base);
+    }
+    if (mesh.n_points < 3 || mesh.n_points > Mesh::max_points) {
+        return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #", Counts::from_zero,
+                            mesh.n_points);
+    }
+    if (mesh.n_cells < 1 || mesh.n_cells > Mesh::max_cells) {
+        return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #", Counts::from_zero,
+                            mesh.n_cells);
+    }
+    if (mesh.n_faces < 0 || mesh.n_lists < 0) {
+        return fault.refuse(Status::bad_argument, "mesh.n_faces and mesh.n_lists must not be negative");
+    }
+    return Status::ok;
+}
+
+Status check_mesh(Mesh const& mesh, Fault& fault) noexcept {
+    HARMORPH_TRY(check_counts(mesh, fault));
+    HARMORPH_TRY(check_layout(mesh, fault));
+    HARMORPH_TRY(check_cells(mesh, fault));
+    HARMORPH_TRY(check_boundary(mesh, fault));
+    return check_coordinates(mesh, fault);
+}
+
+Real CornerAreas::smallest() const noexcept {
+    Real least = area[0];
+    for (Index corner = 1; corner < n; ++corner) least = smaller(least, area[corner]);
+    return least;
+}
+
+CornerAreas corner_areas(Cell const& cell, Points points, bool reversed) noexcept {
+    CornerAreas corners;
+    Real const sign = reversed ? -1 : 1;
+    corners.n = cell.n == 3 ? 1 : 4;  // the three corners of a triangle have one area
+    for (Index k = 0; k < corners.n; ++k) {
+        corners.area[k] = sign * triangle_area(points[cell.point[k]], points[cell.next(k)], points[cell.previous(k)]);
+    }
+    return corners;
+}
+
+Real cell_area(Cell const& cell, Points points) noexcept {
+    Vec2 const a = points[cell.point[0]], b = points[cell.point[1]], c = points[cell.point[2]];
+    if (cell.n == 3) return triangle_area(a, b, c);
+    return 0.5 * cross(c - a, points[cell.point[3]] - b);
+}
+
+}  // namespace harmorph

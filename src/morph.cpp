@@ -1,0 +1,129 @@
+#include "harmorph/morph.hpp"
+
+namespace harmorph {
+namespace {
+
+// Four numbers at once, at any address.
+typedef Real Four __attribute__((vector_size(32), aligned(8), may_alias));
+
+constexpr Index block_points = 256;      // their sums stay in the first-level cache
+constexpr Index block_functions = 128;   // and so do these functions' movements
+constexpr Index adjoint_points = 4096;   // of one partial sum
+
+struct Movements {
+    Real x[block_functions], y[block_functions];
+};
+
+// sum += values . movements, n functions of one point.
+inline void accumulate(const Real* values, Index n, Movements const& by, Vec2& sum) noexcept {
+    Four x = {}, y = {};
+    Index k = 0;
+    for (; k + 4 <= n; k += 4) {
+        Four const f = *reinterpret_cast<const Four*>(values + k);
+        x += f * *reinterpret_cast<const Four*>(by.x + k);
+        y += f * *reinterpret_cast<const Four*>(by.y + k);
+    }
+    Vec2 rest;
+    for (; k < n; ++k) rest = rest + Vec2{values[k] * by.x[k], values[k] * by.y[k]};
+    sum = sum + Vec2{(x[0] + x[1]) + (x[2] + x[3]), (y[0] + y[1]) + (y[2] + y[3])} + rest;
+}
+
+// A sum of 0 keeps the bits: -0.0 + 0.0 would not.
+constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
+
+Vec2 moved_along_curve(CurveBasis const& functions, const Real* move) noexcept {
+    Vec2 sum;
+    for (Index k = 0; k < functions.order; ++k) {
+        const Real* const its = move + 2 * functions.control[k];
+        sum = sum + functions.value[0][k] * Vec2{its[0], its[1]};
+    }
+    return sum;
+}
+
+}  // namespace
+
+void morph(Basis const& basis, const Real* move, Points from, MutablePoints to) noexcept {
+    Index const n_functions = basis.n_functions();
+    for (Index begin = 0; begin < basis.n_points(); begin += block_points) {
+        Index const n = smaller(block_points, basis.n_points() - begin);
+        Vec2 sum[block_points] = {};
+        for (Index first = 0; first < n_functions; first += block_functions) {
+            Index const width = smaller(block_functions, n_functions - first);
+            Movements by;
+            for (Index k = 0; k < width; ++k) {
+                by.x[k] = move[2 * (first + k)];
+                by.y[k] = move[2 * (first + k) + 1];
+            }
+            for (Index p = 0; p < n; ++p) accumulate(basis.row(begin + p) + first, width, by, sum[p]);
+        }
+        for (Index p = 0; p < n; ++p) {
+            Vec2 const old = from.given() ? from[begin + p] : Vec2{};
+            to.set(begin + p, {moved(old.x, sum[p].x), moved(old.y, sum[p].y)});
+        }
+    }
+}
+
+void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient) noexcept {
+    Index const n_functions = basis.n_functions();
+    for (Index k = 0; k < 2 * n_functions; ++k) gradient[k] = 0;
+    for (Index begin = 0; begin < basis.n_points(); begin += adjoint_points) {
+        Index const n = smaller(adjoint_points, basis.n_points() - begin);
+        for (Index first = 0; first < n_functions; first += block_functions) {
+            Index const width = smaller(block_functions, n_functions - first);
+            Movements sum = {};
+            for (Index p = 0; p < n; ++p) {
+                Vec2 const by = gradient_by_points[begin + p];
+                const Real* const values = basis.row(begin + p) + first;
+                for (Index k = 0; k < width; ++k) {
+                    sum.x[k] += values[k] * by.x;
+                    sum.y[k] += values[k] * by.y;
+                }
+            }
+            for (Index k = 0; k < width; ++k) {
+                gradient[2 * (first + k)] += sum.x[k];
+                gradient[2 * (first + k) + 1] += sum.y[k];
+            }
+        }
+    }
+}
+
+BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
+    BoundaryError worst;
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        Index const point = basis.wall_point[slot];
+        Vec2 const curve_moved = moved_along_curve(basis.boundary_functions(slot), move);
+        Real const error = length(to[point] - from[point] - curve_moved);
+        if (worst.point == none || error > worst.error) worst = {error, point};
+    }
+    return worst;
+}
+
+BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
+    BasisMeasures measures;
+    Index const n_functions = basis.n_functions();
+    auto const raise = [](BoundaryError& worst, Real error, Index point) {
+        if (worst.point == none || error > worst.error) worst = {error, point};
+    };
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        Index const point = basis.wall_point[slot];
+        CurveBasis const functions = basis.boundary_functions(slot);
+        const Real* const values = basis.row(point);
+        Real sum = 0;
+        for (Index i = 0; i < n_functions; ++i) {
+            Real expected = 0;
+            for (Index k = 0; k < functions.order; ++k) expected += functions.control[k] == i ? functions.value[0][k] : 0;
+            raise(measures.value, absolute(values[i] - expected), point);
+            sum += values[i];
+        }
+        measures.partition_defect = larger(measures.partition_defect, absolute(sum - 1));
+        Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
+        raise(measures.distance, length(points[point] - foot), point);
+    }
+    for (Real const value : basis.value) {
+        measures.min_value = smaller(measures.min_value, value);
+        measures.max_value = larger(measures.max_value, value);
+    }
+    return measures;
+}
+
+}  // namespace harmorph

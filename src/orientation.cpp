@@ -1,0 +1,90 @@
+#include "harmorph/orientation.hpp"
+
+namespace harmorph {
+namespace {
+
+// Union-find with parity: every cell knows a cell it agrees with, and in which sense.
+class Agreement {
+public:
+    explicit Agreement(Span<Index> parent) noexcept : parent_(parent) {
+        for (Index cell = 0; cell < parent.count(); ++cell) parent_[cell] = 2 * cell;
+    }
+
+    // 2 * root + 1 if the cell runs against its root.
+    Index root(Index cell) const noexcept {
+        Index code = 2 * cell;
+        while (parent_[code >> 1] >> 1 != code >> 1) {
+            Index& step = parent_[code >> 1];
+            step = parent_[step >> 1] ^ (step & 1);  // halves the path
+            code = step ^ (code & 1);
+        }
+        return code;
+    }
+
+    // False if the two are known to be in another sense.
+    bool unite(Index a, Index b, Index opposite) const noexcept {
+        Index const root_a = root(a), root_b = root(b);
+        Index const parity = (root_a ^ root_b ^ opposite) & 1;
+        if (root_a >> 1 == root_b >> 1) return parity == 0;
+        Index const low = smaller(root_a, root_b) >> 1, high = larger(root_a, root_b) >> 1;
+        parent_[high] = 2 * low + parity;
+        return true;
+    }
+
+private:
+    Span<Index> parent_;
+};
+
+// One sense everywhere, and areas of one sign: the case of nearly all files.
+bool is_uniform(Mesh const& mesh, Edges const& edges, bool& clockwise) noexcept {
+    clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
+    for (Index cell = 1; cell < mesh.n_cells; ++cell) {
+        Real const area = cell_area(mesh.cell(cell), mesh.points);
+        if (clockwise ? area >= 0 : area <= 0) return false;
+    }
+    for (Index edge = 0; edge < edges.count(); ++edge) {
+        Index const other = edges.second[edge];
+        if (other >= 0 && runs_backwards(other) == runs_backwards(edges.first[edge].code)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    arena.take(parent, mesh.n_cells);
+    arena.take(balance, mesh.n_cells);
+}
+
+Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
+              Fault& fault) noexcept {
+    bool clockwise = false;
+    if (is_uniform(mesh, edges, clockwise)) {
+        fill(reversed, static_cast<std::uint8_t>(clockwise ? 1 : 0));
+        return Status::ok;
+    }
+    Agreement const agreement(work.parent);
+    for (Index edge = 0; edge < edges.count(); ++edge) {
+        Index const code = edges.first[edge].code, other = edges.second[edge];
+        if (other < 0) continue;
+        Index const same_direction = ((code ^ other) & 1) ^ 1;
+        if (!agreement.unite(cell_of_side(code), cell_of_side(other), same_direction)) {
+            return fault.refuse(Status::bad_mesh, "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
+                                Counts::mesh, cell_of_side(code), cell_of_side(other));
+        }
+    }
+    fill(work.balance, 0.0);
+    for (Index cell = 0; cell < mesh.n_cells; ++cell) {
+        Index const root = agreement.root(cell);
+        Real const area = cell_area(mesh.cell(cell), mesh.points);
+        work.balance[root >> 1] += (root & 1) != 0 ? -area : area;
+    }
+    for (Index cell = 0; cell < mesh.n_cells; ++cell) {
+        Index const root = agreement.root(cell);
+        bool const against_root = (root & 1) != 0;
+        reversed[cell] = (work.balance[root >> 1] < 0) != against_root ? 1 : 0;
+    }
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,177 @@
+#include "harmorph/wall.hpp"
+
+namespace harmorph {
+namespace {
+
+class Parametriser {
+public:
+    Parametriser(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
+                 WallWork const& work, Wall& wall) noexcept
+        : mesh_(mesh), boundary_(boundary), conditions_(conditions), curves_(curves), work_(work), wall_(wall) {}
+
+    void run(Condition const& condition) noexcept {
+        collect_pieces(condition);
+        fill(work_.is_break.first(n_chain_), std::uint8_t{0});
+        for (Curve const& curve : curves_.from(condition.first_curve, condition.n_curves)) mark_breaks(curve);
+        for (Index piece = 0; piece < n_pieces_; ++piece) project_piece(piece, condition);
+    }
+
+private:
+    bool belongs(Index face, Condition const& condition) const noexcept {
+        const Condition* const its = condition_of(conditions_, boundary_.marker[face]);
+        return its != nullptr && its->kind == ConditionKind::on_curve && its->same_curves(condition);
+    }
+
+    void collect_pieces(Condition const& condition) noexcept {
+        n_pieces_ = n_chain_ = 0;
+        auto const visit = [&](Index piece, Index point) {
+            if (piece == n_pieces_) work_.piece_start[n_pieces_++] = n_chain_;
+            work_.chain[n_chain_++] = point;
+        };
+        auto const close = [&](Index piece, bool is_loop) { work_.is_loop[piece] = is_loop ? 1 : 0; };
+        boundary_.for_each_piece([&](Index face) { return belongs(face, condition); }, visit, close);
+        work_.piece_start[n_pieces_] = n_chain_;
+    }
+
+    void mark_breaks(Curve const& curve) const noexcept {
+        if (is_periodic(curve)) return;
+        Real const ends[] = {curve.begin(), curve.end()};
+        for (Real const u : ends) {
+            Vec2 const end = curve_point(curve, u);
+            Index nearest = 0;
+            Real least = infinity;
+            for (Index k = 0; k < n_chain_; ++k) {
+                Real const distance = square(mesh_.points[work_.chain[k]] - end);
+                if (distance < least) {
+                    least = distance;
+                    nearest = k;
+                }
+            }
+            work_.is_break[nearest] = 1;
+        }
+    }
+
+    void project_piece(Index piece, Condition const& condition) noexcept {
+        Index const begin = work_.piece_start[piece], n = work_.piece_start[piece + 1] - begin;
+        bool const is_loop = work_.is_loop[piece] != 0;
+        Index first = 0;  // of a loop with breaks: one of them
+        if (is_loop) {
+            while (first < n && work_.is_break[begin + first] == 0) ++first;
+            if (first == n) return project_segment(begin, n, 0, n, true, condition);
+        }
+        Index const last = is_loop ? n : n - 1;
+        for (Index from = 0; from < last;) {
+            Index to = from + 1;
+            while (to < last && work_.is_break[begin + (first + to) % n] == 0) ++to;
+            project_segment(begin, n, first + from, to - from + 1, false, condition);
+            from = to;
+        }
+    }
+
+    // The n_segment points from place `first` of the piece on, round its end if need be.
+    void project_segment(Index begin, Index n_piece, Index first, Index n_segment, bool is_loop,
+                         Condition const& condition) noexcept {
+        auto const point_at = [&](Index k) { return work_.chain[begin + (first + k) % n_piece]; };
+        Span<Vec2> const position = work_.position.first(n_segment);
+        for (Index k = 0; k < n_segment; ++k) position[k] = mesh_.points[point_at(k)];
+        Span<Real> const u = work_.u.first(n_segment), best_u = work_.best_u.first(n_segment);
+        Real least = infinity;
+        Index best = condition.first_curve;
+        for (Index curve = condition.first_curve; curve < condition.first_curve + condition.n_curves; ++curve) {
+            Real const misfit = project_chain(curves_[curve], position, is_loop, work_.projection, u);
+            if (misfit < least) {
+                least = misfit;
+                best = curve;
+                copy(best_u, Span<const Real>(u));
+            }
+        }
+        for (Index k = 0; k < n_segment; ++k) put(point_at(k), best, best_u[k]);
+    }
+
+    // A point of two segments or two conditions keeps the first parameter it got.
+    void put(Index point, Index curve, Real u) noexcept {
+        if (work_.slot[point] != none) return;
+        work_.slot[point] = wall_.count;
+        wall_.point[wall_.count] = point;
+        wall_.curve[wall_.count] = curve;
+        wall_.u[wall_.count++] = u;
+    }
+
+    Mesh const& mesh_;
+    Boundary const& boundary_;
+    Span<const Condition> conditions_;
+    Span<const Curve> curves_;
+    WallWork const& work_;
+    Wall& wall_;
+    Index n_pieces_ = 0, n_chain_ = 0;  // of the condition at hand
+};
+
+Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<const Index> representative,
+                   WallWork const& work, Wall& wall, Fault& fault) noexcept {
+    for (Index i = 0; i < given.point.count(); ++i) {
+        Index const point = given.point[i] - given.index_base;
+        if (point < 0 || point >= representative.count()) {
+            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which does not exist", Counts::mesh,
+                                point);
+        }
+        Index const slot = work.slot[representative[point]];
+        if (slot == none) {
+            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on no curve's marker",
+                                Counts::mesh, point);
+        }
+        Index const curve = given.curve[i];
+        if (curve < 0 || curve >= curves.count()) {
+            return fault.refuse(Status::bad_condition, "given parameter # is on curve @, which does not exist",
+                                Counts::from_zero, i, curve);
+        }
+        if (!(given.u[i] >= curves[curve].begin() && given.u[i] <= curves[curve].end())) {
+            return fault.refuse(Status::bad_condition, "the parameter ~ given for point # is outside its curve", Counts::mesh,
+                                point, none, given.u[i]);
+        }
+        wall.curve[slot] = curve;
+        wall.u[slot] = given.u[i];
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    Size const n = 2 * Boundary::max_faces(mesh);  // no more than two ends each
+    arena.take(point, n);
+    arena.take(curve, n);
+    arena.take(u, n);
+}
+
+void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
+    Size const n = 2 * Boundary::max_faces(mesh) + 1;  // pieces repeat their end points, a loop its first one
+    arena.take(slot, mesh.n_points);
+    arena.take(chain, n);
+    arena.take(piece_start, n);
+    arena.take(is_loop, n);
+    arena.take(is_break, n);
+    arena.take(position, n);
+    arena.take(u, n);
+    arena.take(best_u, n);
+    projection.lay_out(arena, static_cast<Index>(n));
+}
+
+Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
+                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+                   Fault& fault) noexcept {
+    wall.count = 0;
+    fill(work.slot, none);
+    Parametriser parametriser(mesh, boundary, conditions, curves, work, wall);
+    for (Index i = 0; i < conditions.count(); ++i) {
+        if (conditions[i].kind != ConditionKind::on_curve) continue;
+        bool is_first = true;
+        for (Index earlier = 0; earlier < i; ++earlier) {
+            bool const on_curve = conditions[earlier].kind == ConditionKind::on_curve;
+            if (on_curve && conditions[earlier].same_curves(conditions[i])) is_first = false;
+        }
+        if (is_first) parametriser.run(conditions[i]);
+    }
+    return apply_given(given, curves, representative, work, wall, fault);
+}
+
+}  // namespace harmorph
