@@ -299,6 +299,7 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
     filled.max_distance = measures.distance.error;
     filled.max_distance_point = numbered(measures.distance.point);
     filled.curve_points = b.wall_point.count();
+    filled.refinements = solved.refinements;
     filled.factor_entries = solved.factor_entries;
     write_struct(filled, report);
     return tell(err, fault, {p.mesh.index_base, 0});

@@ -215,6 +215,9 @@ enum { HM_LAPLACE = 0 };           /* operator_kind: the paper's harmonic functi
 enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
 enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
 
+enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
+    HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
+};
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
     HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
@@ -228,7 +231,7 @@ typedef struct hm_options {
     int32_t  operator_kind;        /* default HM_LAPLACE */
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
-    int32_t  reserved;             /* 0 */
+    int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
     double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10 */
     hm_progress progress;          /* NULL: none */
     void    *progress_user;
@@ -288,6 +291,8 @@ typedef struct hm_solve_report {
     double   max_distance;         /* [length] of a curve point from its curve: the mesh's offset from the fit, kept */
     int32_t  max_distance_point;
     int32_t  curve_points;         /* mesh points on curves */
+    int32_t  refinements;          /* steps of iterative refinement that the residual called for */
+    int32_t  reserved;             /* 0 */
     int64_t  factor_entries;       /* numbers in the factor */
 } hm_solve_report;
 

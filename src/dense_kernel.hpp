@@ -1,25 +1,25 @@
-// The one product behind all dense kernels: D = D - op(A) B or D = op(A) B, tile by tile in vector registers. The file that
-// includes this says how wide the registers are (HARMORPH_LANES numbers) and how many there are.
-#pragma once
-
+// The dense kernels for one kind of vector register. A file that includes this has defined HARMORPH_KERNEL (a namespace),
+// HARMORPH_LANES (numbers in a register) and HARMORPH_TILE_ROWS, and has told the compiler which instructions it may use.
+// Everything rests on one product, D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
 #include "harmorph/dense.hpp"
-#include "harmorph/scalar.hpp"
 
-namespace harmorph::dense {
+namespace harmorph::dense::HARMORPH_KERNEL {
 namespace {
 
 constexpr Index lanes = HARMORPH_LANES;
 constexpr Index tile_rows = HARMORPH_TILE_ROWS;
-constexpr Index tile_vectors = HARMORPH_TILE_VECTORS;
+constexpr Index tile_vectors = 3;
 constexpr Index tile_columns = lanes * tile_vectors;
 
 // Vectors that may begin at any number.
 typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
+// Not the core's: a copy of that compiled here might be linked everywhere.
+HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
+
 HARMORPH_INLINE Vector load(const Real* from) noexcept { return *reinterpret_cast<const Vector*>(from); }
 HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
-HARMORPH_INLINE Vector spread(Real x) noexcept { return x - Vector{}; }
 
 // A is read transposed (element (k, r) at a[k * row + r]) or plainly (element (r, k) at a[r * row + k]).
 enum class Op { transposed, plain };
@@ -36,7 +36,7 @@ struct Source {
 struct Target {
     Real* d;
     Offset row;
-    Index columns;  // valid ones in a tile; the rest is computed and thrown away
+    Index columns;  // valid ones in the tile; the rest is computed and thrown away
 };
 
 template <Op op, Store how, Index rows, Index vectors>
@@ -46,7 +46,7 @@ HARMORPH_INLINE void tile(Source const& s, Target const& t) noexcept {
         Vector b[vectors];
         for (Index v = 0; v < vectors; ++v) b[v] = load(s.b + k * s.b_row + v * lanes);
         for (Index r = 0; r < rows; ++r) {
-            Vector const a = spread(op == Op::transposed ? s.a[k * s.a_row + r] : s.a[r * s.a_row + k]);
+            Real const a = op == Op::transposed ? s.a[k * s.a_row + r] : s.a[r * s.a_row + k];
             for (Index v = 0; v < vectors; ++v) sum[r][v] += a * b[v];
         }
     }
@@ -89,120 +89,230 @@ void any_tile(Index rows, Source const& s, Target const& t) noexcept {
     }
 }
 
+// A block of memory with its row length.
+struct Rows {
+    const Real* data;
+    Offset length;
+};
+
 struct Shape {
     Index rows, columns, depth;
 };
 
-// D [rows x columns] -= op(A) B.
+// D [rows x columns] -= op(A) B, read where they are: for what fits the first-level cache.
 template <Op op>
-void subtract_product(Shape shape, const Real* a, Offset a_row, const Real* b, Offset b_row, Real* d, Offset d_row) noexcept {
+void subtract_product(Shape shape, Rows a, Rows b, Real* d, Offset d_row) noexcept {
     for (Index c = 0; c < shape.columns; c += tile_columns) {
+        Index const columns = smaller(tile_columns, shape.columns - c);
         for (Index r = 0; r < shape.rows; r += tile_rows) {
-            Source const source{op == Op::transposed ? a + r : a + r * a_row, a_row, b + c, b_row, 0, shape.depth};
-            any_tile<op, Store::subtract>(smaller(tile_rows, shape.rows - r), source,
-                                          {d + r * d_row + c, d_row, smaller(tile_columns, shape.columns - c)});
+            const Real* const first = op == Op::transposed ? a.data + r : a.data + r * a.length;
+            any_tile<op, Store::subtract>(smaller(tile_rows, shape.rows - r),
+                                          {first, a.length, b.data + c, b.length, 0, shape.depth},
+                                          {d + r * d_row + c, d_row, columns});
+        }
+    }
+}
+
+// Copies `width` columns of a block's `depth` rows next to each other.
+HARMORPH_INLINE void pack(Rows from, Index depth, Index width, Real* to) noexcept {
+    for (Index k = 0; k < depth; ++k) {
+        for (Index i = 0; i < width; ++i) to[k * width + i] = from.data[k * from.length + i];
+    }
+}
+
+// D [rows x columns] -= A^T B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
+// memory. depth, rows <= strip. upper: D is square and only its upper triangle is wanted, row `r` being column r + skew.
+void subtract_packed(Shape shape, Rows a, Rows b, Real* d, Offset d_row, Real* packing, bool upper, Index skew) noexcept {
+    Real* const packed_a = packing;
+    Real* const packed_b = packing + strip * strip;
+    Index const whole_rows = shape.rows / tile_rows * tile_rows;
+    for (Index r = 0; r < whole_rows; r += tile_rows) pack({a.data + r, a.length}, shape.depth, tile_rows, packed_a + r * shape.depth);
+    for (Index c = 0; c < shape.columns; c += tile_columns) {
+        Index const columns = smaller(tile_columns, shape.columns - c);
+        pack({b.data + c, b.length}, shape.depth, tile_columns, packed_b);
+        Index const wanted = upper ? smaller(shape.rows, c + tile_columns - skew) : shape.rows;
+        for (Index r = 0; r < wanted; r += tile_rows) {
+            bool const whole = r < whole_rows;
+            Source const source{whole ? packed_a + r * shape.depth : a.data + r, whole ? Offset{tile_rows} : a.length, packed_b,
+                                tile_columns, 0, shape.depth};
+            any_tile<Op::transposed, Store::subtract>(smaller(tile_rows, shape.rows - r), source,
+                                                      {d + r * d_row + c, d_row, columns});
         }
     }
 }
 
 // b [n x columns] = inverse^T b, inverse upper triangular: row r needs rows <= r, so the last rows go first.
-void apply_inverse_transposed(Index n, Index columns, const Real* inverse, Offset inverse_row, Real* b, Offset b_row) noexcept {
+void apply_inverse_transposed(Index n, Index columns, Rows inverse, Real* b, Offset b_row) noexcept {
     for (Index c = 0; c < columns; c += tile_columns) {
         for (Index r = (n - 1) / tile_rows * tile_rows; r >= 0; r -= tile_rows) {
             Index const rows = smaller(tile_rows, n - r);
-            any_tile<Op::transposed, Store::set>(rows, {inverse + r, inverse_row, b + c, b_row, 0, r + rows},
+            any_tile<Op::transposed, Store::set>(rows, {inverse.data + r, inverse.length, b + c, b_row, 0, r + rows},
                                                  {b + r * b_row + c, b_row, smaller(tile_columns, columns - c)});
         }
     }
 }
 
 // b [n x columns] = inverse b: row r needs rows >= r, so the first rows go first.
-void apply_inverse(Index n, Index columns, const Real* inverse, Offset inverse_row, Real* b, Offset b_row) noexcept {
+void apply_inverse(Index n, Index columns, Rows inverse, Real* b, Offset b_row) noexcept {
     for (Index c = 0; c < columns; c += tile_columns) {
         for (Index r = 0; r < n; r += tile_rows) {
             any_tile<Op::plain, Store::set>(smaller(tile_rows, n - r),
-                                            {inverse + r * inverse_row, inverse_row, b + c, b_row, r, n},
+                                            {inverse.data + r * inverse.length, inverse.length, b + c, b_row, r, n},
                                             {b + r * b_row + c, b_row, smaller(tile_columns, columns - c)});
         }
     }
 }
 
-// Cholesky of a diagonal block, and then the inverse of its factor in its place. Returns a pivot that fails, or none.
-Index factor_block(Real* a, Offset row, Index n, Real floor) noexcept {
+// A diagonal block in rows of one fixed length, so that all loops are over whole vectors.
+struct Square {
+    Real at[block][block];
+};
+static_assert(block % lanes == 0, "rows are whole vectors");
+
+// row -= factor * other, from the vector that holds column `from` on.
+HARMORPH_INLINE void subtract_row(Real* row, Real factor, const Real* other, Index from) noexcept {
+    for (Index c = from / lanes * lanes; c < block; c += lanes) store(row + c, load(row + c) - factor * load(other + c));
+}
+
+// Cholesky of the leading n x n part. Returns a pivot that fails, or none.
+Index factor_square(Square& a, Index n, Real floor) noexcept {
     Real least[block];
-    for (Index k = 0; k < n; ++k) least[k] = floor * a[k * row + k];
+    for (Index k = 0; k < n; ++k) least[k] = floor * a.at[k][k];
     for (Index k = 0; k < n; ++k) {
-        Real* const pivot_row = a + k * row;
-        if (!(pivot_row[k] > least[k])) return k;
-        Real const root = square_root(pivot_row[k]), scale = 1 / root;
-        pivot_row[k] = root;
-        for (Index c = k + 1; c < n; ++c) pivot_row[c] *= scale;
-        for (Index r = k + 1; r < n; ++r) {
-            Real const factor = pivot_row[r];
-            for (Index c = r; c < n; ++c) a[r * row + c] -= factor * pivot_row[c];
-        }
+        Real* const row = a.at[k];
+        if (!(row[k] > least[k])) return k;
+        Real const root = __builtin_sqrt(row[k]), scale = 1 / root;
+        for (Index c = k / lanes * lanes; c < block; c += lanes) store(row + c, scale * load(row + c));
+        row[k] = root;
+        for (Index r = k + 1; r < n; ++r) subtract_row(a.at[r], row[r], row, r);
     }
-    // Row k of the inverse is e_k - sum_j U_kj (row j of the inverse), over U_kk: from the last row up, in place.
+    return none;
+}
+
+// Rows from the last one up: row k of the inverse is (e_k - sum_j U_kj (row j of the inverse)) / U_kk.
+void invert_square(Square const& u, Index n, Square& inverse) noexcept {
+    inverse = {};
     for (Index k = n - 1; k >= 0; --k) {
-        Real inverse_row[block] = {};
-        for (Index j = k + 1; j < n; ++j) {
-            Real const factor = a[k * row + j];
-            for (Index c = j; c < n; ++c) inverse_row[c] -= factor * a[j * row + c];
-        }
-        Real const scale = 1 / a[k * row + k];
-        for (Index c = 0; c < k; ++c) a[k * row + c] = 0;
-        a[k * row + k] = scale;
-        for (Index c = k + 1; c < n; ++c) a[k * row + c] = scale * inverse_row[c];
+        Real* const row = inverse.at[k];
+        for (Index j = k + 1; j < n; ++j) subtract_row(row, u.at[k][j], inverse.at[j], j);
+        Real const scale = 1 / u.at[k][k];
+        for (Index c = k / lanes * lanes; c < block; c += lanes) store(row + c, scale * load(row + c));
+        row[k] = scale;
+    }
+}
+
+// Cholesky of a diagonal block, and the inverse of its factor in its place.
+Index factor_block(Real* a, Offset row, Index n, Real floor) noexcept {
+    Square square = {}, inverse;
+    for (Index r = 0; r < n; ++r) {
+        for (Index c = r; c < n; ++c) square.at[r][c] = a[r * row + c];
+    }
+    Index const bad = factor_square(square, n, floor);
+    if (bad != none) return bad;
+    invert_square(square, n, inverse);
+    for (Index r = 0; r < n; ++r) {
+        for (Index c = 0; c < n; ++c) a[r * row + c] = c < r ? 0 : inverse.at[r][c];
     }
     return none;
 }
 
-Index factor_panel(Panel const& panel, Real floor) noexcept {
-    Offset const row = panel.front;
-    for (Index k = 0; k < panel.pivots; k += block) {
-        Index const n = smaller(block, panel.pivots - k);
-        Real* const rows = panel.data + k * row;
-        // What the earlier pivots take off this block's rows, all at once: every number is touched once.
-        subtract_product<Op::transposed>({n, panel.front - k, k}, panel.data + k, row, panel.data + k, row, rows + k, row);
-        Index const bad = factor_block(rows + k, row, n, floor);
+// One strip, after all earlier strips have been taken off: blocks of rows, each updated by the blocks above it at once.
+Index factor_strip(Real* rows, Offset row, Index n_pivots, Real floor) noexcept {
+    Index const front = static_cast<Index>(row);
+    for (Index k = 0; k < n_pivots; k += block) {
+        Index const n = smaller(block, n_pivots - k);
+        Real* const own = rows + k * row + k;
+        if (k > 0) subtract_product<Op::transposed>({n, front - k, k}, {rows + k, row}, {rows + k, row}, own, row);
+        Index const bad = factor_block(own, row, n, floor);
         if (bad != none) return k + bad;
-        apply_inverse_transposed(n, panel.front - k - n, rows + k, row, rows + k + n, row);
+        apply_inverse_transposed(n, front - k - n, {own, row}, own + n, row);
     }
     return none;
 }
 
-void subtract_border_square(Panel const& panel, Real* c, Offset c_row) noexcept {
+struct Strip {
+    Real* rows;     // its first pivot's column is number 0
+    Offset length;
+    Index first, n;
+};
+
+Strip strip_of(Panel const& panel, Index first) noexcept {
+    return {panel.data + panel.strip_start(first), panel.row_length(first), first, smaller(strip, panel.pivots - first)};
+}
+
+constexpr Index packing_pays = 96;  // rows longer than this are copied before they are multiplied
+
+Index factor_panel(Panel const& panel, Real floor, Real* packing) noexcept {
+    for (Index first = 0; first < panel.pivots; first += strip) {
+        Strip const own = strip_of(panel, first);
+        for (Index earlier = 0; earlier < first; earlier += strip) {
+            Strip const above = strip_of(panel, earlier);
+            Rows const columns{above.rows + (first - earlier), above.length};
+            subtract_packed({own.n, panel.front - first, above.n}, columns, columns, own.rows, own.length, packing, true, 0);
+        }
+        Index const bad = factor_strip(own.rows, own.length, own.n, floor);
+        if (bad != none) return first + bad;
+    }
+    return none;
+}
+
+void subtract_border_square(Panel const& panel, Real* c, Offset c_row, Real* packing) noexcept {
     Index const border = panel.border();
-    const Real* const u = panel.data + panel.pivots;
-    for (Index column = 0; column < border; column += tile_columns) {
-        Index const columns = smaller(tile_columns, static_cast<Index>(c_row) - column);  // padding may be written
-        for (Index r = 0; r < smaller(border, column + tile_columns); r += tile_rows) {
-            any_tile<Op::transposed, Store::subtract>(smaller(tile_rows, border - r),
-                                                      {u + r, panel.front, u + column, panel.front, 0, panel.pivots},
-                                                      {c + r * c_row + column, c_row, columns});
+    for (Index first = 0; first < panel.pivots; first += strip) {
+        Strip const own = strip_of(panel, first);
+        Rows const columns{own.rows + (panel.pivots - first), own.length};
+        for (Index r = 0; r < border; r += strip) {  // a band of rows, from its diagonal on; padding may be written
+            Index const rows = smaller(strip, border - r), width = static_cast<Index>(c_row) - r;
+            Rows const a{columns.data + r, columns.length};
+            Real* const d = c + r * c_row + r;
+            if (own.length > packing_pays) {
+                subtract_packed({rows, width, own.n}, a, a, d, c_row, packing, true, 0);
+            } else {
+                for (Index column = 0; column < width; column += tile_columns) {
+                    for (Index k = 0; k < smaller(rows, column + tile_columns); k += tile_rows) {
+                        any_tile<Op::transposed, Store::subtract>(
+                            smaller(tile_rows, rows - k), {a.data + k, a.length, a.data + column, a.length, 0, own.n},
+                            {d + k * c_row + column, c_row, smaller(tile_columns, width - column)});
+                    }
+                }
+            }
         }
     }
 }
 
 void forward(Panel const& panel, Real* y, Index y_row) noexcept {
-    for (Index k = 0; k < panel.pivots; k += block) {
-        Index const n = smaller(block, panel.pivots - k), rest = panel.front - k - n;
-        const Real* const rows = panel.data + Offset{k} * panel.front + k;
-        Real* const own = y + Offset{k} * y_row;
-        apply_inverse_transposed(n, y_row, rows, panel.front, own, y_row);
-        subtract_product<Op::transposed>({rest, y_row, n}, rows + n, panel.front, own, y_row, own + Offset{n} * y_row, y_row);
+    for (Index first = 0; first < panel.pivots; first += strip) {
+        Strip const own = strip_of(panel, first);
+        for (Index k = 0; k < own.n; k += block) {
+            Index const n = smaller(block, own.n - k), rest = panel.front - first - k - n;
+            const Real* const rows = own.rows + k * own.length + k;
+            Real* const its = y + Offset{first + k} * y_row;
+            apply_inverse_transposed(n, y_row, {rows, own.length}, its, y_row);
+            subtract_product<Op::transposed>({rest, y_row, n}, {rows + n, own.length}, {its, y_row}, its + Offset{n} * y_row, y_row);
+        }
     }
 }
 
 void backward(Panel const& panel, Real* y, Index y_row) noexcept {
-    for (Index k = (panel.pivots - 1) / block * block; k >= 0; k -= block) {
-        Index const n = smaller(block, panel.pivots - k), rest = panel.front - k - n;
-        const Real* const rows = panel.data + Offset{k} * panel.front + k;
-        Real* const own = y + Offset{k} * y_row;
-        subtract_product<Op::plain>({n, y_row, rest}, rows + n, panel.front, own + Offset{n} * y_row, y_row, own, y_row);
-        apply_inverse(n, y_row, rows, panel.front, own, y_row);
+    for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
+        Strip const own = strip_of(panel, first);
+        for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
+            Index const n = smaller(block, own.n - k), rest = panel.front - first - k - n;
+            const Real* const rows = own.rows + k * own.length + k;
+            Real* const its = y + Offset{first + k} * y_row;
+            subtract_product<Op::plain>({n, y_row, rest}, {rows + n, own.length}, {its + Offset{n} * y_row, y_row}, its, y_row);
+            apply_inverse(n, y_row, {rows, own.length}, its, y_row);
+        }
     }
 }
 
 }  // namespace
-}  // namespace harmorph::dense
+
+Index factor(Panel const& panel, Real floor, Real* packing) noexcept { return factor_panel(panel, floor, packing); }
+void update_border(Panel const& panel, Real* c, Offset row, Real* packing) noexcept {
+    subtract_border_square(panel, c, row, packing);
+}
+void solve_forward(Panel const& panel, Real* y, Index row) noexcept { forward(panel, y, row); }
+void solve_backward(Panel const& panel, Real* y, Index row) noexcept { backward(panel, y, row); }
+
+}  // namespace harmorph::dense::HARMORPH_KERNEL

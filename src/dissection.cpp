@@ -7,22 +7,70 @@ namespace {
 
 constexpr Index leaf_size = 32;       // parts up to this size are eliminated densely
 constexpr Index smallest_child = 4;   // smaller parts join the separator; with it, nodes <= n / 2
-constexpr Index n_samples = 127;
+constexpr Index most_samples = 63;
+constexpr Index separator_samples = 48;
+constexpr Index layer_direction = 4;
 enum Side : std::uint8_t { left = 0, right = 1, separator = 2, elsewhere = 3 };
 
-struct Cut {
-    Real nx = 1, ny = 0;  // left: nx x + ny y < level
-    Real level = 0;
-    Index left_size = 0, left_border = 0, right_border = 0;
+using Place = DissectionWork::Place;
+using Reach = DissectionWork::Reach;
 
-    bool balanced(Index n) const noexcept { return left_size >= n / 4 && n - left_size >= n / 4; }
-    Index separator_size() const noexcept { return smaller(left_border, right_border); }
-    // Separators are paid by their cube, an uneven cut by the larger part.
-    Real cost(Index n) const noexcept {
-        Real const larger_part = static_cast<Real>(larger(left_size, n - left_size)) / static_cast<Real>(n);
-        return static_cast<Real>(separator_size()) * (0.5 + larger_part);
+// Numbers of four directions: wider vectors would be taken apart on the plain architecture.
+typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
+typedef std::int32_t FourCounts __attribute__((vector_size(16)));
+constexpr Index halves = DissectionWork::lanes / 4;
+
+inline Four& four(float* numbers, Index half) noexcept { return *reinterpret_cast<Four*>(numbers + 4 * half); }
+inline Four const& four(const float* numbers, Index half) noexcept { return *reinterpret_cast<const Four*>(numbers + 4 * half); }
+
+// Cuts at `level` in all directions at once: left is what lies before it.
+struct Cuts {
+    float level[DissectionWork::lanes] = {};
+    FourCounts left_size[halves] = {}, left_border[halves] = {}, right_border[halves] = {};  // borders: upper bounds
+
+    void count(Place const& place, Reach const& reach) noexcept {
+        for (Index half = 0; half < halves; ++half) {
+            Four const distance = four(place.at, half) - four(level, half);
+            FourCounts const is_left = distance < 0;  // -1 where true
+            left_size[half] -= is_left;
+            left_border[half] -= is_left & (distance + four(reach.ahead, half) >= 0);
+            right_border[half] -= ~is_left & (distance - four(reach.behind, half) < 0);
+        }
     }
+    static Index in(const FourCounts* counts, Index direction) noexcept { return counts[direction / 4][direction % 4]; }
 };
+
+struct Cut {
+    Index direction = none;  // none: halve the list as it stands
+    float level = 0;
+    Side separated = left;   // the side that gives the separator
+};
+
+// The element of rank n / 2 (C. A. R. Hoare, Comm. ACM 4 (1961) 321).
+float median(float* items, Index n) noexcept {
+    Index low = 0, high = n - 1;
+    Index const wanted = n / 2;
+    while (low < high) {
+        float const pivot = items[low + (high - low) / 2];
+        Index i = low, j = high;
+        while (i <= j) {
+            while (items[i] < pivot) ++i;
+            while (pivot < items[j]) --j;
+            if (i > j) break;
+            float const item = items[i];
+            items[i++] = items[j];
+            items[j--] = item;
+        }
+        if (wanted <= j) {
+            high = j;
+        } else if (wanted >= i) {
+            low = i;
+        } else {
+            break;
+        }
+    }
+    return items[wanted];
+}
 
 class Dissector {
 public:
@@ -34,10 +82,13 @@ public:
         if (begin == end) return none;
         if (end - begin <= leaf_size) return add_node(begin, end, none, none);
         Index middle = 0, pivots = 0;  // order: left part, right part from `middle`, separator from `pivots`
-        cut(begin, end, middle, pivots);
+        Cut const cut = best_cut(begin, end);
+        separate(cut, begin, end);
+        partition(begin, end, middle, pivots);
         if (middle - begin < smallest_child) absorb(begin, middle, pivots);
         if (pivots - middle < smallest_child) pivots = middle;
         for (Index k = pivots; k < end; ++k) work_.side[order_[k]] = elsewhere;  // neither part will see them again
+        sort_along(cut, order_.from(pivots, end - pivots));
         Index const first = dissect(begin, middle);
         Index const second = dissect(middle, pivots);
         return add_node(pivots, end, first, second);
@@ -60,7 +111,7 @@ private:
     }
 
     // Moves a tiny left part behind the right one, into the separator.
-    void absorb(Index begin, Index& middle, Index& pivots) noexcept {
+    void absorb(Index begin, Index& middle, Index& pivots) const noexcept {
         Index const n = middle - begin;
         for (Index k = 0; k < n; ++k) work_.moved[k] = order_[begin + k];
         for (Index k = middle; k < pivots; ++k) order_[k - n] = order_[k];
@@ -69,93 +120,119 @@ private:
         middle = begin;
     }
 
-    void cut(Index begin, Index end, Index& middle, Index& pivots) noexcept {
-        Real const diagonal = 0.70710678118654752;
-        Real const normals[][2] = {{1, 0}, {0, 1}, {diagonal, diagonal}, {diagonal, -diagonal}};
+    Cut best_cut(Index begin, Index end) const noexcept {
+        // Of a large part every stride-th unknown tells enough: separators have about the square root of its size.
+        Index const part = end - begin;
+        Index stride = 1;
+        while (Offset{4 * separator_samples * stride} * separator_samples * stride <= part) stride *= 2;
+        Index const n = (part + stride - 1) / stride;
+        Cuts cuts;
+        set_levels(begin, part, cuts);
+        for (Index k = begin; k < end; k += stride) cuts.count(work_.place[order_[k]], work_.reach[order_[k]]);
         Cut best;
         Real least = infinity;
-        for (auto const& normal : normals) {
-            Cut candidate;
-            candidate.nx = normal[0];
-            candidate.ny = normal[1];
-            measure(candidate, begin, end);
-            Real const cost = candidate.cost(end - begin);
-            if (candidate.balanced(end - begin) && cost < least) {
-                least = cost;
-                best = candidate;
-            }
+        for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+            Index const left_size = Cuts::in(cuts.left_size, direction), right_size = n - left_size;
+            Index const left_border = Cuts::in(cuts.left_border, direction);
+            Index const right_border = Cuts::in(cuts.right_border, direction);
+            if (smaller(left_size, right_size) < n / 4) continue;
+            Real const larger_part = static_cast<Real>(larger(left_size, right_size)) / static_cast<Real>(n);
+            Real const cost = static_cast<Real>(smaller(left_border, right_border)) * (0.5 + larger_part);
+            if (cost >= least) continue;
+            least = cost;
+            best = {direction, cuts.level[direction], left_border <= right_border ? left : right};
         }
-        if (least < infinity) {
-            assign_sides(best, begin, end);
-        } else {  // many equal coordinates in every direction: halve the list as it stands
-            for (Index k = begin; k < end; ++k) work_.side[order_[k]] = k - begin < (end - begin) / 2 ? left : right;
-        }
-        separate(begin, end, least < infinity && best.left_border > best.right_border ? right : left);
-        partition(begin, end, middle, pivots);
+        return best;
     }
 
-    static Real across(Cut const& cut, DissectionWork::Place const& place) noexcept {
-        return cut.nx * place.x + cut.ny * place.y;
-    }
-
-    // Median of samples, and the sizes of both parts and both one-sided separators (bounded by reach, not exact).
-    void measure(Cut& cut, Index begin, Index end) const noexcept {
-        Real sample[n_samples];
-        Index const n = end - begin, count = smaller(n, n_samples);
+    // Levels at the medians of a few samples.
+    void set_levels(Index begin, Index n, Cuts& cuts) const noexcept {
+        Index const count = n < 128 ? most_samples / 4 : n < 1024 ? most_samples / 2 : most_samples;
+        float sample[DissectionWork::directions][most_samples];
         for (Index k = 0; k < count; ++k) {
-            Index const at = begin + static_cast<Index>(Offset{k} * n / count);
-            sample[k] = across(cut, work_.place[order_[at]]);
-        }
-        sort(Span<Real>(sample, static_cast<Size>(count)), [](Real a, Real b) { return a < b; });
-        cut.level = sample[count / 2];
-        Real const abs_nx = absolute(cut.nx), abs_ny = absolute(cut.ny);
-        for (Index k = begin; k < end; ++k) {
-            auto const& place = work_.place[order_[k]];
-            Real const distance = across(cut, place) - cut.level;
-            Real const reach = abs_nx * static_cast<Real>(place.reach_x) + abs_ny * static_cast<Real>(place.reach_y);
-            cut.left_size += distance < 0 ? 1 : 0;
-            cut.left_border += distance < 0 && distance >= -reach ? 1 : 0;
-            cut.right_border += distance >= 0 && distance <= reach ? 1 : 0;
-        }
-    }
-
-    void assign_sides(Cut const& cut, Index begin, Index end) const noexcept {
-        for (Index k = begin; k < end; ++k) {
-            Index const u = order_[k];
-            work_.side[u] = across(cut, work_.place[u]) < cut.level ? left : right;
-        }
-    }
-
-    // The unknowns of one side that have a neighbour on the other become the separator.
-    void separate(Index begin, Index end, Side from) const noexcept {
-        Side const other = from == left ? right : left;
-        for (Index k = begin; k < end; ++k) {
-            Index const u = order_[k];
-            if (work_.side[u] != from) continue;
-            for (Index const v : graph_.of(u)) {
-                if (work_.side[v] == other) {
-                    work_.side[u] = separator;
-                    break;
-                }
+            Place const& place = work_.place[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
+            for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+                sample[direction][k] = place.at[direction];
             }
         }
+        for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+            cuts.level[direction] = median(sample[direction], count);
+        }
+    }
+
+    // Sides; then the unknowns of the separated side that have a neighbour on the other become the separator.
+    void separate(Cut const& cut, Index begin, Index end) const noexcept {
+        Side const other = cut.separated == left ? right : left;
+        Index n_near = 0;
+        Span<Index> const near = work_.moved;
+        for (Index k = begin; k < end; ++k) {
+            Index const u = order_[k];
+            float const distance = cut.direction == none ? static_cast<float>(k - begin - (end - begin) / 2)
+                                                         : work_.place[u].at[cut.direction] - cut.level;
+            bool const is_left = distance < 0;
+            work_.side[u] = is_left ? left : right;
+            if (is_left != (cut.separated == left)) continue;
+            near[n_near] = u;
+            n_near += may_touch(cut, u, distance) ? 1 : 0;
+        }
+        for (Index const u : near.first(n_near)) {
+            for (Index const v : graph_.of(u)) {
+                if (work_.side[v] != other) continue;
+                work_.side[u] = separator;
+                break;
+            }
+        }
+    }
+
+    bool may_touch(Cut const& cut, Index u, float distance) const noexcept {
+        if (cut.direction == none) return true;
+        Reach const& reach = work_.reach[u];
+        return distance < 0 ? distance + reach.ahead[cut.direction] >= 0 : distance - reach.behind[cut.direction] < 0;
     }
 
     // Stable, so that memory is still passed through in its own direction.
     void partition(Index begin, Index end, Index& middle, Index& pivots) const noexcept {
-        Index n_left = 0, n_right = 0;
+        middle = begin;
+        Index n_right = 0, n_cut_off = 0;
         for (Index k = begin; k < end; ++k) {
-            n_left += work_.side[order_[k]] == left ? 1 : 0;
-            n_right += work_.side[order_[k]] == right ? 1 : 0;
+            Index const u = order_[k];
+            switch (work_.side[u]) {
+                case left: order_[middle++] = u; break;
+                case right: work_.moved[n_right++] = u; break;
+                default: work_.queue[n_cut_off++] = u;
+            }
         }
-        middle = begin + n_left;
         pivots = middle + n_right;
-        Index place[] = {begin, middle, pivots};
-        for (Index k = begin; k < end; ++k) work_.moved[k] = order_[k];
-        for (Index k = begin; k < end; ++k) {
-            Index const u = work_.moved[k];
-            order_[place[work_.side[u]]++] = u;
+        copy(order_.from(middle, n_right), Span<const Index>(work_.moved.first(n_right)));
+        copy(order_.from(pivots, n_cut_off), Span<const Index>(work_.queue.first(n_cut_off)));
+    }
+
+    // Along a straight cut; round the middle of a cut between layers.
+    void sort_along(Cut const& cut, Span<Index> cut_off) const noexcept {
+        if (cut.direction == none) return;
+        if (cut.direction != layer_direction) {
+            Index const perpendicular = cut.direction ^ 1;  // x and y, and the two diagonals
+            return sort(cut_off, [&](Index a, Index b) {
+                float const p = work_.place[a].at[perpendicular], q = work_.place[b].at[perpendicular];
+                return p != q ? p < q : a < b;
+            });
         }
+        float x = 0, y = 0;
+        float const weight = 1.0f / static_cast<float>(cut_off.size() + 1);
+        for (Index const u : cut_off) {
+            x += weight * work_.place[u].at[0];
+            y += weight * work_.place[u].at[1];
+        }
+        auto const angle = [&](Index u) {  // round the unit square instead of the circle: -2 .. 2
+            float const dx = work_.place[u].at[0] - x, dy = work_.place[u].at[1] - y;
+            float const size = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+            if (size == 0) return 0.0f;
+            return dx >= 0 ? dy / size : dy >= 0 ? 2 - dy / size : -2 - dy / size;
+        };
+        sort(cut_off, [&](Index a, Index b) {
+            float const p = angle(a), q = angle(b);
+            return p != q ? p < q : a < b;
+        });
     }
 
     Graph const& graph_;
@@ -164,16 +241,48 @@ private:
     AssemblyTree& tree_;
 };
 
-void find_places(Graph const& graph, Points points, Span<DissectionWork::Place> places) noexcept {
+// Breadth first from the unknowns beside curves; what is not reached (no curve in its part of the mesh) is layer 0.
+void find_layers(Graph const& graph, DissectionWork const& work) noexcept {
+    auto const layer = [&](Index u) -> float& { return work.place[u].at[layer_direction]; };
+    Index filled = 0;
     for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = points[graph.point[u]];
-        Real reach_x = 0, reach_y = 0;
+        bool const is_first = graph.beside_curve[u] != 0;
+        layer(u) = is_first ? 1 : 0;
+        if (is_first) work.queue[filled++] = u;
+    }
+    for (Index read = 0; read < filled; ++read) {
+        Index const u = work.queue[read];
         for (Index const v : graph.of(u)) {
-            Vec2 const q = points[graph.point[v]];
-            reach_x = larger(reach_x, absolute(q.x - p.x));
-            reach_y = larger(reach_y, absolute(q.y - p.y));
+            if (layer(v) != 0) continue;
+            layer(v) = layer(u) + 1;
+            work.queue[filled++] = v;
         }
-        places[u] = {p.x, p.y, static_cast<float>(reach_x), static_cast<float>(reach_y)};
+    }
+}
+
+// Coordinates about the first point, which are small numbers where the mesh is fine.
+void find_places(Graph const& graph, Points points, DissectionWork const& work) noexcept {
+    Vec2 const origin = points[graph.point[0]];
+    for (Index u = 0; u < graph.n; ++u) {
+        Vec2 const p = points[graph.point[u]] - origin;
+        float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+        work.place[u] = {{x, y, x + y, x - y}};
+    }
+    find_layers(graph, work);
+    constexpr float outwards = 1.000001f;
+    for (Index u = 0; u < graph.n; ++u) {
+        Four ahead[halves] = {}, behind[halves] = {};
+        for (Index const v : graph.of(u)) {
+            for (Index half = 0; half < halves; ++half) {
+                Four const step = four(work.place[v].at, half) - four(work.place[u].at, half);
+                ahead[half] = step > ahead[half] ? step : ahead[half];
+                behind[half] = -step > behind[half] ? -step : behind[half];
+            }
+        }
+        for (Index half = 0; half < halves; ++half) {
+            four(work.reach[u].ahead, half) = outwards * ahead[half];
+            four(work.reach[u].behind, half) = outwards * behind[half];
+        }
     }
 }
 
@@ -183,12 +292,14 @@ void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept { arena.ta
 
 void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(place, max_unknowns);
+    arena.take(reach, max_unknowns);
+    arena.take(queue, max_unknowns);
     arena.take(moved, max_unknowns);
     arena.take(side, max_unknowns);
 }
 
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept {
-    find_places(graph, points, work.place);
+    find_places(graph, points, work);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
     tree.count = 0;
     Dissector(graph, work, order, tree).dissect(0, graph.n);

@@ -12,6 +12,7 @@ void Graph::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(unknown, n_points);
     arena.take(start, n_points + 1);
     arena.take(neighbour, 2 * pairs);
+    arena.take(beside_curve, n_points);
 }
 
 void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
@@ -37,6 +38,12 @@ void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> repres
         neighbour[starts[j]++] = i;
     });
     rewind_starts(starts);
+
+    fill(beside_curve, std::uint8_t{0});
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        if (unknown[a] != none && kinds[b] == PointKind::on_curve) beside_curve[unknown[a]] = 1;
+        if (unknown[b] != none && kinds[a] == PointKind::on_curve) beside_curve[unknown[b]] = 1;
+    });
 }
 
 }  // namespace harmorph

@@ -17,19 +17,20 @@ public:
         auto const& its = engine_.tree.nodes[node];
         dense::Panel const panel = engine_.panel(node);
         Offset const update_end = top + panel.border() * update_row(panel.border());
-        fill(engine_.factor.from(engine_.panel_start[node], Offset{panel.pivots} * panel.front), 0.0);
+        fill(engine_.factor.from(engine_.panel_start[node], dense::Panel::entries(panel.pivots, panel.front)), 0.0);
         fill(engine_.stack.from(top, update_end - top), 0.0);
         assemble(node, panel);
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
             HARMORPH_TRY(run(child, update_end));
             add_update(child, update_end, node, panel, top);
         }
-        Index const bad = dense::factor(panel, pivot_floor);
+        Index const bad = dense::factor(engine_.kernel, panel, pivot_floor, engine_.packing.data());
         if (bad != none) {
             return fault_.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
                                  its.begin + bad);
         }
-        dense::update_border(panel, engine_.stack.data() + top, update_row(panel.border()));
+        dense::update_border(engine_.kernel, panel, engine_.stack.data() + top, update_row(panel.border()),
+                             engine_.packing.data());
         if (node % nodes_between_reports == 0) {
             Real const done = static_cast<Real>(its.end) / static_cast<Real>(matrix_.n);
             HARMORPH_TRY(progress_.report(Phase::factor, done, fault_));
@@ -43,7 +44,7 @@ private:
         auto const& its = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
         for (Index i = its.begin; i < its.end; ++i) {
-            Real* const row = panel.data + Offset{i - its.begin} * panel.front;
+            Real* const row = panel.row(i - its.begin);
             row[i - its.begin] = matrix_.diagonal[i];
             for (Offset k = matrix_.start[i]; k < matrix_.start[i + 1]; ++k) {
                 Index const j = matrix_.column[k];
@@ -70,10 +71,15 @@ private:
         for (Index r = 0; r < rows.count(); ++r) {
             const Real* const source = engine_.stack.data() + from + r * from_row;
             Index const target = engine_.target[r];
-            Real* const to = target < panel.pivots ? panel.data + Offset{target} * panel.front
+            Real* const to = target < panel.pivots ? panel.row(target)
                                                    : engine_.stack.data() + top + (target - panel.pivots) * to_row;
             Index const shift = target < panel.pivots ? 0 : panel.pivots;
-            for (Index c = r; c < rows.count(); ++c) to[engine_.target[c] - shift] += source[c];
+            for (Index c = r; c < rows.count();) {
+                Real* const run = to + (engine_.target[c] - shift);
+                Index const n = engine_.run_end[c] - c;
+                for (Index i = 0; i < n; ++i) run[i] += source[c + i];
+                c += n;
+            }
         }
     }
 
@@ -89,6 +95,11 @@ private:
             }
             while (border[at] != rows[r]) ++at;
             engine_.target[r] = pivots + at;
+        }
+        for (Index r = rows.count() - 1; r >= 0; --r) {
+            bool const ends = r + 1 == rows.count() || engine_.target[r + 1] != engine_.target[r] + 1 ||
+                              engine_.target[r + 1] == pivots;
+            engine_.run_end[r] = ends ? r + 1 : engine_.run_end[r + 1];
         }
     }
 
@@ -107,6 +118,8 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, I
     arena.take(panel_start, Offset{nodes} + 1);
     arena.take(factor, sizes.factor_entries + dense::overread);
     arena.take(target, sizes.largest_border);
+    arena.take(run_end, sizes.largest_border);
+    arena.take(packing, dense::packing_entries);
     arena.take(rows, Offset{sizes.largest_front} * dense::padded(width) + dense::overread);
 }
 
@@ -115,7 +128,7 @@ void Multifrontal::place_panels() noexcept {
     for (Index node = 0; node < tree.count; ++node) {
         panel_start[node] = next;
         Index const pivots = tree.nodes[node].pivots();
-        next += Offset{pivots} * (pivots + border_of(node).count());
+        next += dense::Panel::entries(pivots, pivots + border_of(node).count());
     }
     panel_start[tree.count] = next;
 }
@@ -179,18 +192,18 @@ private:
 Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
     FrontRows const rows_of(*this, values);
     auto const report = [&](Index done) {
-        if (done % nodes_between_reports != 0) return Status::ok;
+        if (done == 0 || done % nodes_between_reports != 0) return Status::ok;
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count), fault);
     };
     for (Index node = 0; node < tree.count; ++node) {
         rows_of.gather(node);
-        dense::solve_forward(panel(node), rows_of.data(), rows_of.row());
+        dense::solve_forward(kernel, panel(node), rows_of.data(), rows_of.row());
         rows_of.scatter(node, true);
         HARMORPH_TRY(report(node));
     }
     for (Index node = tree.count - 1; node >= 0; --node) {
         rows_of.gather(node);
-        dense::solve_backward(panel(node), rows_of.data(), rows_of.row());
+        dense::solve_backward(kernel, panel(node), rows_of.data(), rows_of.row());
         rows_of.scatter(node, false);
         HARMORPH_TRY(report(2 * tree.count - node));
     }

@@ -4,6 +4,7 @@
 #include "harmorph/arena.hpp"
 #include "harmorph/bspline.hpp"
 #include "harmorph/conditions.hpp"
+#include "harmorph/processor.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {
@@ -11,6 +12,7 @@ namespace harmorph {
 // How the functions were solved; the numbers are those of the C header.
 struct Method {
     std::int32_t operator_kind = 0, scheme = 0, engine = 0;
+    Kernel kernel = Kernel::automatic;
     Real tolerance = 1e-10;
 };
 

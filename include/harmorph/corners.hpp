@@ -6,7 +6,8 @@
 
 namespace harmorph {
 
-// Points about their centroid in units of the extent (largest distance of two points, nearly): all lengths are fractions of it.
+// Points about their centroid in units of the extent (nearly the largest distance of two points): all lengths are
+// fractions of it.
 struct Outline {
     Span<const Vec2> points;
     bool is_loop = false;

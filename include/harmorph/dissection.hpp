@@ -23,11 +23,21 @@ struct AssemblyTree {
 };
 
 struct DissectionWork {
-    struct Place {           // of an unknown
-        Real x, y;
-        float reach_x, reach_y;  // largest extent of its edges: farther from a cut than that, it has no neighbour across
+    // Directions in which parts may be cut: x, y, both diagonals, and the layer round the curves. Eight, because vectors
+    // of numbers are: the last ones are not used.
+    static constexpr Index directions = 5, lanes = 8;
+
+    // Where an unknown is in each direction. Single precision suffices to choose cuts.
+    struct Place {
+        float at[lanes];
+    };
+    // How far forwards and backwards its neighbours are, rounded outwards: farther from a cut than that, it has none across.
+    struct Reach {
+        float ahead[lanes], behind[lanes];
     };
     Span<Place> place;       // [n]
+    Span<Reach> reach;       // [n]
+    Span<Index> queue;       // [n]
     Span<Index> moved;       // [n]
     Span<std::uint8_t> side; // [n] of each unknown
 
@@ -35,7 +45,8 @@ struct DissectionWork {
 };
 
 // order [n]: the unknowns in the order of elimination. Source of the method: A. George, SIAM J. Numer. Anal. 10 (1973) 345,
-// with straight cuts through sampled medians and the smaller of the two one-sided vertex separators.
+// with cuts through sampled medians, straight or between two layers, and the smaller of the two one-sided separators.
+// Separators are in order along the cut, so that fronts meet in runs of neighbours.
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept;
 
 }  // namespace harmorph

@@ -24,8 +24,8 @@ struct FitReport {
 // Degree, number of control points and number of points; to be called before lay_out.
 Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept;
 
-// The fitted curves (parameters from 0 to 1) and the room the fit needs; all arrays are views of one arena. The result turns,
-// moves, grows and reverses with the points, but for rounding.
+// The fitted curves (parameters from 0 to 1) and the room the fit needs; all arrays are views of one arena. The result
+// turns, moves, grows and reverses with the points, but for rounding. run() may be called again.
 struct Fit {
     Index n_curves = 0;  // 2 with a blunt base
     Curve curve[2];
@@ -42,7 +42,7 @@ private:
     void use_corners(Index n) noexcept;
     void pin_ends_and_corners() noexcept;
     void start_parameters() noexcept;
-    void solve_and_correct(Index times) noexcept;
+    void solve_and_correct(Index times, Real acceleration) noexcept;
     void find_knots() noexcept;
     void approximate(Index n_corners) noexcept;
     void publish(Points points) noexcept;

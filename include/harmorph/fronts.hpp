@@ -1,6 +1,7 @@
 // The symbolic pass: which later unknowns each node of the assembly tree touches, and so the size of everything.
 #pragma once
 
+#include "harmorph/dense.hpp"
 #include "harmorph/dissection.hpp"
 
 namespace harmorph {
@@ -9,7 +10,7 @@ namespace harmorph {
 // its subtree is coupled to, increasing. Node t's border is border[start[t]] .. border[start[t+1]-1].
 struct FrontSizes {
     Offset border_entries = 0;  // of all fronts
-    Offset factor_entries = 0;  // pivots x (pivots + border), all fronts
+    Offset factor_entries = 0;  // of all panels
     Offset stack_entries = 0;   // most update matrices at once: those of one path down the tree
     Index largest_front = 0;    // pivots + border
     Index largest_border = 0;

@@ -24,6 +24,7 @@ struct Graph {
     Span<Index> unknown;     // [n_points] unknown of each point, or none
     Span<Offset> start;      // [n + 1]
     Span<Index> neighbour;   // both directions
+    Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on a curve
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds) noexcept;

@@ -3,6 +3,7 @@
 
 #include "harmorph/analysis.hpp"
 #include "harmorph/multifrontal.hpp"
+#include "harmorph/residual.hpp"
 
 namespace harmorph {
 
@@ -10,6 +11,7 @@ struct SolveReport {
     Index unknowns = 0, functions = 0;
     Real residual = 0;
     Index residual_function = none;
+    Index refinements = 0;
     Offset factor_entries = 0;
 };
 
@@ -25,9 +27,7 @@ struct Plan {
     Span<std::uint8_t> reversed;  // [n_cells]
     Matrix matrix;
     Multifrontal engine;
-    Span<Real> residual;          // [n x residual_width] in the place of the engine's stack
-
-    static constexpr Index residual_width = 8;
+    Residual residual;            // in the place of the engine's stack
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
@@ -40,6 +40,7 @@ private:
     void set_right_hand_sides(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
+    Status refine(Basis const& basis, Fault& fault) noexcept;
 };
 
 // Makes an unsolved basis in a block that has been laid out for the analysis's counts.

@@ -1,5 +1,6 @@
-// The control points of a B-spline with given knots through points in order: weighted least squares, and the correction
-// of the points' parameters that makes its residuals distances. Hoschek, Comput. Aided Geom. Des. 5 (1988) 27.
+// The control points of a B-spline with given knots through points in order: weighted least squares in turn with
+// corrections of the points' parameters. Hoschek, Comput. Aided Geom. Des. 5 (1988) 27; with tangent distances:
+// Wang, Pottmann & Liu, ACM Trans. Graph. 25 (2006) 214.
 #pragma once
 
 #include "harmorph/bspline.hpp"
@@ -13,16 +14,20 @@ struct LeastSquares {
     Span<Real> u;               // [n] their parameters, growing
     Span<Real> weight;          // [n]
     Span<Real> error;           // [n] out: their distances from the curve
+    Span<Vec2> tangent;         // [n] out: unit tangents of the curve at their parameters; 0: not known
     Span<Real> control;         // [2 * n_control] out: x,y pairs
     Span<Index> pinned;         // [n_control] position of the point that a control point is fixed at, or none
-    EnvelopeMatrix matrix;
-    Span<Real> right_x, right_y;  // [n_control]
+    EnvelopeMatrix matrix;      // unknowns as in control
+    Span<Real> largest_so_far;  // [n] work
 
     void lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept;
     void set_up(Curve const& shape, Span<const Vec2> through) noexcept;  // the arrays in the sizes of this problem
-    void solve() noexcept;
-    // Two Newton steps from each point's parameter towards its foot, each at most half way to its neighbours; the first and
-    // the last stay. Measures the error in between; returns the largest.
+    void start() noexcept;  // after new parameters: forgets the tangents
+    // along: what an error along the curve counts against one across it, 0 to 1. The correction of the parameters undoes the
+    // former anyway: counted in full, the iteration creeps; not at all, it converges quadratically or diverges.
+    void solve(Real along) noexcept;
+    // Two Newton steps from each point's parameter towards its foot; the first and the last stay, and the order is kept.
+    // Measures the errors in between; returns the largest.
     Real correct_parameters() noexcept;
 };
 

@@ -11,11 +11,13 @@ namespace harmorph {
 // Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
 struct Rows {
     Real* data = nullptr;
-    const Index* row_of = nullptr;  // [n] row of each position
+    const Index* row_of = nullptr;  // [n] row of each position, or null: its number
     Offset row_length = 0;          // numbers from one row to the next
     Index width = 0;                // right-hand sides
 
-    Real* operator[](Index position) const noexcept { return data + row_of[position] * row_length; }
+    Real* operator[](Index position) const noexcept {
+        return data + (row_of != nullptr ? row_of[position] : position) * row_length;
+    }
 };
 
 struct Multifrontal {
@@ -26,6 +28,9 @@ struct Multifrontal {
     Span<Real> factor;
     Span<Real> stack;           // update matrices of one path down the tree
     Span<Index> target;         // [largest border] where a border goes in the parent's front
+    Span<Index> run_end;        // [largest border] first border behind the run of neighbouring targets
+    Span<Real> packing;         // [dense::packing_entries]
+    Kernel kernel = Kernel::baseline;
     Span<Real> rows;            // [largest front x padded width] right-hand sides of one front
 
     void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Index width) noexcept;

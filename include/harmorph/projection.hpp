@@ -15,7 +15,9 @@ struct Projection {
 // Where two parts are equally near, low or else the first found from low on wins. A point that coincides with the curve's
 // beginning or end within rounding gets exactly begin() or end(); on a closed curve begin(), if it is within the part.
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept;
-inline Projection project(Curve const& curve, Vec2 point) noexcept { return project(curve, point, curve.begin(), curve.end()); }
+inline Projection project(Curve const& curve, Vec2 point) noexcept {
+    return project(curve, point, curve.begin(), curve.end());
+}
 
 // The same, faster when `hint` is a parameter near the answer's.
 Projection project_near(Curve const& curve, Vec2 point, Real low, Real high, Real hint) noexcept;

@@ -1,0 +1,108 @@
+#include "arguments.hpp"
+
+#include "numbers.hpp"
+#include "text_file.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+// Two columns; further lines of the help begin in the second.
+std::string help_line(const Option& option) {
+    constexpr std::size_t column = 26;
+    std::string text = std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
+    text.resize(std::max(column, text.size() + 2), ' ');
+    for (const char* c = option.help; *c; ++c) text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
+    return text + '\n';
+}
+
+} // namespace
+
+Arguments::Arguments(const Command& command, const std::vector<std::string>& words) : command_(command) {
+    bool options_ended = false;
+    for (std::size_t at = 0; at < words.size(); ++at) {
+        const std::string& word = words[at];
+        if (!options_ended && word == "--") {
+            options_ended = true;
+        } else if (!options_ended && word.size() > 1 && word[0] == '-') {
+            at = take_option(words, at);
+        } else {
+            operands_.push_back(word);
+        }
+    }
+    const std::size_t wanted = command_.operands.size();
+    if (operands_.size() < wanted) refuse(std::string(command_.operands[operands_.size()]) + " is missing");
+    if (operands_.size() > wanted) refuse(quoted(operands_[wanted]) + " is one argument too many");
+}
+
+// Returns where the option ends: at its value, if that is a word of its own.
+std::size_t Arguments::take_option(const std::vector<std::string>& words, std::size_t at) {
+    const std::string& word = words[at];
+    const std::size_t equals = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
+    const std::string name = word.substr(0, equals);
+    const auto known = std::find_if(command_.options.begin(), command_.options.end(),
+                                    [&name](const Option& option) { return name == option.name; });
+    if (known == command_.options.end()) refuse("unknown option " + quoted(name));
+    std::string value;
+    if (equals != std::string::npos) {
+        if (!known->value) refuse(name + " takes no value");
+        value = word.substr(equals + 1);
+    } else if (known->value) {
+        if (++at == words.size()) refuse(name + " needs a value: " + known->value);
+        value = words[at];
+    }
+    given_.push_back({name, value});
+    return at;
+}
+
+std::vector<std::string> Arguments::all(const std::string& option) const {
+    std::vector<std::string> values;
+    for (const Given& given : given_) {
+        if (given.option == option) values.push_back(given.value);
+    }
+    return values;
+}
+
+std::string Arguments::text(const std::string& option) const {
+    const std::vector<std::string> values = all(option);
+    if (values.empty()) refuse(option + " is missing");
+    if (values.size() > 1) refuse(option + " is given twice");
+    return values[0];
+}
+
+std::int32_t Arguments::whole(const std::string& option, std::int32_t fallback, std::int32_t low,
+                              std::int32_t high) const {
+    if (!has(option)) return fallback;
+    std::int32_t value = 0;
+    if (!parse(text(option), value) || value < low || value > high) {
+        refuse(option + " expects a whole number between " + std::to_string(low) + " and " + std::to_string(high) +
+               ", found " + quoted(text(option)));
+    }
+    return value;
+}
+
+double Arguments::positive(const std::string& option, double fallback) const {
+    if (!has(option)) return fallback;
+    double value = 0;
+    if (!parse(text(option), value) || value <= 0) {
+        refuse(option + " expects a number above 0, found " + quoted(text(option)));
+    }
+    return value;
+}
+
+void Arguments::refuse(const std::string& message) const {
+    const std::string name = command_.name;
+    throw Failure(exit_usage, name + ": " + message + "\nTry: harmorph " + name + " --help");
+}
+
+std::string help_text(const Command& command) {
+    std::string text = "Usage: harmorph " + std::string(command.name);
+    for (const char* operand : command.operands) text += std::string(" ") + operand;
+    text += std::string(" [options]\n\n") + command.summary + ".\n\n" + command.details + "\nOptions:\n";
+    for (const Option& option : command.options) text += help_line(option);
+    return text + help_line({"--help", nullptr, "this text"}) + "\nExamples:\n" + command.examples;
+}
+
+} // namespace cli

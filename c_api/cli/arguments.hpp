@@ -1,0 +1,57 @@
+// The command line: what a command understands, and the words it was given.
+#pragma once
+
+#include "failure.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+struct Option {
+    const char* name;  // "--degree"
+    const char* value; // what follows it, for the help; NULL: nothing does
+    const char* help;
+};
+
+class Arguments;
+
+struct Command {
+    const char* name;
+    std::vector<const char *> operands; // "MESH"; all must be given
+    const char* summary;                // one line
+    const char* details;                // paragraphs, each line ended
+    std::vector<Option> options;
+    const char* examples;               // lines, each ended
+    void (*run)(const Arguments&);       // throws a Failure if the result is not usable
+};
+
+// Options as "--name value" or "--name=value", in any order with the operands; "--" ends them.
+class Arguments {
+public:
+    Arguments(const Command& command, const std::vector<std::string>& words); // refuses what the command does not know
+
+    const std::string& operand(std::size_t index) const { return operands_[index]; }
+    bool has(const std::string& option) const { return !all(option).empty(); }
+    std::vector<std::string> all(const std::string& option) const; // of an option that may be repeated
+    std::string text(const std::string& option) const;             // must be given
+    std::int32_t whole(const std::string& option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
+    double positive(const std::string& option, double fallback) const;
+
+    [[noreturn]] void refuse(const std::string& message) const; // wrong usage of this command
+
+private:
+    struct Given {
+        std::string option, value;
+    };
+    std::size_t take_option(const std::vector<std::string>& words, std::size_t at);
+
+    const Command& command_;
+    std::vector<std::string> operands_;
+    std::vector<Given> given_;
+};
+
+std::string help_text(const Command& command);
+
+} // namespace cli

@@ -1,0 +1,53 @@
+#include "basis_file.hpp"
+
+#include "failure.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+namespace cli {
+
+namespace {
+
+Block read_block(const std::string& path) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error) throw Failure(exit_file, path + ": cannot be read: " + error.message());
+    Block block(static_cast<std::size_t>(bytes));
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(reinterpret_cast<char *>(block.data()), static_cast<std::streamsize>(bytes))) {
+        throw Failure(exit_file, path + ": cannot be read");
+    }
+    return block;
+}
+
+hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
+    auto info = sized<hm_basis_info>();
+    call(path, hm_basis_info_get, basis, &info);
+    return info;
+}
+
+} // namespace
+
+Basis::Basis(const std::string& path, const Mesh& mesh)
+    : path_(path), block_(read_block(path)), curves_(sized<hm_curves>()) {
+    const hm_mesh view = mesh.view();
+    mesh_has_moved_ = call(path_, hm_basis_attach, &basis_, block_.data(), block_.size(), &view) == HM_MOVED;
+    const hm_basis_info info = info_of(basis_, path_);
+    if (info.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+    curve_.assign(static_cast<std::size_t>(info.curves), sized<hm_curve>());
+    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info.curves);
+}
+
+std::vector<double> Basis::values(std::int32_t function, const Mesh& mesh) const {
+    std::vector<double> values(mesh.x.size());
+    call(path_, hm_basis_values, basis_, function, values.data());
+    return values;
+}
+
+void write_basis(std::ostream& out, const hm_basis* basis) {
+    const hm_basis_info info = info_of(basis, "basis");
+    out.write(reinterpret_cast<const char *>(basis), static_cast<std::streamsize>(info.bytes));
+}
+
+} // namespace cli

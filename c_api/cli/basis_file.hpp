@@ -1,0 +1,36 @@
+// Basis files: the library's block as it is.
+#pragma once
+
+#include "library.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+// A basis read from a file and attached to its mesh.
+class Basis {
+public:
+    Basis(const std::string& path, const Mesh& mesh);
+    Basis(const Basis&) = delete;
+
+    const std::string& path() const { return path_; }
+    const hm_basis* get() const { return basis_; }
+    const hm_curves& curves() const { return curves_; } // those it was solved with
+    bool mesh_has_moved() const { return mesh_has_moved_; }
+    std::int32_t functions() const { return curves_.n_control; }
+    std::vector<double> values(std::int32_t function, const Mesh& mesh) const; // at every point of the mesh
+
+private:
+    std::string path_;
+    Block block_;
+    const hm_basis* basis_ = nullptr;
+    bool mesh_has_moved_ = false;
+    std::vector<hm_curve> curve_;
+    hm_curves curves_;
+};
+
+void write_basis(std::ostream& out, const hm_basis* basis);
+
+} // namespace cli

@@ -1,0 +1,70 @@
+// harmorph check: is a mesh well formed, and how good is it?
+#include "commands.hpp"
+#include "json.hpp"
+#include "mesh_analysis.hpp"
+#include "numbers.hpp"
+
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+void print_json(const hm_mesh_report& report, const Mesh& mesh) {
+    std::vector<JsonObject> markers;
+    for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
+        markers.emplace_back();
+        markers.back().add("name", mesh.markers[marker]).add("faces", mesh.faces(static_cast<std::int32_t>(marker)));
+    }
+    JsonObject object;
+    object.add("points", report.points).add("cells", report.cells);
+    object.add("triangles", report.triangles).add("quads", report.quads).add("inverted", report.inverted);
+    object.add("min_area", report.min_area).add("min_quality", report.min_quality);
+    object.add("mean_quality", report.mean_quality).add("markers", markers);
+    std::printf("%s\n", object.text().c_str());
+}
+
+void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
+    std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
+    std::printf("cells         %d: %s, %s\n", report.cells, plural(report.triangles, "triangle").c_str(),
+                plural(report.quads, "quad").c_str());
+    std::printf("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
+                plural(report.boundary_loops, "loop").c_str());
+    for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
+        std::printf("marker        %s: %s\n", mesh.markers[marker].c_str(),
+                    plural(mesh.faces(static_cast<std::int32_t>(marker)), "face").c_str());
+    }
+    std::printf("corner areas  %s at least\n", brief(report.min_area).c_str());
+    std::printf("skew quality  %s at least, %s on average\n", brief(report.min_quality).c_str(),
+                brief(report.mean_quality).c_str());
+    std::printf("inverted      %d\n", report.inverted);
+}
+
+void run(const Arguments& arguments) {
+    const Mesh mesh = read_mesh(arguments.operand(0));
+    const hm_mesh_report report = MeshAnalysis(mesh).report();
+    if (arguments.has("--json")) {
+        print_json(report, mesh);
+    } else {
+        print_for_people(report, mesh);
+    }
+    if (report.inverted == 0) return;
+    const std::size_t first = mesh.cell_offset[static_cast<std::size_t>(report.first_inverted)];
+    throw Failure(exit_unusable, mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
+                                     " is inverted, the first of " + std::to_string(report.inverted));
+}
+
+} // namespace
+
+const Command check_command = {
+    "check",
+    {"MESH"},
+    "Checks a mesh and reports its size and quality",
+    "Refused with the line of the first offender: wrong indices, points repeated in a cell, edges of more than two cells,\n"
+    "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
+    {{"--json", nullptr, "print one JSON object: points, cells, triangles, quads, inverted, min_area, min_quality,\n"
+                         "mean_quality, markers (name, faces)"}},
+    "  harmorph check naca0012.su2\n",
+    run};
+
+} // namespace cli

@@ -1,0 +1,90 @@
+// harmorph demo: the whole path on the shipped mesh, as a user would go it with the other commands.
+#include "basis_file.hpp"
+#include "commands.hpp"
+#include "curve_file.hpp"
+#include "morph.hpp"
+#include "moves_file.hpp"
+#include "numbers.hpp"
+#include "output_file.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+namespace cli {
+
+namespace {
+
+// Says what would have to be typed, and does it.
+void step(const std::string& purpose, const std::vector<std::string>& words) {
+    std::string line = "harmorph";
+    for (const std::string& word : words) line += " " + word;
+    std::printf("\n# %s\n$ %s\n", purpose.c_str(), line.c_str());
+    run_command(words);
+}
+
+constexpr double camber = .03, thickening = .4; // in chords, and as a share of the thickness
+
+// An airfoil of chord 1 from x = 0 to 1 gets more camber (a parabolic arc) and more thickness.
+std::vector<double> pleasing_moves(const Curves& curves) {
+    std::vector<double> moves(curves.control.size());
+    for (std::size_t i = 0; i < moves.size(); i += 2) {
+        const double x = std::clamp(curves.control[i], 0.0, 1.0), y = curves.control[i + 1];
+        moves[i + 1] = 4 * camber * x * (1 - x) + thickening * y;
+    }
+    return moves;
+}
+
+// Scaled down to at most half of what the mesh can take, so that the picture shows healthy cells.
+void write_admissible_moves(const std::string& mesh_path, const std::string& curve_path, const std::string& basis_path,
+                            const std::string& moves_path) {
+    const Mesh mesh = read_mesh(mesh_path);
+    const Basis basis(basis_path, mesh);
+    std::vector<double> moves = pleasing_moves(read_curves(curve_path));
+    const double admissible = admissible_step(basis, mesh, displacement(basis, mesh, moves)).admissible;
+    const double scale = std::min(1.0, admissible / 2);
+    for (double& move : moves) move *= scale;
+    std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n", brief(camber * scale).c_str(),
+                brief(100 * thickening * scale).c_str(), moves_path.c_str());
+    OutputFiles files;
+    write_moves(files.add(moves_path), moves);
+    files.commit();
+}
+
+void run(const Arguments& arguments) {
+    const std::filesystem::path folder = arguments.operand(0);
+    const std::string mesh = arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
+    std::error_code error;
+    if (!std::filesystem::exists(mesh, error)) {
+        throw Failure(exit_file, mesh + " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
+    }
+    std::filesystem::create_directories(folder, error);
+    if (error) throw Failure(exit_file, folder.string() + ": cannot be made: " + error.message());
+    const auto in_folder = [&folder](const char* name) { return (folder / name).string(); };
+    const std::string curve = in_folder("airfoil.curve"), basis = in_folder("airfoil.basis"),
+                      moves = in_folder("moves.txt");
+
+    step("is the mesh sound?", {"check", mesh});
+    step("a B-spline through the airfoil's points", {"fit", mesh, "--marker", "airfoil", "-o", curve});
+    step("one harmonic function for each control point", {"solve", mesh, "--curve", "airfoil=" + curve, "-o", basis});
+    step("one of them as a picture",
+         {"export", mesh, basis, "--function", "16", "--svg", in_folder("function.svg")});
+    write_admissible_moves(mesh, curve, basis, moves);
+    step("airfoil and mesh move together",
+         {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
+          "--svg", in_folder("morph.svg")});
+    std::printf("\n# look at %s and %s\n", in_folder("morph.svg").c_str(), in_folder("function.svg").c_str());
+}
+
+} // namespace
+
+const Command demo_command = {
+    "demo",
+    {"DIR"},
+    "Goes the whole path on the shipped mesh and leaves all files in DIR",
+    "Each step is printed as the command that does the same.\n",
+    {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
+    "  harmorph demo demo-output\n",
+    run};
+
+} // namespace cli

@@ -1,0 +1,118 @@
+// harmorph morph: moves control points and with them the mesh, and judges the result.
+#include "commands.hpp"
+#include "json.hpp"
+#include "morph.hpp"
+#include "moves_file.hpp"
+#include "numbers.hpp"
+#include "output_file.hpp"
+#include "pictures.hpp"
+#include "su2.hpp"
+#include "vtu.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace cli {
+
+namespace {
+
+PointData displacement_data(const Field& displacement) {
+    PointData data = {"displacement", 3, {}};
+    for (std::size_t point = 0; point < displacement.x.size(); ++point) {
+        data.values.insert(data.values.end(), {displacement.x[point], displacement.y[point], 0.0});
+    }
+    return data;
+}
+
+void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
+                 const Morph& morph) {
+    OutputFiles files;
+    const Field& moved = morph.moved;
+    if (arguments.has("-o")) write_su2(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
+    if (arguments.has("--vtu")) {
+        write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
+    }
+    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << morph_picture(mesh, basis, moves, morph);
+    files.commit();
+}
+
+void print_json(const Morph& morph) {
+    JsonObject object;
+    object.add("inverted", morph.quality.inverted).add("admissible_step", morph.step.admissible);
+    object.add("self_crossing", morph.quality.self_crossing != 0).add("boundary_error", morph.boundary_error);
+    object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
+    object.add("morph_seconds", morph.seconds);
+    std::printf("%s\n", object.text().c_str());
+}
+
+void print_for_people(const Morph& morph) {
+    const double admissible = morph.step.admissible;
+    std::printf("inverted cells   %d\n", morph.quality.inverted);
+    const std::string step = std::isinf(admissible) ? "unlimited" : brief(admissible) + " of this one";
+    std::printf("admissible step  %s\n", step.c_str());
+    std::printf("boundary         %s; %s off the B-spline at most\n",
+                morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
+                brief(morph.boundary_error).c_str());
+    std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
+                brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
+    std::printf("seconds          %s\n", brief(morph.seconds).c_str());
+}
+
+std::string reason(const Morph& morph, const Mesh& mesh) {
+    std::string text;
+    if (morph.quality.inverted > 0) {
+        text = plural(morph.quality.inverted, "inverted cell");
+        if (morph.step.cell >= 0) {
+            const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(morph.step.cell)];
+            text += ": " + brief(morph.step.admissible) + " of this movement is admissible, limited by cell " +
+                    std::to_string(morph.step.cell) + " (" + mesh.file.place(line) + ")";
+        }
+    }
+    if (morph.quality.self_crossing != 0) {
+        const std::int32_t* points = morph.quality.crossing_points;
+        text += (text.empty() ? "" : "; ") + std::string("the boundary crosses itself between points ") +
+                std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " + std::to_string(points[2]) + ", " +
+                std::to_string(points[3]);
+    }
+    return text;
+}
+
+void run(const Arguments& arguments) {
+    const std::string moves_path = arguments.text("--move");
+    const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
+    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Basis basis(arguments.operand(1), mesh);
+    if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
+    const std::vector<double> moves = read_moves(moves_path, basis.functions());
+    const Morph morph(basis, mesh, moves, repeats);
+    if (morph.valid() || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
+    if (arguments.has("--json")) {
+        print_json(morph);
+    } else {
+        print_for_people(morph);
+    }
+    if (!morph.valid()) throw Failure(exit_unusable, reason(morph, mesh));
+}
+
+} // namespace
+
+const Command morph_command = {
+    "morph",
+    {"MESH", "BASIS"},
+    "Moves control points, and the mesh with them",
+    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement. Points of the mesh on the\n"
+    "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "The morphed mesh keeps the text of its file; only coordinates that changed are new.\n",
+    {{"--move", "MOVES", "movement of the control points (required)"},
+     {"-o", "MESH", "morphed mesh to write, SU2"},
+     {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
+     {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+     {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
+     {"--force", nullptr, "write the files even if the morphed mesh is not valid (exit code 1 all the same)"},
+     {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
+                         "boundary_error, min_quality, mean_quality, morph_seconds"}},
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
+    run};
+
+} // namespace cli

@@ -1,0 +1,149 @@
+// harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
+#include "basis_file.hpp"
+#include "commands.hpp"
+#include "curve_file.hpp"
+#include "json.hpp"
+#include "numbers.hpp"
+#include "output_file.hpp"
+#include "solver.hpp"
+
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, hm_condition condition) {
+    for (const hm_condition& other : task.conditions) {
+        if (other.marker == condition.marker) {
+            arguments.refuse("marker " + quoted(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
+                             " has two conditions: name it once, after --curve or --free");
+        }
+    }
+    task.conditions.push_back(condition);
+}
+
+// binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
+void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+    const std::size_t equals = binding.find('=');
+    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + quoted(binding));
+    auto condition = sized<hm_condition>();
+    condition.kind = HM_ON_CURVE;
+    condition.first_curve = static_cast<std::int32_t>(task.curves.curves.size());
+    task.curves.append(read_curves(binding.substr(equals + 1)));
+    condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size()) - condition.first_curve;
+    for (const std::int32_t marker : mesh.find_markers(binding.substr(0, equals))) {
+        condition.marker = marker;
+        add_condition(arguments, mesh, task, condition);
+    }
+}
+
+Task task_of(const Arguments& arguments, const Mesh& mesh) {
+    Task task;
+    task.tolerance = arguments.positive("--tol", 1e-10);
+    for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
+    for (const std::string& tags : arguments.all("--free")) {
+        for (const std::int32_t marker : mesh.find_markers(tags)) {
+            auto condition = sized<hm_condition>();
+            condition.marker = marker;
+            condition.kind = HM_FREE;
+            add_condition(arguments, mesh, task, condition);
+        }
+    }
+    return task;
+}
+
+// With repeats, the first run only warms up: it touches the memory that the others find ready.
+SolveTimes repeat(Solver& solver, std::int32_t runs) {
+    std::vector<double> setup, factor, solve;
+    for (std::int32_t i = 0; i < runs; ++i) {
+        solver.run();
+        setup.push_back(solver.times().setup);
+        factor.push_back(solver.times().factor);
+        solve.push_back(solver.times().solve);
+    }
+    return {median(setup), median(factor), median(solve)};
+}
+
+void print_json(const Solver& solver, const Mesh& mesh, const SolveTimes& times) {
+    const hm_solve_report& report = solver.report();
+    JsonObject object;
+    object.add("points", mesh.points()).add("cells", mesh.cells()).add("functions", report.functions);
+    object.add("boundary_error", report.boundary_error).add("partition_defect", report.partition_defect);
+    object.add("min_value", report.min_value).add("max_value", report.max_value).add("residual", report.residual);
+    object.add("setup_seconds", times.setup).add("factor_seconds", times.factor).add("solve_seconds", times.solve);
+    object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
+    object.add("basis_bytes", static_cast<std::int64_t>(solver.basis_bytes()));
+    std::printf("%s\n", object.text().c_str());
+}
+
+void print_for_people(const Solver& solver, const Mesh& mesh, const SolveTimes& times) {
+    const hm_solve_report& report = solver.report();
+    std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
+                plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
+                plural(report.unknowns, "unknown").c_str());
+    std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(), report.residual_function + 1);
+    std::printf("boundary error   %s; sum of the functions there: 1 to %s\n", brief(report.boundary_error).c_str(),
+                brief(report.partition_defect).c_str());
+    std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
+    std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
+                report.max_distance_point);
+    std::printf("seconds          %s set-up, %s factorisation, %s solution\n", brief(times.setup).c_str(),
+                brief(times.factor).c_str(), brief(times.solve).c_str());
+    std::printf("megabytes        %s plan, %s basis\n", brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
+                brief(1e-6 * static_cast<double>(solver.basis_bytes())).c_str());
+}
+
+void run(const Arguments& arguments) {
+    const std::string path = arguments.text("-o");
+    const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
+    if (!arguments.has("--curve")) arguments.refuse("--curve is missing");
+    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Task task = task_of(arguments, mesh);
+    Solver solver(mesh, task);
+    const bool converged = solver.run() == HM_OK;
+    const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
+    if (converged || arguments.has("--force")) {
+        OutputFiles files;
+        write_basis(files.add(path), solver.basis());
+        files.commit();
+    }
+    if (arguments.has("--json")) {
+        print_json(solver, mesh, times);
+    } else {
+        print_for_people(solver, mesh, times);
+    }
+    if (!converged) {
+        throw Failure(exit_unusable, "not converged: the residual " + brief(solver.report().residual) + " is above " +
+                                         brief(task.tolerance));
+    }
+}
+
+} // namespace
+
+const Command solve_command = {
+    "solve",
+    {"MESH"},
+    "Solves the harmonic functions of all control points",
+    "Each control point's function has the values of its B-spline basis function on the curve and 0 on fixed boundaries,\n"
+    "and is harmonic in between. Together they are the basis, from which `harmorph morph` moves the mesh. Markers that are\n"
+    "not named are fixed. Control points of a second --curve are numbered on after those of the first.\n"
+    "\n"
+    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, `points N` and N lines `x y`, `knots K` and K numbers\n"
+    "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, open N);\n"
+    "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, and\n"
+    "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
+    {{"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (required; may be repeated)"},
+     {"--free", "C[,D..]", "markers whose points may move off their line (may be repeated)"},
+     {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"},
+     {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
+     {"-o", "BASIS", "file to write (required)"},
+     {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
+     {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
+                         "max_value, residual, setup_seconds, factor_seconds, solve_seconds,\n"
+                         "plan_bytes, basis_bytes"}},
+    "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
+    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --free symmetry -o wing.basis\n",
+    run};
+
+} // namespace cli

@@ -1,0 +1,73 @@
+#include "commands.hpp"
+
+#include "harmorph.h"
+#include "su2.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace cli {
+
+namespace {
+
+const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
+                                   &export_command, &check_command, &demo_command};
+
+constexpr const char* introduction =
+    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
+    "of the mesh through harmonic functions that are solved once.\n\n"
+    "Usage: harmorph COMMAND ...\n\n"
+    "Commands:\n";
+
+constexpr const char* conclusion =
+    "\n"
+    "  harmorph COMMAND --help   says more about a command\n"
+    "  harmorph --version        prints the version\n\n"
+    "Meshes are SU2 files in two dimensions. Exit codes: 0 done; 1 the result is not usable (inverted cells, not\n"
+    "converged) and was not written; 2 wrong usage; 3 a file cannot be read, understood or written.\n\n"
+    "Examples:\n"
+    "  harmorph demo demo-output\n"
+    "  harmorph fit   naca0012.su2 --marker airfoil -o airfoil.curve\n"
+    "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n";
+
+std::string program_help() {
+    std::string text = introduction;
+    for (const Command* command : commands) {
+        std::string name = std::string("  ") + command->name;
+        name.resize(10, ' ');
+        text += name + command->summary + '\n';
+    }
+    return text + conclusion;
+}
+
+void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
+
+const Command& find_command(const std::string& name) {
+    for (const Command* command : commands) {
+        if (name == command->name) return *command;
+    }
+    throw Failure(exit_usage, "unknown command " + quoted(name) + "\nTry: harmorph --help");
+}
+
+} // namespace
+
+void run_command(const std::vector<std::string>& words) {
+    if (words.empty()) throw Failure(exit_usage, "a command is missing\n\n" + program_help());
+    if (words[0] == "--help") return print(program_help());
+    if (words[0] == "--version") return print(std::string("harmorph ") + hm_version() + "\n");
+    const Command& command = find_command(words[0]);
+    const std::vector<std::string> rest(words.begin() + 1, words.end());
+    if (std::find(rest.begin(), rest.end(), "--help") != rest.end()) return print(help_text(command));
+    command.run(Arguments(command, rest));
+}
+
+Mesh read_mesh(const std::string& path) {
+    Mesh mesh = read_su2(path);
+    for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
+    return mesh;
+}
+
+void warn(const std::string& message) { std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str()); }
+
+} // namespace cli

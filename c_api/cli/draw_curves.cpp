@@ -1,0 +1,118 @@
+#include "draw_curves.hpp"
+
+#include "library.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+std::vector<Point> outline(const hm_curves& curves, std::int32_t index) {
+    constexpr int samples = 24; // per span between two knots
+    const hm_curve& curve = curves.curve[index];
+    std::vector<Point> points;
+    for (std::int32_t span = curve.degree; span < curve.n_indices; ++span) {
+        const double begin = curve.knots[span], end = curve.knots[span + 1];
+        for (int i = span == curve.degree ? 0 : 1; i <= samples && begin < end; ++i) {
+            double xy[2];
+            const double u = i == samples ? end : begin + (end - begin) * i / samples;
+            call(std::string("curve"), hm_curve_point, &curves, index, u, 0, xy);
+            points.push_back({xy[0], xy[1]});
+        }
+    }
+    return points;
+}
+
+std::int32_t control_index(const hm_curves& curves, const hm_curve& curve, std::int32_t i) {
+    return curve.indices ? curve.indices[i] - curves.index_base : i;
+}
+
+// Control points of a curve in order; a closed curve's ends where it comes back to the first.
+std::vector<std::int32_t> polygon(const hm_curves& curves, std::int32_t index) {
+    const hm_curve& curve = curves.curve[index];
+    std::vector<std::int32_t> points;
+    for (std::int32_t i = 0; i < curve.n_indices; ++i) {
+        points.push_back(control_index(curves, curve, i));
+        if (i > 0 && points.back() == points.front()) break;
+    }
+    return points;
+}
+
+bool runs_clockwise(const hm_curves& curves, const std::vector<std::int32_t>& polygon) {
+    double area = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point a = control_point(curves, polygon[i]);
+        const Point b = control_point(curves, polygon[(i + 1) % polygon.size()]);
+        area += a.x * b.y - b.x * a.y;
+    }
+    return area <= 0;
+}
+
+// The unit vector that leads away from the polygon at one of its corners: to the left if it runs clockwise.
+Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon, std::size_t corner) {
+    const std::size_t last = polygon.size() - 1;
+    const bool closed = polygon.front() == polygon.back();
+    const std::size_t before = corner > 0 ? corner - 1 : closed ? last - 1 : corner;
+    const std::size_t after = corner < last ? corner + 1 : closed ? 1 : corner;
+    const Point a = control_point(curves, polygon[before]);
+    const Point b = control_point(curves, polygon[after]);
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(length > 0)) return {0, 1};
+    const double left = runs_clockwise(curves, polygon) ? 1 : -1;
+    return {-left * (b.y - a.y) / length, left * (b.x - a.x) / length};
+}
+
+} // namespace
+
+Box window_round(const std::vector<const hm_curves*>& curves, double chords) {
+    Box box;
+    for (const hm_curves* set : curves) {
+        for (std::int32_t i = 0; i < set->n_curves; ++i) {
+            for (const Point point : outline(*set, i)) box.include(point);
+        }
+    }
+    const double chord = std::max(box.width(), box.height());
+    return box.widened(chord > 0 ? chords * chord : 1); // control points moved into one spot still make a picture
+}
+
+void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes) {
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        plot.svg().path(plot.polyline(outline(curves, i)), "fill=\"none\" stroke-linejoin=\"round\" " + attributes);
+    }
+}
+
+void draw_control_polygons(Plot& plot, const hm_curves& curves, const std::string& attributes) {
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        std::vector<Point> points;
+        for (const std::int32_t index : polygon(curves, i)) points.push_back(control_point(curves, index));
+        plot.svg().path(plot.polyline(points), "fill=\"none\" " + attributes);
+    }
+}
+
+void draw_control_points(Plot& plot, const hm_curves& curves, double radius, const std::string& attributes) {
+    for (std::int32_t i = 0; i < curves.n_control; ++i) {
+        plot.svg().circle(plot.pixel(control_point(curves, i)), radius, attributes);
+    }
+}
+
+void draw_number(Plot& plot, const hm_curves& curves, std::int32_t index, double distance,
+                 const std::string& attributes) {
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        const std::vector<std::int32_t> corners = polygon(curves, i);
+        const auto at = std::find(corners.begin(), corners.end(), index);
+        if (at == corners.end()) continue;
+        const Point away = outward(curves, corners, static_cast<std::size_t>(at - corners.begin()));
+        const Point pixel = plot.pixel(control_point(curves, index));
+        plot.svg().text({pixel.x + distance * away.x, pixel.y - distance * away.y + 5}, std::to_string(index + 1),
+                        "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\" " + attributes);
+        return;
+    }
+}
+
+Point control_point(const hm_curves& curves, std::int32_t index) {
+    return {curves.control[2 * index], curves.control[2 * index + 1]};
+}
+
+} // namespace cli

@@ -1,0 +1,80 @@
+#include "edge_chains.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace cli {
+
+namespace {
+
+// The edges at each point, and which of them no chain has used yet.
+class UnusedEdges {
+public:
+    UnusedEdges(const std::vector<Edge>& edges, std::int32_t n_points)
+        : edges_(edges), used_(edges.size()), begin_(static_cast<std::size_t>(n_points) + 1) {
+        for (const Edge& edge : edges) {
+            ++begin_[index(edge.a) + 1];
+            ++begin_[index(edge.b) + 1];
+        }
+        for (std::size_t point = 1; point < begin_.size(); ++point) begin_[point] += begin_[point - 1];
+        next_ = begin_;
+        at_point_.resize(2 * edges.size());
+        for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+            at_point_[next_[index(edges[edge].a)]++] = edge;
+            at_point_[next_[index(edges[edge].b)]++] = edge;
+        }
+        next_ = begin_;
+    }
+
+    // Uses an edge at the point and returns where it leads; -1: there is none left.
+    std::int32_t follow(std::int32_t point) {
+        std::size_t& next = next_[index(point)];
+        for (; next < begin_[index(point) + 1]; ++next) {
+            const std::size_t edge = at_point_[next];
+            if (used_[edge]) continue;
+            used_[edge] = true;
+            return edges_[edge].a == point ? edges_[edge].b : edges_[edge].a;
+        }
+        return -1;
+    }
+
+private:
+    static std::size_t index(std::int32_t point) { return static_cast<std::size_t>(point); }
+
+    const std::vector<Edge>& edges_;
+    std::vector<bool> used_;
+    std::vector<std::size_t> begin_, next_, at_point_; // compressed rows; next_: the first that may be unused
+};
+
+} // namespace
+
+std::vector<Edge> mesh_edges(const Mesh& mesh, const std::function<bool(Edge)>& visible) {
+    std::vector<Edge> edges;
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        const std::int32_t* points = mesh.cell_points.data() + mesh.cell_start[cell];
+        const std::int32_t n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+        for (std::int32_t i = 0; i < n; ++i) {
+            const auto ends = std::minmax(points[i], points[(i + 1) % n]);
+            const Edge edge = {ends.first, ends.second};
+            if (visible(edge)) edges.push_back(edge);
+        }
+    }
+    const auto key = [](const Edge& edge) { return std::tie(edge.a, edge.b); };
+    std::sort(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) { return key(e) < key(f); });
+    edges.erase(std::unique(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) { return key(e) == key(f); }),
+                edges.end());
+    return edges;
+}
+
+std::vector<std::vector<std::int32_t>> edge_chains(const std::vector<Edge>& edges, std::int32_t n_points) {
+    UnusedEdges unused(edges, n_points);
+    std::vector<std::vector<std::int32_t>> chains;
+    for (const Edge& edge : edges) {
+        std::vector<std::int32_t> chain = {edge.a};
+        for (std::int32_t point = edge.a; (point = unused.follow(point)) >= 0;) chain.push_back(point);
+        if (chain.size() > 1) chains.push_back(std::move(chain));
+    }
+    return chains;
+}
+
+} // namespace cli

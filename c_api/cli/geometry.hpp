@@ -1,0 +1,32 @@
+// Points and boxes of the plane.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace cli {
+
+struct Point {
+    double x, y;
+};
+
+struct Box {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    Point low = {infinity, infinity}, high = {-infinity, -infinity}; // holds nothing yet
+
+    void include(Point point) {
+        low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+        high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+    bool overlaps(const Box& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+    }
+    Box widened(double margin) const {
+        return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
+    }
+    double width() const { return high.x - low.x; }
+    double height() const { return high.y - low.y; }
+    Point centre() const { return {(low.x + high.x) / 2, (low.y + high.y) / 2}; }
+};
+
+} // namespace cli

@@ -1,0 +1,46 @@
+// Calls of the library: refusals become failures of the program that say which file, and if possible which line, is meant.
+#pragma once
+
+#include "harmorph.h"
+#include "mesh.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace cli {
+
+// Memory for an object of the library. It is not filled: untouched pages cost nothing until the library needs them.
+class Block {
+public:
+    Block() = default;
+    explicit Block(std::size_t bytes) { resize(bytes); }
+    void resize(std::size_t bytes); // keeps the memory where it is large enough, but not what is in it
+    unsigned char* data() { return memory_.get(); }
+    std::size_t size() const { return size_; }
+
+private:
+    std::unique_ptr<unsigned char[]> memory_;
+    std::size_t size_ = 0, capacity_ = 0;
+};
+
+// An options or report struct as the library wants it: its size, and 0.
+template <class Struct> Struct sized() {
+    Struct result = {};
+    result.struct_size = sizeof result;
+    return result;
+}
+
+[[noreturn]] void refuse(const hm_error& error, const std::string& path); // path: the file that is at fault
+[[noreturn]] void refuse(const hm_error& error, const Mesh& mesh);
+
+// call(about, hm_function, arguments without the hm_error) returns the status, 0 or a warning.
+template <class About, class Function, class... Arguments>
+hm_status call(const About& about, Function function, Arguments... arguments) {
+    hm_error error = {};
+    const hm_status status = function(arguments..., &error);
+    if (status < 0) refuse(error, about);
+    return status;
+}
+
+} // namespace cli

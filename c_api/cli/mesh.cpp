@@ -1,0 +1,65 @@
+#include "mesh.hpp"
+
+#include "failure.hpp"
+
+#include <algorithm>
+
+namespace cli {
+
+namespace {
+
+std::int32_t find_marker(const Mesh& mesh, std::string_view tag) {
+    const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
+    return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(found - mesh.markers.begin());
+}
+
+[[noreturn]] void refuse_tag(const Mesh& mesh, std::string_view tag) {
+    std::string known;
+    for (const std::string& name : mesh.markers) known += (known.empty() ? "" : ", ") + quoted(name);
+    throw Failure(exit_usage, mesh.file.path() + " has no marker " + quoted(tag) + ", but " +
+                                  (known.empty() ? "none at all" : known));
+}
+
+std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
+    const std::int32_t marker = find_marker(mesh, tag);
+    if (marker < 0) refuse_tag(mesh, tag);
+    if (mesh.faces(marker) == 0) {
+        throw Failure(exit_usage, "marker " + quoted(tag) + " of " + mesh.file.path() + " has no faces");
+    }
+    return marker;
+}
+
+} // namespace
+
+std::int32_t Mesh::faces(std::int32_t marker) const {
+    return static_cast<std::int32_t>(std::count(face_markers.begin(), face_markers.end(), marker));
+}
+
+hm_mesh Mesh::view() const {
+    hm_mesh mesh = {};
+    mesh.struct_size = sizeof mesh;
+    mesh.n_points = points();
+    mesh.x = x.data();
+    mesh.y = y.data();
+    mesh.cell_layout = HM_CELLS_ROWS;
+    mesh.n_cells = cells();
+    mesh.cell_start = cell_start.data();
+    mesh.cell_points = cell_points.data();
+    mesh.n_faces = faces();
+    mesh.face_points = face_points.data();
+    mesh.face_markers = face_markers.data();
+    return mesh;
+}
+
+std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
+    if (find_marker(*this, list) >= 0) return {usable_marker(*this, list)};
+    std::vector<std::int32_t> found;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        found.push_back(usable_marker(*this, trimmed(std::string_view(list).substr(begin, end - begin))));
+        begin = end + 1;
+    }
+    return found;
+}
+
+} // namespace cli

@@ -1,0 +1,31 @@
+// A mesh moved by its control points, and whether it is any good.
+#pragma once
+
+#include "basis_file.hpp"
+
+#include <vector>
+
+namespace cli {
+
+// Where the points are, or how far they go.
+struct Field {
+    std::vector<double> x, y;
+    explicit Field(std::size_t points) : x(points), y(points) {}
+};
+
+// The points' movement for dx,dy pairs of the control points, and how far it may go on without inverting a cell.
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves);
+hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement);
+
+struct Morph {
+    Field displacement, moved;
+    hm_step_report step;
+    hm_quality_report quality; // relative to the mesh as it was
+    double boundary_error = 0;
+    double seconds = 0;        // of one hm_morph: the median
+
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats);
+    bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+};
+
+} // namespace cli

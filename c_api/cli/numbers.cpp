@@ -1,0 +1,46 @@
+#include "numbers.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace cli {
+
+namespace {
+
+std::string print(const char* format, double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+} // namespace
+
+bool parse(std::string_view word, std::int32_t& value) {
+    const char* end = word.data() + word.size();
+    const auto result = std::from_chars(word.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
+}
+
+// strtod and not from_chars, which some C++17 libraries lack for real numbers. It wants a terminated string.
+bool parse(std::string_view word, double& value) {
+    char text[64];
+    if (word.empty() || word.size() >= sizeof text) return false;
+    std::memcpy(text, word.data(), word.size());
+    text[word.size()] = '\0';
+    char* end = nullptr;
+    value = std::strtod(text, &end);
+    return end == text + word.size() && std::isfinite(value);
+}
+
+std::string exact(double value) { return print("%.17g", value); }
+
+std::string brief(double value) { return print("%.4g", value); }
+
+std::string plural(std::int64_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+} // namespace cli

@@ -1,0 +1,17 @@
+// The two pictures of the program, as SVG documents.
+#pragma once
+
+#include "morph.hpp"
+
+#include <string>
+
+namespace cli {
+
+// The mesh before in blue and after in red, with the curves and their numbered control points, zoomed to the body.
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph);
+
+// One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
+std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
+                             const std::vector<double>& values);
+
+} // namespace cli

@@ -1,0 +1,48 @@
+#include "solver.hpp"
+
+namespace cli {
+
+Solver::Solver(const Mesh& mesh, const Task& task)
+    : mesh_(mesh), mesh_view_(mesh.view()), curves_view_(task.curves), problem_(sized<hm_problem>()),
+      options_(sized<hm_options>()), report_(sized<hm_solve_report>()) {
+    problem_.mesh = &mesh_view_;
+    problem_.curves = curves_view_.get();
+    problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
+    problem_.conditions = task.conditions.data();
+    options_.tolerance = task.tolerance;
+    progress_.listen(options_);
+}
+
+hm_status Solver::run() {
+    const Stopwatch watch;
+    analyse();
+    lay_out();
+    call(mesh_, hm_plan_factor, plan_, nullptr, nullptr, std::int64_t{0});
+    const double before_solving = watch.seconds();
+    const hm_status status = call(mesh_, hm_plan_solve, plan_, basis_, &report_);
+    progress_.wipe();
+    times_.factor = progress_.seconds(HM_PHASE_ORDERING) + progress_.seconds(HM_PHASE_SYMBOLIC) +
+                    progress_.seconds(HM_PHASE_FACTOR);
+    times_.setup = before_solving - times_.factor;
+    times_.solve = progress_.seconds(HM_PHASE_SOLVE);
+    return status;
+}
+
+void Solver::analyse() {
+    std::size_t bytes = 0;
+    call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);
+    analysis_block_.resize(bytes);
+    call(mesh_, hm_analysis_init, &analysis_, analysis_block_.data(), bytes, &problem_, &options_);
+}
+
+void Solver::lay_out() {
+    std::size_t bytes = 0;
+    call(mesh_, hm_plan_size, analysis_, &bytes);
+    plan_block_.resize(bytes);
+    call(mesh_, hm_plan_init, &plan_, plan_block_.data(), bytes, analysis_);
+    call(mesh_, hm_basis_size, analysis_, &bytes);
+    basis_block_.resize(bytes);
+    call(mesh_, hm_basis_init, &basis_, basis_block_.data(), bytes, analysis_);
+}
+
+} // namespace cli

@@ -1,0 +1,55 @@
+// Solves the harmonic functions of a mesh: the library's whole pipeline, in memory.
+#pragma once
+
+#include "curves.hpp"
+#include "library.hpp"
+#include "progress.hpp"
+
+#include <vector>
+
+namespace cli {
+
+struct Task {
+    Curves curves;
+    std::vector<hm_condition> conditions;
+    double tolerance = 0; // of the relative residual
+};
+
+struct SolveTimes { // seconds
+    double setup = 0;   // structure of the mesh, operator
+    double factor = 0;  // ordering, symbolic and numeric factorisation
+    double solve = 0;   // all functions
+};
+
+class Solver {
+public:
+    Solver(const Mesh& mesh, const Task& task); // both must outlive it
+    Solver(const Solver&) = delete;
+
+    hm_status run(); // from the mesh to the basis; once more does the same in the same memory
+
+    const hm_basis* basis() const { return basis_; }
+    const hm_solve_report& report() const { return report_; }
+    const SolveTimes& times() const { return times_; }
+    std::size_t plan_bytes() const { return plan_block_.size(); }
+    std::size_t basis_bytes() const { return basis_block_.size(); }
+
+private:
+    void analyse();
+    void lay_out();
+
+    const Mesh& mesh_;
+    hm_mesh mesh_view_;
+    CurvesView curves_view_;
+    hm_problem problem_;
+    hm_options options_;
+    Progress progress_;
+    Block analysis_block_, plan_block_, basis_block_;
+    hm_analysis* analysis_ = nullptr;
+    hm_plan* plan_ = nullptr;
+    hm_basis* basis_ = nullptr;
+    hm_solve_report report_;
+    SolveTimes times_;
+};
+
+} // namespace cli

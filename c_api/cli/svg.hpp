@@ -1,0 +1,50 @@
+// SVG documents: shapes in pixels, y downwards.
+#pragma once
+
+#include "geometry.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace cli {
+
+// The data of a path element, kept short: steps from point to point in hundredths of pixels.
+class SvgPath {
+public:
+    void move_to(Point pixel);
+    void line_to(Point pixel);
+    void close();
+    const std::string& data() const { return data_; }
+
+private:
+    struct Grid { // a point in hundredths; steps between rounded points do not drift
+        std::int64_t x, y;
+    };
+    static Grid rounded(Point pixel);
+    void append_pair(std::int64_t x, std::int64_t y);
+
+    std::string data_;
+    Grid at_ = {0, 0};
+    bool in_steps_ = false; // the last command was a step: the next needs no letter
+};
+
+class Svg {
+public:
+    Svg(double width, double height); // white
+
+    void path(const SvgPath& path, const std::string& attributes);
+    void line(Point from, Point to, const std::string& attributes);
+    void circle(Point centre, double radius, const std::string& attributes);
+    void rectangle(const Box& box, const std::string& attributes);
+    void text(Point at, const std::string& text, const std::string& attributes); // escaped here
+    void raw(const std::string& markup) { body_ += markup; }
+    std::string document() const;
+
+private:
+    double width_, height_;
+    std::string body_;
+};
+
+std::string pixels(double value); // "12.5": at most two decimals
+
+} // namespace cli

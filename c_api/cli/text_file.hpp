@@ -1,0 +1,51 @@
+// A text file in memory, read line by line; errors name the file, the line and what was expected.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+class TextFile {
+public:
+    explicit TextFile(const std::string& path); // reads it whole
+
+    const std::string& path() const { return path_; }
+    const std::string& text() const { return text_; }
+    std::string place(std::size_t offset) const; // "FILE:LINE"
+    [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
+
+private:
+    std::string path_, text_;
+};
+
+// Runs over the lines that are not empty once the comment is cut off. A line ends with LF, CR LF or CR.
+class LineReader {
+public:
+    LineReader(const TextFile& file, char comment);
+
+    bool next(); // false: the end of the file
+    std::string_view line() const { return line_; }                          // trimmed
+    const std::vector<std::string_view>& words();                            // between blanks and tabs
+    std::size_t offset() const { return offset(line_); }                     // of the line in the file's text
+    std::size_t offset(std::string_view part) const;                         // of a part of it
+    [[noreturn]] void fail(const std::string& message) const;                // about this line
+    [[noreturn]] void expected(const std::string& what) const;               // "expected WHAT, found LINE"
+    [[noreturn]] void expected(const std::string& what, std::string_view found) const;
+
+private:
+    std::string_view take_line();
+
+    const TextFile& file_;
+    char comment_;
+    std::size_t next_ = 0;
+    std::string_view line_;
+    std::vector<std::string_view> words_;
+};
+
+std::string_view trimmed(std::string_view text);
+std::string quoted(std::string_view text); // for messages: 'text', shortened and without control characters
+
+} // namespace cli

@@ -1,0 +1,156 @@
+#include "harmorph/bspline.hpp"
+
+#include <limits>
+
+namespace harmorph {
+namespace {
+
+Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
+    auto const refuse = [&](const char* sentence, Index knot) {
+        return fault.refuse(Status::bad_curve, sentence, Counts::from_zero, knot, number, curve.knots[knot]);
+    };
+    Index const n_knots = curve.n_indices + curve.degree + 1;
+    for (Index k = 0; k < n_knots; ++k) {
+        if (!is_finite(curve.knots[k])) return refuse("knot # of curve @ (both counted from 0) is not finite", k);
+        if (k > 0 && curve.knots[k] < curve.knots[k - 1])
+            return refuse("knot # of curve @ (both counted from 0) is smaller than the one before it", k);
+    }
+    if (!(curve.begin() < curve.end()) || !is_finite(curve.knots[n_knots - 1] - curve.knots[0]))
+        return refuse("curve @, which begins at knot # (both from 0), has no length or an infinite one", curve.degree);
+
+    Index fold = 0;
+    for (Index k = 0; k < n_knots; ++k) {
+        fold = k > 0 && curve.knots[k] == curve.knots[k - 1] ? fold + 1 : 1;
+        bool const at_end = curve.knots[k] == curve.begin() || curve.knots[k] == curve.end();
+        if (fold > curve.degree + (at_end ? 1 : 0))
+            return refuse("knot # of curve @ (both from 0) is repeated more often than the degree allows", k);
+    }
+    return Status::ok;
+}
+
+Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
+    if (curve.indices == nullptr && curve.n_indices > curve.n_control)
+        return fault.refuse(Status::bad_curve, "curve @ (from 0) uses # control points in order, but there are fewer",
+                            Counts::from_zero, curve.n_indices, number);
+    for (Index k = 0; k < curve.n_indices; ++k) {
+        // Not by control_point(): the subtraction may overflow before anything is known about the index.
+        Offset const c = curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
+        if (c < 0 || c >= curve.n_control)
+            return fault.refuse(Status::bad_curve, "index # of curve @ (both from 0) is ~: there is no such control point",
+                                Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
+        Index const point = static_cast<Index>(c);
+        if (!is_finite(curve.control[2 * point]) || !is_finite(curve.control[2 * point + 1]))
+            return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
+                                point, number);
+        if (curve.weights != nullptr && !(curve.weights[point] > 0 && is_finite(curve.weights[point])))
+            return fault.refuse(Status::bad_curve, "the weight of control point # of curve @ (from 0) is ~, not positive",
+                                Counts::curves, point, number, curve.weights[point]);
+    }
+    return Status::ok;
+}
+
+// Products of a rational curve by Leibniz' rule (equation 4.8), for each basis function:
+// R_k = w_k N_k / W, hence R_k^(d) = (w_k N_k^(d) - sum_i binomial(d, i) W^(i) R_k^(d - i)) / W.
+void make_rational(Curve const& curve, Index span, Index n_derivatives, CurveBasis& basis) noexcept {
+    Real sum[max_order] = {};  // W and its derivatives
+    for (Index d = 0; d <= n_derivatives; ++d)
+        for (Index k = 0; k < basis.order; ++k) {
+            basis.value[d][k] *= curve.weight(span - curve.degree + k);
+            sum[d] += basis.value[d][k];
+        }
+    for (Index d = 0; d <= n_derivatives; ++d)
+        for (Index k = 0; k < basis.order; ++k) {
+            Real numerator = basis.value[d][k];
+            Real binomial = 1;
+            for (Index i = 1; i <= d; ++i) {
+                binomial *= static_cast<Real>(d - i + 1) / static_cast<Real>(i);
+                numerator -= binomial * sum[i] * basis.value[d - i][k];
+            }
+            basis.value[d][k] = numerator / sum[0];
+        }
+}
+
+// Raises values and derivatives (each of the degree before) to degree j. The divided forms (u - a) / h and (b - u) / h
+// are exactly 1 and 0 at clamped ends, where P&T's A2.2 may be one rounding off.
+void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_derivatives, CurveBasis& basis) noexcept {
+    Real const* const low = curve.knots + span + 1 - j;  // function r of degree j - 1 lives on [low[r], high[r]]
+    Real const* const high = curve.knots + span + 1;
+    for (Index d = smaller(n_derivatives, j); d >= 1; --d) {  // equation 2.7
+        Real carried = 0;
+        for (Index r = 0; r < j; ++r) {
+            Real const slope = static_cast<Real>(j) * basis.value[d - 1][r] / (high[r] - low[r]);
+            basis.value[d][r] = carried - slope;
+            carried = slope;
+        }
+        basis.value[d][j] = carried;
+    }
+    Real carried = 0;
+    for (Index r = 0; r < j; ++r) {  // equation 2.5
+        Real const value = basis.value[0][r];
+        Real const width = high[r] - low[r];
+        basis.value[0][r] = carried + (high[r] - u) / width * value;
+        carried = (u - low[r]) / width * value;
+    }
+    basis.value[0][j] = carried;
+}
+
+}  // namespace
+
+Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
+    if (curve.degree < 1 || curve.degree > max_degree)
+        return fault.refuse(Status::bad_curve, "curve @ (from 0) has degree #; 1 to 5 are possible", Counts::from_zero,
+                            curve.degree, number);
+    if (curve.n_indices <= curve.degree || curve.n_indices > std::numeric_limits<Index>::max() - max_order)
+        return fault.refuse(Status::bad_curve, "curve @ (from 0) has # control points: more than the degree are needed",
+                            Counts::from_zero, curve.n_indices, number);
+    if (curve.knots == nullptr || curve.control == nullptr)
+        return fault.refuse(Status::bad_curve, "curve @ (from 0) has no knots or no control points", Counts::from_zero, none,
+                            number);
+    HARMORPH_TRY(check_knots(curve, number, fault));
+    return check_control(curve, number, fault);
+}
+
+Index knot_span(Curve const& curve, Real u) noexcept {
+    Index low = curve.degree;
+    Index high = curve.n_indices;
+    if (!(u < curve.end())) {
+        while (curve.knots[high - 1] == curve.end()) --high;
+        return high - 1;
+    }
+    while (high - low > 1) {  // knots[low] <= u < knots[high]
+        Index const middle = low + (high - low) / 2;
+        if (u < curve.knots[middle]) high = middle;
+        else low = middle;
+    }
+    return low;
+}
+
+CurveBasis curve_basis_in(Curve const& curve, Index span, Real u, Index n_derivatives) noexcept {
+    CurveBasis basis;
+    basis.order = curve.degree + 1;
+    for (Index k = 0; k < basis.order; ++k) basis.control[k] = curve.control_point(span - curve.degree + k);
+    basis.value[0][0] = 1;
+    for (Index j = 1; j <= curve.degree; ++j) raise_degree(curve, span, u, j, n_derivatives, basis);
+    if (curve.weights != nullptr) make_rational(curve, span, n_derivatives, basis);
+    return basis;
+}
+
+CurveBasis curve_basis(Curve const& curve, Real u, Index n_derivatives) noexcept {
+    u = clamp(u, curve.begin(), curve.end());
+    return curve_basis_in(curve, knot_span(curve, u), u, n_derivatives);
+}
+
+void curve_point_in(Curve const& curve, Index span, Real u, Index n_derivatives, Vec2* out) noexcept {
+    CurveBasis const basis = curve_basis_in(curve, span, u, n_derivatives);
+    for (Index d = 0; d <= n_derivatives; ++d) {
+        out[d] = {};
+        for (Index k = 0; k < basis.order; ++k) out[d] = out[d] + basis.value[d][k] * curve.point(span - curve.degree + k);
+    }
+}
+
+void curve_point(Curve const& curve, Real u, Index n_derivatives, Vec2* out) noexcept {
+    u = clamp(u, curve.begin(), curve.end());
+    curve_point_in(curve, knot_span(curve, u), u, n_derivatives, out);
+}
+
+}  // namespace harmorph

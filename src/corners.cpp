@@ -1,0 +1,167 @@
+#include "harmorph/corners.hpp"
+
+namespace harmorph {
+namespace {
+
+// Directions are taken over several lengths, and the smallest turn counts. A corner turns the direction over all of them,
+// the zigzag of coordinates with few digits only over short ones, roundness and a corner nearby only over long ones.
+constexpr Real window[] = {2e-5, 5e-4, 1e-2};
+
+constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degrees
+constexpr Real longest_base = 0.05;
+constexpr Real base_straightness = 0.02;  // of the base's length
+constexpr Real coordinate_noise = 2e-6;   // six digits
+
+Vec2 unit(Vec2 a) noexcept { return (1 / length(a)) * a; }
+
+struct Bend {
+    Real turn = 0;
+    Real curvature = 0;
+};
+
+Bend bend_at(Outline const& outline, Index point, Real reach) noexcept {
+    Index const a = outline.behind(point, reach);
+    Index const b = outline.ahead(point, reach);
+    if (a == none || b == none) return {infinity, infinity};
+    Vec2 const back = outline.points[point] - outline.points[a];
+    Vec2 const forth = outline.points[b] - outline.points[point];
+    if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};  // round the body and back
+    Real const turn = length(unit(forth) - unit(back));
+    return {turn, 2 * turn / (length(back) + length(forth))};  // on a circle exactly 1 / radius, for equal chords
+}
+
+// The first of the values [begin, end) of a growing array that is not below `least`; end if there is none.
+Index first_not_below(Span<const Real> values, Index begin, Index end, Real least) noexcept {
+    while (begin < end) {
+        Index const middle = begin + (end - begin) / 2;
+        if (values[middle] < least) begin = middle + 1;
+        else end = middle;
+    }
+    return begin;
+}
+
+// The next point in one direction.
+struct Walk {
+    Outline const& outline;
+    bool forward;
+
+    Index next(Index point) const noexcept {
+        if (point == none) return none;
+        return forward ? outline.ahead(point, window[0]) : outline.behind(point, window[0]);
+    }
+    Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
+};
+
+// Is `turn` more than what the next two turns promise? On rounded noses turns grow up to fourfold from point to point.
+bool stands_out(Real turn, Real next, Real after) noexcept {
+    Real const growth = after > 0 ? clamp(next / after, Real(1), Real(4)) : 4;
+    return turn > 2.5 * growth * next;
+}
+
+struct Side {
+    bool is_smooth = false;
+    bool has_partner = false;  // the next point is as sharp: the other end of a base, if that one's far side is smooth
+};
+
+Side look(Walk const& walk, Index point) noexcept {
+    Index const first = walk.next(point);
+    Index const second = walk.next(first);
+    Index const third = walk.next(second);
+    Real const turn = walk.turn(point);
+    if (walk.turn(first) < 0.5 * turn) return {stands_out(turn, walk.turn(first), walk.turn(second)), false};
+    return {stands_out(walk.turn(first), walk.turn(second), walk.turn(third)), true};
+}
+
+// Of points within one short window only the sharpest can be a corner; of equal ones the first.
+bool is_sharpest(Outline const& outline, Index point, bool forward) noexcept {
+    Index const n = outline.count();
+    Index const limit = Walk{outline, forward}.next(point);
+    for (Index other = point;;) {
+        other += forward ? 1 : -1;
+        if (outline.is_loop) other = other < 0 ? n - 1 : other == n ? 0 : other;
+        if (other < 0 || other == n || other == limit || other == point) return true;
+        if (outline.turn[other] > outline.turn[point]) return false;
+        if (!forward && outline.turn[other] == outline.turn[point]) return false;
+    }
+}
+
+bool is_corner(Outline const& outline, Index point) noexcept {
+    if (outline.turn[point] < least_corner) return false;
+    if (!is_sharpest(outline, point, true) || !is_sharpest(outline, point, false)) return false;
+    Side const back = look({outline, false}, point);
+    Side const forth = look({outline, true}, point);
+    return back.is_smooth && forth.is_smooth && !(back.has_partner && forth.has_partner);
+}
+
+}  // namespace
+
+void Outline::lay_out(Arena& arena, Index n) noexcept {
+    arena.take(arc, static_cast<Offset>(n) + 1);
+    arena.take(turn, n);
+    arena.take(curvature, n);
+}
+
+void Outline::measure() noexcept {
+    Index const n = count();
+    arc[0] = 0;
+    for (Index k = 0; k < n; ++k) {
+        bool const is_last = k + 1 == n;
+        arc[k + 1] = arc[k] + (is_last && !is_loop ? 0 : length(points[is_last ? 0 : k + 1] - points[k]));
+    }
+    for (Index k = 0; k < n; ++k) {
+        turn[k] = curvature[k] = infinity;
+        for (Real const reach : window) {
+            Bend const bend = bend_at(*this, k, reach);
+            turn[k] = smaller(turn[k], bend.turn);
+            curvature[k] = smaller(curvature[k], bend.curvature);
+        }
+        if (turn[k] == infinity) turn[k] = curvature[k] = 0;
+    }
+}
+
+Index Outline::ahead(Index point, Real reach) const noexcept {
+    Index const n = count();
+    Real const target = arc[point] + reach;
+    Index const last = is_loop ? n : n - 1;
+    Index const found = first_not_below(arc, point + 1, last + 1, target);
+    if (found <= last) return found == n ? 0 : found;
+    return is_loop ? first_not_below(arc, 0, point, target - arc[n]) : none;
+}
+
+Index Outline::behind(Index point, Real reach) const noexcept {
+    Index const n = count();
+    Real const target = arc[point] - reach;
+    // The last not above: the one before the first above; arcs grow strictly but for rounding.
+    Index found = first_not_below(arc, 0, point, target);
+    if (found < point && arc[found] == target) return found;
+    if (found > 0) return found - 1;
+    if (!is_loop) return none;
+    found = first_not_below(arc, point, n, target + arc[n]);
+    return found - 1;
+}
+
+Index find_corners(Outline const& outline, Span<Index> corner) noexcept {
+    Index n = 0;
+    for (Index k = 0; k < outline.count(); ++k)
+        if (is_corner(outline, k)) corner[n++] = k;
+    return n;
+}
+
+bool is_base(Outline const& outline, Index from, Index to) noexcept {
+    Vec2 const start = outline.points[from];
+    Vec2 const along = outline.points[to] - start;
+    Real const gap = length(along);
+    if (from == to || gap > longest_base) return false;
+    Index const n = outline.count();
+    Real walked = 0;
+    for (Index k = from; k != to;) {
+        Index const next = k + 1 == n ? 0 : k + 1;
+        walked += length(outline.points[next] - outline.points[k]);
+        Real const off = absolute(cross(along, outline.points[next] - start)) / gap;
+        if (off > base_straightness * gap + coordinate_noise || walked > 1.1 * gap + coordinate_noise) return false;
+        k = next;
+    }
+    return true;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,253 @@
+#include "harmorph/fit.hpp"
+
+#include <limits>
+
+#include "harmorph/projection.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index knot_rounds = 24;      // knots moved to where the errors are
+constexpr Index solves_per_round = 3;  // each followed by a correction of the parameters
+constexpr Index final_solves = 20;     // with the best knots
+constexpr Real exact = 1e-14;          // an error, in units of the extent, that cannot get better
+
+Index round_loop(Offset point, Index n) noexcept { return static_cast<Index>(point % n); }
+
+}  // namespace
+
+Status check_fit(Index n_points, FitOptions const& options, Fault& fault) noexcept {
+    if (options.degree < 1 || options.degree > max_degree)
+        return fault.refuse(Status::bad_curve, "the degree of a fit is 1 to 5, not #", Counts::from_zero, options.degree);
+    if (options.n_control <= options.degree)
+        return fault.refuse(Status::bad_curve, "# control points are not enough: more than the degree, @, are needed",
+                            Counts::from_zero, options.n_control, options.degree);
+    if (n_points < options.n_control)
+        return fault.refuse(Status::bad_curve, "# points do not determine @ control points", Counts::from_zero, n_points,
+                            options.n_control);
+    if (n_points > std::numeric_limits<Index>::max() - 2 * max_order)
+        return fault.refuse(Status::bad_curve, "# points are too many", Counts::from_zero, n_points);
+    return Status::ok;
+}
+
+void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexcept {
+    Offset const n = n_points;
+    Offset const m = options.n_control;
+    Offset const p = options.degree;
+    arena.take(control, 2 * m);
+    arena.take(indices_, m + p);
+    arena.take(knots_, m + 2 * p + 1);
+    arena.take(base_indices_, 2);
+    arena.take(base_knots_, 4);
+    arena.take(best_knots_, m + 2 * p + 1);
+    arena.take(best_pinned_, m);
+    arena.take(span_error_, m + p);
+    arena.take(section_spans_, m);
+    arena.take(scaled_, n);
+    arena.take(corner_, n);
+    arena.take(along_, n + 1);
+    arena.take(arc_, n + 1);
+    arena.take(curvature_, n + 1);
+    arena.take(start_, n + 1);
+    arena.take(mass_, n + 1);
+    arena.take(capped_, n + 1);
+    outline_.lay_out(arena, n_points);
+    squares_.lay_out(arena, n_points + 1, options.n_control, options.degree);
+}
+
+Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options, FitReport& report, Fault& fault) noexcept {
+    HARMORPH_TRY(check_fit(n, options, fault));
+    HARMORPH_TRY(take_points(points, n, is_loop, fault));
+    if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
+        return fault.refuse(Status::bad_curve, "only a loop of points can have a tied or periodic curve");
+    outline_.measure();
+    Index n_corners = find_corners(outline_, corner_);
+    course_ = choose_course(outline_, corner_.first(n_corners), options.closure);
+    if (course_.n_positions < options.n_control)
+        return fault.refuse(Status::bad_curve, "# points without those on the base do not determine @ control points",
+                            Counts::from_zero, course_.n_positions, options.n_control);
+    shape_curve(options);
+    Index const most = corners_possible(options.degree, squares_.curve.n_indices);
+    n_corners = corners_on(course_, outline_, corner_.first(n_corners), most);
+    gather(n_corners);
+    approximate(n_corners);
+    if (best_error_ == infinity) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    publish(points);
+    report = {};
+    report_errors(points, n, report);
+    return Status::ok;
+}
+
+// Checks them, and turns them into scaled_ points about their centroid.
+Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noexcept {
+    Vec2 sum;
+    for (Index k = 0; k < n; ++k) {
+        if (!is_finite(points[k].x) || !is_finite(points[k].y))
+            return fault.refuse(Status::bad_curve, "point # (from 0) is not finite", Counts::from_zero, k);
+        sum = sum + (points[k] - points[0]);
+    }
+    centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;
+    auto const farthest_from = [&](Vec2 p) {
+        Vec2 farthest = p;
+        for (Index k = 0; k < n; ++k)
+            if (square(points[k] - p) > square(farthest - p)) farthest = points[k];
+        return farthest;
+    };
+    Vec2 const end = farthest_from(centre_);
+    extent_ = length(farthest_from(end) - end);
+    if (!is_finite(extent_)) return fault.refuse(Status::bad_curve, "the points are too far apart");
+    if (extent_ == 0) return fault.refuse(Status::bad_curve, "all points are in one place");
+    for (Index k = 0; k < n; ++k) scaled_[k] = (1 / extent_) * (points[k] - centre_);
+    for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
+        Index const next = k + 1 == n ? 0 : k + 1;
+        if (square(scaled_[next] - scaled_[k]) == 0)
+            return fault.refuse(Status::bad_curve, "points # and @ (from 0) follow each other and coincide",
+                                Counts::from_zero, k, next);
+    }
+    outline_.points = scaled_;
+    outline_.is_loop = is_loop;
+    return Status::ok;
+}
+
+void Fit::shape_curve(FitOptions const& options) noexcept {
+    Curve shape;
+    shape.degree = options.degree;
+    shape.n_control = options.n_control;
+    shape.n_indices = options.n_control;
+    if (course_.closure == Closure::tied) shape.n_indices += 1;
+    if (course_.closure == Closure::periodic) shape.n_indices += options.degree;
+    for (Index k = 0; k < shape.n_indices; ++k) indices_[k] = k % options.n_control;
+    shape.indices = course_.closes() ? indices_.data() : nullptr;
+    shape.knots = knots_.data();
+    squares_.set_up(shape, along_.first(course_.n_positions));
+}
+
+// The points and their curvature along the curve. Corners have none: their bend is not to attract knots.
+void Fit::gather(Index n_corners) noexcept {
+    Index const m = course_.n_positions;
+    for (Index k = 0; k < m; ++k) {
+        Index const point = round_loop(static_cast<Offset>(course_.first) + k, outline_.count());
+        along_[k] = scaled_[point];
+        curvature_[k] = outline_.curvature[point];
+        arc_[k] = k == 0 ? 0 : arc_[k - 1] + length(along_[k] - along_[k - 1]);
+    }
+    if (course_.closure != Closure::periodic) {
+        curvature_[0] = curvature_[1];
+        curvature_[m - 1] = curvature_[m - 2];
+    }
+    for (Index const k : corner_.first(n_corners)) curvature_[k] = smaller(curvature_[k - 1], curvature_[k + 1]);
+    for (Index k = 0; k < m; ++k) {
+        start_[k] = arc_[k] / arc_[m - 1];
+        Real const reach = arc_[smaller(k + 1, m - 1)] - arc_[larger(k - 1, Index(0))];
+        squares_.weight[k] = 0.5 * reach;  // the sum of squares becomes the integral along the curve
+    }
+    sites_.u = start_.first(m);
+    sites_.mass = mass_.first(m - 1);
+    sites_.capped = capped_.first(m - 1);
+}
+
+void Fit::use_corners(Index n) noexcept {
+    sites_.corner = corner_.first(n);
+    sites_.section_spans = section_spans_.first(n + 1);
+}
+
+// A control point is on the curve where as many knots as the degree follow it in one place.
+void Fit::pin_ends_and_corners() noexcept {
+    Curve const& shape = squares_.curve;
+    fill(squares_.pinned, none);
+    if (course_.closure == Closure::periodic) return;
+    Index const last = course_.n_positions - 1;
+    squares_.pinned[0] = 0;
+    if (course_.closure == Closure::open) squares_.pinned[shape.n_control - 1] = last;
+    Index i = 1;
+    for (Index const corner : sites_.corner) {
+        while (shape.knots[i + 1] < start_[corner]) ++i;
+        squares_.pinned[i] = corner;
+    }
+}
+
+void Fit::start_parameters() noexcept {
+    copy(squares_.u, Span<const Real>(sites_.u));
+    squares_.start();
+}
+
+// Keeps the best control points, with their knots and pins.
+void Fit::solve_and_correct(Index times, Real acceleration) noexcept {
+    Real along = 0.02;
+    for (Index k = 0; k < times && best_error_ > exact; ++k) {
+        squares_.solve(along);
+        along *= acceleration;
+        Real const error = squares_.correct_parameters();
+        if (!(error < best_error_)) continue;
+        best_error_ = error;
+        copy(control, Span<const Real>(squares_.control));
+        copy(best_knots_, Span<const Real>(knots_));
+        copy(best_pinned_, Span<const Index>(squares_.pinned));
+    }
+}
+
+void Fit::find_knots() noexcept {
+    Curve const& shape = squares_.curve;
+    weigh_by_curvature(arc_, curvature_, sites_.mass);
+    for (Index round = 0; round < knot_rounds && best_error_ > exact; ++round) {
+        place_knots(sites_, shape.degree, shape.n_indices, course_.closure == Closure::periodic, knots_);
+        pin_ends_and_corners();
+        start_parameters();
+        solve_and_correct(solves_per_round, 1);
+        weigh_by_error(shape, squares_.u, squares_.error, sites_, span_error_);
+    }
+}
+
+void Fit::approximate(Index n_corners) noexcept {
+    best_error_ = infinity;
+    use_corners(n_corners);
+    find_knots();
+    if (n_corners > 0) {  // corners found in noise cost more than they give
+        use_corners(0);
+        find_knots();
+    }
+    copy(knots_, Span<const Real>(best_knots_));
+    copy(squares_.pinned, Span<const Index>(best_pinned_));
+    start_parameters();
+    solve_and_correct(final_solves, 0.7);
+}
+
+// Back to the caller's units; control points that a point was pinned to get its bits.
+void Fit::publish(Points points) noexcept {
+    Index const n_control = squares_.curve.n_control;
+    for (Index i = 0; i < n_control; ++i) {
+        Vec2 place = centre_ + extent_ * Vec2{control[2 * i], control[2 * i + 1]};
+        Index const position = best_pinned_[i];
+        if (position != none)
+            place = points[round_loop(static_cast<Offset>(course_.first) + position, outline_.count())];
+        control[2 * i] = place.x;
+        control[2 * i + 1] = place.y;
+    }
+    n_curves = 1;
+    curve[0] = squares_.curve;
+    curve[0].control = control.data();
+    if (course_.base_points == 0) return;
+    base_indices_[0] = n_control - 1;
+    base_indices_[1] = 0;
+    for (Index k = 0; k < 4; ++k) base_knots_[k] = k < 2 ? 0 : 1;
+    n_curves = 2;
+    curve[1] = {1, 2, 0, n_control, base_indices_.data(), base_knots_.data(), control.data(), nullptr};
+}
+
+void Fit::report_errors(Points points, Index n, FitReport& report) const noexcept {
+    report.closure = course_.closure;
+    report.first_point = course_.first;
+    report.base_points = course_.base_points;
+    Real sum = 0;
+    for (Index k = 0; k < n; ++k) {
+        Real distance = infinity;
+        for (Index c = 0; c < n_curves; ++c) distance = smaller(distance, project(curve[c], points[k]).distance);
+        sum += distance * distance;
+        if (k > 0 && distance <= report.max_error) continue;
+        report.max_error = distance;
+        report.max_error_point = k;
+    }
+    report.rms_error = square_root(sum / n);
+}
+
+}  // namespace harmorph

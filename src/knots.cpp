@@ -1,0 +1,153 @@
+#include "harmorph/knots.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real unimportant_error = 1e-9;  // in units of the extent: no mass is moved for less
+
+struct Section {  // positions first .. last between two corners or ends
+    Index first = 0, last = 0;
+};
+
+Section section_of(KnotSites const& sites, Index section) noexcept {
+    Index const n_corners = sites.corner.count();
+    Index const last = section == n_corners ? sites.u.count() - 1 : sites.corner[section];
+    return {section == 0 ? 0 : sites.corner[section - 1], last};
+}
+
+Real sum_of(Span<const Real> mass, Section section) noexcept {
+    Real sum = 0;
+    for (Index k = section.first; k < section.last; ++k) sum += mass[k];
+    return sum;
+}
+
+// Every section has one span; the others go one by one to the section with the largest mass per span (Sainte-Lague).
+// A section that has as many spans as intervals is served last.
+void share_spans(KnotSites const& sites, Index n_spans) noexcept {
+    Index const n_sections = sites.section_spans.count();
+    fill(sites.section_spans, Index(1));
+    if (n_sections == 1) sites.section_spans[0] = n_spans;
+    for (Index given = n_sections; n_sections > 1 && given < n_spans; ++given) {
+        Index neediest = 0;
+        Real need = -1;
+        for (Index s = 0; s < n_sections; ++s) {
+            Section const section = section_of(sites, s);
+            Real const urgency = section.last - section.first > sites.section_spans[s] ? 1 : 1e-6;
+            Real const wanted = urgency * sum_of(sites.mass, section) / (sites.section_spans[s] + 0.5);
+            if (wanted <= need) continue;
+            need = wanted;
+            neediest = s;
+        }
+        ++sites.section_spans[neediest];
+    }
+}
+
+// No interval may hold more than one span's mass, so that each span gets a point: the Schoenberg-Whitney condition, that
+// every basis function sees a point of its own. Too few points: equal shares.
+void cap_mass(KnotSites const& sites, Section section, Index n_spans) noexcept {
+    for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
+    Real const most = 1 / static_cast<Real>(smaller(n_spans, section.last - section.first));
+    bool capped = true;
+    for (Index round = 0; capped && round < 50; ++round) {
+        Real const cap = most * sum_of(sites.capped, section);
+        capped = false;
+        for (Index k = section.first; k < section.last; ++k) {
+            if (sites.capped[k] <= cap * (1 + 1e-9)) continue;
+            sites.capped[k] = cap;
+            capped = true;
+        }
+    }
+}
+
+// Writes the n_spans - 1 knots inside the section.
+Real* divide(KnotSites const& sites, Section section, Index n_spans, Real* knot) noexcept {
+    cap_mass(sites, section, n_spans);
+    Real const sum = sum_of(sites.capped, section);
+    Real below = 0;  // mass up to position k
+    Index k = section.first;
+    for (Index j = 1; j < n_spans; ++j) {
+        Real const target = sum * static_cast<Real>(j) / static_cast<Real>(n_spans);
+        while (k + 1 < section.last && below + sites.capped[k] < target) below += sites.capped[k++];
+        Real const part = clamp((target - below) / sites.capped[k], Real(0), Real(1));
+        *knot++ = sites.u[k] + part * (sites.u[k + 1] - sites.u[k]);
+    }
+    return knot;
+}
+
+// x^(1/q) by Newton's method, for 1e-3 <= x <= 1e3.
+Real root(Real x, Index q) noexcept {
+    Real y = larger(x, Real(1));
+    for (Index iteration = 0; iteration < 50; ++iteration) {
+        Real power = 1;
+        for (Index k = 1; k < q; ++k) power *= y;
+        y -= (y - x / power) / static_cast<Real>(q);
+    }
+    return y;
+}
+
+// The largest error in each span; a point at a knot counts on both sides, whatever its rounding.
+void gather_errors(Curve const& curve, Span<const Real> u, Span<const Real> error, Span<Real> span_error) noexcept {
+    constexpr Real margin = 1e-9;
+    fill(span_error, unimportant_error);
+    for (Index k = 0; k < u.count(); ++k)
+        for (Index side = -1; side <= 1; side += 2) {
+            Real& largest = span_error[knot_span(curve, clamp(u[k] + side * margin, Real(0), Real(1)))];
+            largest = larger(largest, error[k]);
+        }
+}
+
+// The mean over [low, high] of a value per span.
+Real mean_over(Curve const& curve, Span<const Real> span_value, Real low, Real high) noexcept {
+    Real sum = 0;
+    Real at = low;
+    for (Index span = knot_span(curve, low); at < high && span < curve.n_indices; ++span) {
+        Real const next = smaller(high, curve.knots[span + 1]);
+        sum += (next - at) * span_value[span];
+        at = next;
+    }
+    return sum / (high - low);
+}
+
+}  // namespace
+
+void weigh_by_curvature(Span<const Real> arc, Span<const Real> curvature, Span<Real> mass) noexcept {
+    for (Index k = 0; k < mass.count(); ++k)
+        mass[k] = (arc[k + 1] - arc[k]) * (1 + 8 * square_root(0.5 * (curvature[k] + curvature[k + 1])));
+}
+
+void weigh_by_error(Curve const& curve, Span<const Real> u, Span<const Real> error, KnotSites const& sites,
+                    Span<Real> span_error) noexcept {
+    gather_errors(curve, u, error, span_error);
+    Real sum = 0;
+    Index n_spans = 0;
+    for (Index span = curve.degree; span < curve.n_indices; ++span) {
+        if (curve.knots[span] == curve.knots[span + 1]) continue;
+        sum += span_error[span];
+        ++n_spans;
+    }
+    for (Index span = curve.degree; span < curve.n_indices; ++span)
+        span_error[span] = root(clamp(span_error[span] * n_spans / sum, 1e-3, 1e3), curve.degree + 1);
+    for (Index k = 0; k < sites.mass.count(); ++k)
+        sites.mass[k] *= mean_over(curve, span_error, sites.u[k], sites.u[k + 1]);
+}
+
+Index corners_possible(Index degree, Index n_indices) noexcept { return (n_indices - degree - 1) / degree; }
+
+void place_knots(KnotSites const& sites, Index degree, Index n_indices, bool periodic, Span<Real> knots) noexcept {
+    Index const n_corners = sites.corner.count();
+    share_spans(sites, n_indices - degree - n_corners * (degree - 1));
+    fill(knots.first(degree + 1), Real(0));
+    Real* knot = knots.data() + degree + 1;
+    for (Index s = 0; s <= n_corners; ++s) {
+        Section const section = section_of(sites, s);
+        knot = divide(sites, section, sites.section_spans[s], knot);
+        for (Index fold = 0; s < n_corners && fold < degree; ++fold) *knot++ = sites.u[section.last];
+    }
+    fill(knots.from(n_indices, degree + 1), Real(1));
+    for (Index k = 1; periodic && k <= degree; ++k) {
+        knots[degree - k] = knots[n_indices - k] - 1;
+        knots[n_indices + k] = knots[degree + k] + 1;
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,164 @@
+#include "harmorph/least_squares.hpp"
+
+namespace harmorph {
+namespace {
+
+// Where points leave a control point free, its second differences shall vanish: far below the points' pull, above rounding.
+constexpr Real smoothing = 1e-12;
+
+Index bandwidth(Index degree) noexcept { return 2 * larger(degree, Index(2)) + 1; }  // 2: the second differences
+
+struct Block {  // symmetric
+    Real xx = 0, xy = 0, yy = 0;
+};
+
+Block operator*(Real s, Block a) noexcept { return {s * a.xx, s * a.xy, s * a.yy}; }
+Vec2 operator*(Block a, Vec2 p) noexcept { return {a.xx * p.x + a.xy * p.y, a.xy * p.x + a.yy * p.y}; }
+
+constexpr Block unit{1, 0, 1};
+
+// Squared distance from a line, and `along` times the square of what lies along it.
+Block metric(Vec2 tangent, Real along) noexcept {
+    Real const less = 1 - along;
+    return {1 - less * tangent.x * tangent.x, -less * tangent.x * tangent.y, 1 - less * tangent.y * tangent.y};
+}
+
+void add_to_right(LeastSquares const& fit, Index i, Vec2 value) noexcept {
+    fit.control[2 * i] += value.x;
+    fit.control[2 * i + 1] += value.y;
+}
+
+// The equations of a pinned control point are replaced by its position.
+void add_product(LeastSquares const& fit, Index i, Index j, Block const& a) noexcept {
+    if (fit.pinned[i] != none) return;
+    if (fit.pinned[j] != none) return add_to_right(fit, i, -1.0 * (a * fit.points[fit.pinned[j]]));
+    if (j > i) return;
+    fit.matrix.add(2 * i, 2 * j, a.xx);
+    fit.matrix.add(2 * i + 1, 2 * j, a.xy);
+    fit.matrix.add(2 * i + 1, 2 * j + 1, a.yy);
+    if (j < i) fit.matrix.add(2 * i, 2 * j + 1, a.xy);
+}
+
+void add_points(LeastSquares const& fit, Real along) noexcept {
+    for (Index k = 0; k < fit.points.count(); ++k) {
+        CurveBasis const basis = curve_basis(fit.curve, fit.u[k], 0);
+        Block const weight = fit.weight[k] * metric(fit.tangent[k], along);
+        Vec2 const pull = weight * fit.points[k];
+        for (Index a = 0; a < basis.order; ++a) {
+            add_to_right(fit, basis.control[a], basis.value[0][a] * pull);
+            for (Index b = 0; b < basis.order; ++b)
+                add_product(fit, basis.control[a], basis.control[b], basis.value[0][a] * basis.value[0][b] * weight);
+        }
+    }
+}
+
+// The parameter at which a linear function has the value of its control point (Greville abscissa).
+Real greville(Curve const& curve, Index k) noexcept {
+    Real sum = 0;
+    for (Index j = 1; j <= curve.degree; ++j) sum += curve.knots[k + j];
+    return sum / curve.degree;
+}
+
+// Second differences by Greville abscissae, which are 0 for straight lines passed at constant speed.
+void add_smoothing(LeastSquares const& fit, Real strength) noexcept {
+    Curve const& curve = fit.curve;
+    for (Index k = 1; k + 1 < curve.n_indices; ++k) {
+        Real const before = greville(curve, k) - greville(curve, k - 1);
+        Real const after = greville(curve, k + 1) - greville(curve, k);
+        Real const factor[3] = {after / (before + after), -1, before / (before + after)};
+        for (Index a = 0; a < 3; ++a)
+            for (Index b = 0; b < 3; ++b)
+                add_product(fit, curve.control_point(k - 1 + a), curve.control_point(k - 1 + b),
+                            strength * factor[a] * factor[b] * unit);
+    }
+}
+
+// One step of Newton's method for every point but the first and the last; error: the distances before it.
+void step_to_feet(LeastSquares const& fit) noexcept {
+    Index const last = fit.points.count() - 1;
+    for (Index k = 0; k <= last; ++k) {
+        Vec2 c[3];
+        curve_point(fit.curve, fit.u[k], 2, c);
+        Vec2 const offset = c[0] - fit.points[k];
+        fit.error[k] = length(offset);
+        Real const speed = square(c[1]);
+        fit.tangent[k] = speed > 0 ? (1 / square_root(speed)) * c[1] : Vec2{};
+        Real const curvature = larger(speed + dot(offset, c[2]), 0.5 * speed);  // far from the curve: no maximum
+        if (k == 0 || k == last || !(curvature > 0)) continue;
+        fit.u[k] = clamp(fit.u[k] - dot(offset, c[1]) / curvature, fit.u[0], fit.u[last]);
+    }
+}
+
+// Where parameters have overtaken each other: the mean of the largest so far and the smallest from here on. Both do not
+// decrease, and the mean is the same from either end.
+void put_in_order(LeastSquares const& fit) noexcept {
+    Index const n = fit.points.count();
+    for (Index k = 0; k < n; ++k) fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1], fit.u[k]);
+    Real smallest = fit.u[n - 1];
+    for (Index k = n - 1; k >= 0; --k) {
+        smallest = smaller(smallest, fit.u[k]);
+        fit.u[k] = 0.5 * (fit.largest_so_far[k] + smallest);
+    }
+}
+
+void pin(LeastSquares const& fit) noexcept {
+    for (Index i = 0; i < fit.pinned.count(); ++i) {
+        if (fit.pinned[i] == none) continue;
+        fit.matrix.at(2 * i, 2 * i) = fit.matrix.at(2 * i + 1, 2 * i + 1) = 1;
+        fit.control[2 * i] = fit.points[fit.pinned[i]].x;
+        fit.control[2 * i + 1] = fit.points[fit.pinned[i]].y;
+    }
+}
+
+}  // namespace
+
+void LeastSquares::lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept {
+    arena.take(u, n_points);
+    arena.take(weight, n_points);
+    arena.take(error, n_points);
+    arena.take(tangent, n_points);
+    arena.take(largest_so_far, n_points);
+    arena.take(control, 2 * static_cast<Offset>(n_control));
+    arena.take(pinned, n_control);
+    matrix.lay_out(arena, 2 * n_control, bandwidth(degree), true);
+}
+
+void LeastSquares::set_up(Curve const& shape, Span<const Vec2> through) noexcept {
+    curve = shape;
+    curve.control = control.data();
+    points = through;
+    u = u.first(through.size());
+    weight = weight.first(through.size());
+    error = error.first(through.size());
+    tangent = tangent.first(through.size());
+    largest_so_far = largest_so_far.first(through.size());
+}
+
+void LeastSquares::start() noexcept { fill(tangent, Vec2{}); }
+
+void LeastSquares::solve(Real along) noexcept {
+    Real total = 0;
+    for (Real const w : weight) total += w;
+    Real strength = smoothing * total / curve.n_control;
+    do {
+        matrix.shape(2 * curve.n_control, bandwidth(curve.degree), true);
+        fill(control, Real(0));
+        add_points(*this, along);
+        add_smoothing(*this, strength);
+        pin(*this);
+        strength *= 100;
+    } while (!matrix.factor() && strength < total);
+    matrix.solve(control);
+}
+
+Real LeastSquares::correct_parameters() noexcept {
+    for (Index times = 0; times < 2; ++times) {
+        step_to_feet(*this);
+        put_in_order(*this);
+    }
+    Real largest = 0;
+    for (Real const found : error) largest = larger(largest, found);
+    return largest;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,23 @@
+#include "harmorph/monotone.hpp"
+
+namespace harmorph {
+
+Index longest_run(Span<const Real> values, Span<Index> previous, Span<Index> run) noexcept {
+    Index length = 0;  // run[l]: the end of that run of l + 1 values which ends lowest
+    for (Index k = 0; k < values.count(); ++k) {
+        Index low = 0;
+        Index high = length;
+        while (low < high) {
+            Index const middle = low + (high - low) / 2;
+            if (values[run[middle]] <= values[k]) low = middle + 1;
+            else high = middle;
+        }
+        previous[k] = low > 0 ? run[low - 1] : none;
+        run[low] = k;
+        if (low == length) ++length;
+    }
+    for (Index k = length > 0 ? run[length - 1] : none, l = length - 1; k != none; k = previous[k], --l) run[l] = k;
+    return length;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,47 @@
+#include "harmorph/processor.hpp"
+
+#if defined(__x86_64__) && defined(__GNUC__)
+#include <cpuid.h>
+#endif
+
+namespace harmorph {
+
+#if defined(__x86_64__) && defined(__GNUC__)
+
+namespace {
+
+constexpr bool has_bit(unsigned word, int bit) noexcept { return (word >> bit & 1) != 0; }
+
+// Which register files the operating system saves: bits 1, 2: SSE and AVX; 5, 6, 7: AVX-512.
+unsigned saved_registers() noexcept {
+    unsigned low, high;
+    __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    return low;
+}
+
+}  // namespace
+
+// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID.
+Kernel best_kernel() noexcept {
+    unsigned a = 0, b = 0, c = 0, d = 0;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0) return Kernel::baseline;
+    bool const has_fma = has_bit(c, 12), has_xgetbv = has_bit(c, 27), has_avx = has_bit(c, 28);
+    if (!has_fma || !has_xgetbv || !has_avx) return Kernel::baseline;
+    unsigned const saved = saved_registers();
+    if (__get_cpuid_count(7, 0, &a, &b, &c, &d) == 0 || (saved & 0x06) != 0x06) return Kernel::baseline;
+    bool const has_avx2 = has_bit(b, 5);
+    bool const has_avx512 = has_bit(b, 16) && has_bit(b, 17) && has_bit(b, 31) && (saved & 0xE0) == 0xE0;  // F, DQ, VL
+    return has_avx512 && has_avx2 ? Kernel::avx512 : has_avx2 ? Kernel::avx2 : Kernel::baseline;
+}
+
+#else
+
+Kernel best_kernel() noexcept { return Kernel::baseline; }
+
+#endif
+
+bool has_kernel(Kernel kernel) noexcept {
+    return static_cast<std::int32_t>(kernel) <= static_cast<std::int32_t>(best_kernel());
+}
+
+}  // namespace harmorph

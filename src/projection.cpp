@@ -1,0 +1,131 @@
+#include "harmorph/projection.hpp"
+
+namespace harmorph {
+namespace {
+
+struct Candidate {
+    Real u = 0;
+    Real square_distance = infinity;
+
+    void take_nearer(Candidate const& other) noexcept {
+        if (other.square_distance < square_distance) *this = other;
+    }
+};
+
+// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control points, hence in their box.
+Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
+    Vec2 low = curve.point(span);
+    Vec2 high = low;
+    for (Index k = span - curve.degree; k < span; ++k) {
+        Vec2 const p = curve.point(k);
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+    }
+    Real const dx = larger(Real(0), larger(low.x - q.x, q.x - high.x));
+    Real const dy = larger(Real(0), larger(low.y - q.y, q.y - high.y));
+    return dx * dx + dy * dy;
+}
+
+Real rounding_of(Vec2 q) noexcept { return epsilon * (absolute(q.x) + absolute(q.y)); }
+
+// Minimum of |C(u) - q| in low <= u <= high of one span: Newton for (C - q) . C' = 0 (P&T equation 6.3), bisection
+// whenever Newton leaves the bracket or does not halve its step. The distance is flat at its minimum and cannot tell
+// which of two iterates is better; the slope can, so the last one counts.
+Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real high, Real u) noexcept {
+    Real step = high - low;
+    Real const fine = 2 * epsilon * larger(absolute(curve.begin()), absolute(curve.end()));
+    for (Index iteration = 0; iteration < 100; ++iteration) {
+        Vec2 c[3];
+        curve_point_in(curve, span, u, 2, c);
+        Vec2 const offset = c[0] - q;
+        Real const slope = dot(offset, c[1]);
+        Real const curvature = square(c[1]) + dot(offset, c[2]);
+        if (absolute(slope) <= rounding_of(q) * length(c[1])) return {u, square(offset)};
+        if (slope < 0) low = u;
+        else high = u;
+        Real next = u - slope / curvature;
+        if (!(curvature > 0 && next > low && next < high && absolute(next - u) <= 0.5 * absolute(step)))
+            next = low + 0.5 * (high - low);
+        step = next - u;
+        u = next;
+        if (high - low <= fine || absolute(step) <= fine) break;
+    }
+    Vec2 last;
+    curve_point_in(curve, span, u, 0, &last);
+    return {u, square(last - q)};
+}
+
+// The squared distance is a polynomial of degree 2p in a span (p: the curve's degree) and has at most p minima there;
+// 4p samples separate them. Every sampled minimum that may lie below the best is refined.
+void search_span(Curve const& curve, Index span, Vec2 q, Real low, Real high, Candidate& best) noexcept {
+    Index const n = 4 * curve.degree;
+    auto const parameter = [&](Index j) { return j == n ? high : low + (high - low) * static_cast<Real>(j) / n; };
+    Vec2 point[4 * max_degree + 1];
+    Real found[4 * max_degree + 1];
+    for (Index j = 0; j <= n; ++j) {
+        curve_point_in(curve, span, parameter(j), 0, &point[j]);
+        found[j] = square(point[j] - q);
+    }
+    for (Index j = 0; j <= n; ++j) {
+        Index const before = j > 0 ? j - 1 : 0;
+        Index const after = j < n ? j + 1 : n;
+        if (found[before] < found[j] || found[after] < found[j]) continue;
+        Real const reach = larger(length(point[j] - point[before]), length(point[after] - point[j]));
+        Real const nearest = square_root(found[j]) - reach;
+        if (nearest > 0 && nearest * nearest > best.square_distance) continue;
+        Candidate const minimum = minimum_between(curve, span, q, parameter(before), parameter(after), parameter(j));
+        bool const lost = found[j] < 0.99 * minimum.square_distance;  // there were two, and this is the other one
+        best.take_nearer(lost ? Candidate{parameter(j), found[j]} : minimum);
+    }
+}
+
+// A point that coincides with the curve's end within rounding is the end.
+Real snapped_to_end(Curve const& curve, Vec2 q, Real low, Real high, Candidate const& best) noexcept {
+    Real const limit = square_root(best.square_distance) + 8 * rounding_of(q);
+    if (low <= curve.begin() && length(curve_point(curve, curve.begin()) - q) <= limit) return curve.begin();
+    if (high >= curve.end() && length(curve_point(curve, curve.end()) - q) <= limit) return curve.end();
+    return best.u;
+}
+
+}  // namespace
+
+Projection project_near(Curve const& curve, Vec2 point, Real low, Real high, Real hint) noexcept {
+    low = clamp(low, curve.begin(), curve.end());
+    high = clamp(high, low, curve.end());
+    // The hint is an upper bound, a little raised so that the minimum next to it wins.
+    hint = clamp(hint, low, high);
+    Real const bound = length(curve_point(curve, hint) - point) + 8 * rounding_of(point);
+    Candidate best{hint, bound * bound};
+    Index const last = knot_span(curve, high);
+    for (Index span = knot_span(curve, low); span <= last; ++span) {
+        Real const a = larger(low, curve.knots[span]);
+        Real const b = smaller(high, curve.knots[span + 1]);
+        if (a < b && box_square_distance(curve, span, point) < best.square_distance)
+            search_span(curve, span, point, a, b, best);
+    }
+    Real const u = snapped_to_end(curve, point, low, high, best);
+    return {u, length(curve_point(curve, u) - point)};
+}
+
+Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept {
+    return project_near(curve, point, low, high, low);
+}
+
+bool is_closed(Curve const& curve) noexcept {
+    Vec2 const begin = curve_point(curve, curve.begin());
+    Vec2 const end = curve_point(curve, curve.end());
+    Real magnitude = 0;
+    for (Index k = 0; k < curve.n_indices; ++k)
+        magnitude = larger(magnitude, larger(absolute(curve.point(k).x), absolute(curve.point(k).y)));
+    return length(end - begin) <= 16 * epsilon * magnitude;
+}
+
+bool is_periodic(Curve const& curve) noexcept {
+    if (!is_closed(curve)) return false;
+    Vec2 begin[2], end[2];
+    curve_point(curve, curve.begin(), 1, begin);
+    curve_point(curve, curve.end(), 1, end);
+    return absolute(cross(begin[1], end[1])) <= 1e-6 * dot(begin[1], end[1]) && square(begin[1]) > 0;
+}
+
+}  // namespace harmorph
