@@ -1,0 +1,117 @@
+# harmorph. POSIX make and any C++17 compiler; there is no configure step.
+#
+#   make                  library and program
+#   make test             all tests; the last line counts them
+#   make unit             the C++ tests alone
+#   make check-link       the library needs nothing but mem*: it links into C programs
+#   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
+#   make install          header, library, program, Fortran source, harmorph.pc, CMake config
+#   make uninstall        takes the same files away
+#   make clean
+#
+# `make CXX=clang++ CXXFLAGS="-O1 -g" BUILD=build-debug` and so on: the names below are yours to set. What the library
+# cannot do without is added to CXXFLAGS.
+.POSIX:
+.SUFFIXES:
+.PHONY: all rules unit test check-link demo install uninstall clean
+
+BUILD = build
+PREFIX = /usr/local
+DESTDIR =
+CXX = c++
+CXXFLAGS = -O3
+CC = cc
+CFLAGS = -O2
+FC = gfortran
+FFLAGS = -O2
+LDFLAGS =
+AR = ar
+
+WARNINGS = -Wall -Wextra -Wconversion -Wshadow
+# No C++ runtime, no errno, no traps, so that only mem* stay undefined; no contraction, so that compilers agree on bits.
+CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-trapping-math -ffp-contract=off \
+	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
+	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
+CLI = -std=c++17 $(WARNINGS) -Ic_api
+UNIT = -std=c++17 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
+
+LIBRARY = $(BUILD)/libharmorph.a
+PROGRAM = $(BUILD)/harmorph
+# Silent, as the rules say in few words what they do; $(BUILD)/flags holds the whole commands.
+WITH_RULES = -s -f Makefile -f $(BUILD)/rules.mk
+
+all: rules
+	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM)
+
+# POSIX make has no rules that lead from one directory to another. So the shell writes one for each source it finds: new
+# files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
+rules:
+	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit
+	@echo '$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
+	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
+	@objects() { \
+	    part=$$1 headers=$$2; shift 2; list=; \
+	    for source do \
+	        object=$(BUILD)/objects/$$part/`basename $$source .cpp`.o; list="$$list $$object"; \
+	        printf '%s: %s %s $(BUILD)/flags\n' $$object $$source "$$headers"; \
+	        printf '\techo $(CXX) %s\n\t$$(CXX) $$(CXXFLAGS) %s -c -o $$@ %s\n' $$source "$$flags" $$source; \
+	    done; \
+	}; \
+	program() { \
+	    printf '%s:%s $(LIBRARY)\n\techo $(CXX) $$@\n' $$1 "$$list"; \
+	    printf '\t$$(CXX) $$(CXXFLAGS) -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
+	}; \
+	some() { echo `ls $$* 2>/dev/null`; }; \
+	core=`some include/harmorph/*.hpp src/*.hpp c_api/*.h c_api/*.hpp`; \
+	cli=`some c_api/*.h c_api/cli/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
+	{ \
+	    flags='$$(CORE)'; objects core "$$core" src/*.cpp c_api/*.cpp; \
+	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp; program $(PROGRAM); \
+	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/test_*.cpp; program $(BUILD)/tests; \
+	} >$(BUILD)/rules.new
+	@mv $(BUILD)/rules.new $(BUILD)/rules.mk
+
+unit: all
+	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
+	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
+	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
+	$(BUILD)/tests
+
+check-link: all
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
+
+test: all
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
+
+demo: all
+	$(PROGRAM) demo $(BUILD)/demo
+	@ls $(BUILD)/demo/*.svg
+
+# What lies where after an installation; uninstall takes the same list away.
+INSTALLED = bin/harmorph include/harmorph.h lib/libharmorph.a lib/pkgconfig/harmorph.pc \
+	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90
+
+install: all
+	@to='$(DESTDIR)$(PREFIX)'; set -e; \
+	mkdir -p "$$to/bin" "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
+	cp $(PROGRAM) "$$to/bin/"; \
+	cp c_api/harmorph.h "$$to/include/"; \
+	cp $(LIBRARY) "$$to/lib/"; \
+	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`; \
+	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
+	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
+	for source in fortran/*.f90; do \
+	    test -f "$$source" || continue; \
+	    mkdir -p "$$to/share/harmorph"; cp "$$source" "$$to/share/harmorph/"; \
+	done; \
+	echo "harmorph $$version is in $$to"
+
+uninstall:
+	@to='$(DESTDIR)$(PREFIX)'; \
+	for file in $(INSTALLED); do rm -f "$$to"/$$file; done; \
+	rmdir "$$to/lib/cmake/harmorph" "$$to/share/harmorph" 2>/dev/null || :
+
+clean:
+	rm -rf $(BUILD)

@@ -1,0 +1,85 @@
+/* The header as strict C99 and as C++ see it: included twice, every struct and every kind of constant used, and the
+ * sizes and places that other languages rely on. */
+#include <harmorph.h>
+#include <harmorph.h>
+
+#include <stdio.h>
+#include <string.h>
+
+static int passed, failed;
+
+static void check(int holds, const char *what) {
+    if (holds) {
+        ++passed;
+    } else {
+        ++failed;
+        printf("c_header: %s\n", what);
+    }
+}
+
+#define SIZE(type, bytes) check(sizeof(type) == (bytes), "size of " #type)
+#define PLACE(type, field, bytes) check(offsetof(type, field) == (bytes), "place of " #type "." #field)
+#define HAS_SIZE_FIRST(type) \
+    do { \
+        type object = {sizeof object}; \
+        PLACE(type, struct_size, 0); \
+        check(sizeof object % 8 == 0 && object.struct_size == sizeof(type), "struct_size of " #type); \
+    } while (0)
+
+static int32_t never_cancel(void *user, int32_t phase, double fraction) {
+    (void)user;
+    return phase < HM_PHASE_STRUCTURE || phase > HM_PHASE_RESIDUAL || fraction < 0 || fraction > 1;
+}
+
+int main(void) {
+    hm_error error;
+    hm_options options = {sizeof options};
+    hm_status status = HM_OK;
+    /* A pointer of each opaque type, and one function's address, are all a caller ever needs to name. */
+    hm_analysis *analysis = NULL;
+    hm_plan *plan = NULL;
+    hm_basis *basis = NULL;
+
+    SIZE(hm_status, 4);
+    SIZE(hm_error, 128);
+    PLACE(hm_error, item, 4);
+    PLACE(hm_error, value, 8);
+    PLACE(hm_error, text, 16);
+    check(sizeof error.text == 112, "size of hm_error.text");
+
+    HAS_SIZE_FIRST(hm_mesh);
+    HAS_SIZE_FIRST(hm_curve);
+    HAS_SIZE_FIRST(hm_curves);
+    HAS_SIZE_FIRST(hm_fit_options);
+    HAS_SIZE_FIRST(hm_fit_report);
+    HAS_SIZE_FIRST(hm_condition);
+    HAS_SIZE_FIRST(hm_problem);
+    HAS_SIZE_FIRST(hm_options);
+    HAS_SIZE_FIRST(hm_mesh_report);
+    HAS_SIZE_FIRST(hm_solve_report);
+    HAS_SIZE_FIRST(hm_basis_info);
+    HAS_SIZE_FIRST(hm_step_report);
+    HAS_SIZE_FIRST(hm_quality_report);
+    if (sizeof(void *) == 8) {
+        PLACE(hm_mesh, x, 16);
+        PLACE(hm_mesh, stride, 32);
+        PLACE(hm_curve, indices, 16);
+        PLACE(hm_options, tolerance, 24);
+        PLACE(hm_options, progress, 32);
+    }
+
+    /* Zero is the default everywhere. */
+    check(HM_CELLS_ROWS == 0 && HM_CLOSED_AUTO == 0, "defaults are 0");
+    check(HM_LAPLACE == 0 && HM_COMPACT == 0 && HM_DIRECT == 0, "defaults of the options are 0");
+    check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_CANCELLED < 0 && HM_UNSUPPORTED < 0, "signs of statuses");
+    check(HM_ON_CURVE < HM_FIXED && HM_FIXED < HM_FREE, "order of conditions");
+    check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");
+
+    options.progress = never_cancel;
+    check(options.progress(options.progress_user, HM_PHASE_SOLVE, 0.5) == 0, "progress callback");
+    memset(&error, 0, sizeof error);
+    check(error.code == status && analysis == NULL && plan == NULL && basis == NULL, "opaque types");
+
+    printf("%d passed, %d failed\n", passed, failed);
+    return failed != 0;
+}

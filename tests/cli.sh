@@ -1,0 +1,271 @@
+#!/bin/sh
+# Tests of the program: sh tests/cli.sh path/to/harmorph path/to/meshes folder/for/output
+# One line per check; the last line counts them. Exit status 1 if any failed.
+if [ $# -ne 3 ]; then
+    echo "usage: sh tests/cli.sh HARMORPH MESHES OUTPUT" >&2
+    exit 2
+fi
+harmorph=$1 meshes=$2 tmp=$3/cli-test
+rm -rf "$tmp" # some checks look for files that must not be there
+mkdir -p "$tmp" || exit 2
+passed=0 failed=0
+
+ok() { echo "ok   $1"; passed=$((passed + 1)); }
+fail() { echo "FAIL $1"; failed=$((failed + 1)); }
+check() { # check NAME COMMAND...: the command succeeds
+    name=$1; shift
+    if "$@" >/dev/null 2>&1; then ok "$name"; else fail "$name"; fi
+}
+says() { grep -F -e "$1" "$tmp/out" "$tmp/err" >/dev/null; }
+runs() { # runs NAME EXIT-CODE ARGUMENTS...: the program ends with this code; its output is in out and err
+    name=$1 wanted=$2; shift 2
+    "$harmorph" "$@" >"$tmp/out" 2>"$tmp/err"
+    code=$?
+    if [ $code -eq "$wanted" ]; then ok "$name"; else
+        fail "$name: exit code $code and not $wanted"
+        sed 's/^/     | /' "$tmp/err" | head -5
+    fi
+}
+refuses() { # refuses NAME EXIT-CODE TEXT ARGUMENTS...: and the message contains the text
+    name=$1 wanted=$2 text=$3; shift 3
+    runs "$name" "$wanted" "$@"
+    if grep -F -e "$text" "$tmp/err" >/dev/null; then ok "$name: says '$text'"; else
+        fail "$name: does not say '$text'"
+        sed 's/^/     | /' "$tmp/err" | head -5
+    fi
+}
+has_keys() { # has_keys NAME KEY...: out is one JSON object of exactly these keys (keys of nested objects: name, faces)
+    name=$1; shift
+    keys=$(sed 's/{"name": [^}]*}//g' "$tmp/out" | grep -o '"[a-z_]*":' | tr -d '":' | tr '\n' ' ')
+    if [ "$keys" = "$* " ] && [ "$(wc -l <"$tmp/out")" -eq 1 ]; then ok "$name"; else fail "$name: keys are $keys"; fi
+}
+leaves_nothing() { # leaves_nothing NAME FILE: neither the file nor a temporary one
+    if ls "$2"* >/dev/null 2>&1; then fail "$1"; else ok "$1"; fi
+}
+
+# ---- Inputs ------------------------------------------------------------------------------------------------------
+
+# A ring of quads, some split into triangles, between a circle of radius 1 and one of radius 4.
+awk 'BEGIN {
+    n = 48; m = 12; pi = atan2(0, -1)
+    print "% a ring\nNDIME= 2\nNELEM= " n * m + n
+    for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
+        a = j * n + i; b = j * n + (i + 1) % n
+        if (j == m - 1) printf "5 %d %d %d\n5 %d %d %d\n", a, a + n, b, b, a + n, b + n
+        else printf "9 %d %d %d %d %d\n", a, a + n, b + n, b, a
+    }
+    print "NPOIN= " n * (m + 1)
+    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) {
+        r = exp(log(4) * j / m); t = 2 * pi * i / n
+        printf "%.15f\t%.15f %d\n", r * cos(t), r * sin(t), j * n + i
+    }
+    print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n
+    for (i = 0; i < n; i++) print "3 " i " " (i + 1) % n
+    print "MARKER_TAG= far\nMARKER_ELEMS= " n
+    for (i = 0; i < n; i++) print "3 " m * n + i " " m * n + (i + 1) % n
+}' >"$tmp/ring.su2"
+ring=$tmp/ring.su2 curve=$tmp/ring.curve basis=$tmp/ring.basis
+
+# The same ring as other programs write it: carriage returns, points first, odd blanks, and things that are passed over.
+{
+    echo 'NZONE= 1'
+    echo 'NDIME=2 % two'
+    sed -n '/^NPOIN/,/^NMARK/p' "$ring" | sed '$d; s/^NPOIN= \(.*\)/NPOIN = \1 \1/'
+    sed -n '/^NELEM/,/^NPOIN/p' "$ring" | sed '$d; s/^\(9 .*\) [0-9]*$/ \1/'
+    echo 'NMARK= 4'
+    sed -n '/^MARKER_TAG= body/,/^MARKER_TAG= far/p' "$ring" | sed '$d; s/body/the body/; s/^3 /3	/'
+    printf 'MARKER_TAG= 17\nMARKER_ELEMS= 49\n1 3\n'
+    sed -n '/^MARKER_TAG= far/,$p' "$ring" | sed '1,2d'
+    printf 'MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 1\nSEND_RECV= 1\n1 0 1\n'
+    printf 'MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 1\nSEND_RECV= -1\n1 0 1\n'
+    printf 'FFD_NBOX= 1\nFFD_CORNER_POINTS= 2\n0 0\n1 1\n\n'
+} | awk '{ printf "%s\r\n", $0 }' >"$tmp/odd.su2"
+
+broken() { sed "$2" "$ring" >"$tmp/$1.su2"; } # broken NAME SED-SCRIPT: a mesh with one thing wrong
+no_moves=$tmp/none.txt
+echo '# nothing moves' >"$no_moves"
+printf '1 .05 0 # to the right\n\n3 0 -.02\n' >"$tmp/small.txt"
+awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
+
+# ---- Usage -------------------------------------------------------------------------------------------------------
+
+runs "--help" 0 --help
+check "--help names the commands" says 'harmorph COMMAND --help'
+runs "--version" 0 --version
+for command in fit solve morph export check demo; do
+    runs "$command --help" 0 $command --help
+    check "$command --help has an example" says "  harmorph $command "
+done
+refuses "no command" 2 'command is missing'
+refuses "unknown command" 2 "'frobnicate'" frobnicate
+refuses "unknown option" 2 "'--colour'" check --colour "$ring"
+refuses "missing operand" 2 'MESH is missing' check
+refuses "operand too many" 2 'too many' check "$ring" "$ring"
+refuses "option without its value" 2 '--marker' fit "$ring" -o "$curve" --marker
+refuses "missing -o" 2 '-o is missing' fit "$ring" --marker body
+refuses "a word for a number" 2 "'many'" fit "$ring" --marker body -o "$curve" --points many
+refuses "degree out of range" 2 '--degree' fit "$ring" --marker body -o "$curve" --degree 6
+refuses "unknown --closed" 2 '--closed' fit "$ring" --marker body -o "$curve" --closed maybe
+refuses "more control points than points" 2 '--points' fit "$ring" --marker body -o "$curve" --points 49
+refuses "unknown marker" 2 "'body', 'far'" fit "$ring" --marker wing -o "$curve"
+refuses "two separate pieces of boundary" 2 'separate' fit "$ring" --marker body,far -o "$curve"
+leaves_nothing "refused commands leave no file" "$curve"
+
+# ---- The path ----------------------------------------------------------------------------------------------------
+
+runs "check" 0 check "$ring" --json
+has_keys "check: keys" points cells triangles quads inverted min_area min_quality mean_quality markers
+check "check: counts" says '"points": 624, "cells": 624, "triangles": 96, "quads": 528, "inverted": 0'
+check "check: markers" says '"markers": [{"name": "body", "faces": 48}, {"name": "far", "faces": 48}]'
+runs "fit" 0 fit "$ring" --marker=body --points 12 --closed periodic -o "$curve" --json
+has_keys "fit: keys" points degree max_error rms_error
+check "fit: periodic file" grep -c 'closed periodic' "$curve"
+runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
+has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
+    setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes
+check "solve: functions" says '"functions": 12'
+runs "morph" 0 morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/small.su2" --vtu "$tmp/small.vtu" \
+    --svg "$tmp/small.svg" --repeat 3 --json
+has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds
+check "morph: the mesh is valid" says '"inverted": 0'
+check "morph: the mesh moved" sh -c "! cmp -s '$ring' '$tmp/small.su2'"
+check "morph: VTU is whole" grep -c '</VTKFile>' "$tmp/small.vtu"
+check "morph: SVG is whole" grep -c '</svg>' "$tmp/small.svg"
+runs "morph without files, for people" 0 morph "$ring" "$basis" --move "$tmp/small.txt"
+runs "check of the morphed mesh" 0 check "$tmp/small.su2"
+runs "zero move" 0 morph "$ring" "$basis" --move "$no_moves" -o "$tmp/same.su2" --json
+check "zero move: the identical file" cmp "$ring" "$tmp/same.su2"
+check "zero move: unlimited step is null" says '"admissible_step": null'
+runs "a moved mesh only warns" 0 morph "$tmp/small.su2" "$basis" --move "$no_moves"
+check "a moved mesh only warns: says so" says 'warning'
+runs "export" 0 export "$ring" "$basis" --function 12 --csv "$tmp/f.csv" --vtu "$tmp/f.vtu" --svg "$tmp/f.svg"
+check "export: CSV columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,value
+check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625
+refuses "export: function out of range" 2 '--function' export "$ring" "$basis" --function 13 --csv "$tmp/f.csv"
+refuses "export: nothing to write" 2 'nothing to write' export "$ring" "$basis" --function 1
+runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far -o "$tmp/free.basis"
+runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
+check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
+refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"
+runs "solve: two curve files" 0 fit "$ring" --marker far --points 8 -o "$tmp/far.curve"
+runs "solve: two curve files" 0 solve "$ring" --curve body="$curve" --curve far="$tmp/far.curve" -o "$tmp/two.basis" --json
+check "solve: numbers go on" says '"functions": 20'
+
+# ---- Not usable: exit code 1 -------------------------------------------------------------------------------------
+
+refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --json
+leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
+has_keys "morph that inverts cells: JSON all the same" \
+    inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds
+runs "morph that inverts cells, --force" 1 morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --force
+check "--force writes" test -s "$tmp/large.su2"
+refuses "check counts inverted cells" 1 'inverted' check "$tmp/large.su2"
+refuses "solve refuses inverted cells" 3 "$tmp/large.su2:" solve "$tmp/large.su2" --curve body="$curve" -o "$tmp/x"
+refuses "not converged" 1 'not converged' solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30
+leaves_nothing "not converged: nothing written" "$tmp/loose.basis"
+runs "not converged, --force" 1 solve "$ring" --curve body="$curve" -o "$tmp/loose.basis" --tol 1e-30 --force
+check "not converged, --force writes" test -s "$tmp/loose.basis"
+
+# ---- SU2 as other programs write it ------------------------------------------------------------------------------
+
+runs "odd file: check" 0 check "$tmp/odd.su2" --json
+check "odd file: markers" says '{"name": "the body", "faces": 48}, {"name": "17", "faces": 48}]'
+check "odd file: says that FFD boxes stay" says 'FFD'
+check "odd file: says that periodic blocks are ignored" says 'SEND_RECEIVE'
+runs "odd file: fit" 0 fit "$tmp/odd.su2" --marker 'the body' --points 12 -o "$tmp/odd.curve"
+runs "odd file: solve" 0 solve "$tmp/odd.su2" --curve "the body=$tmp/odd.curve" -o "$tmp/odd.basis"
+runs "odd file: zero move" 0 morph "$tmp/odd.su2" "$tmp/odd.basis" --move "$no_moves" -o "$tmp/same.su2"
+check "odd file: zero move gives the identical file" cmp "$tmp/odd.su2" "$tmp/same.su2"
+
+# ---- Bad mesh files: exit code 3, file and line ------------------------------------------------------------------
+
+bad_mesh() { # bad_mesh NAME LINE TEXT SED-SCRIPT
+    broken bad "$4"
+    refuses "$1" 3 "$tmp/bad.su2:$2: " check "$tmp/bad.su2"
+    check "$1: says '$3'" says "$3"
+}
+points=628 # the line of NPOIN= in the ring's file
+refuses "no such mesh" 3 'nowhere.su2' check "$tmp/nowhere.su2"
+refuses "a folder for a mesh" 3 "$tmp" check "$tmp"
+bad_mesh "three dimensions" 2 'NDIME= 2' 's/NDIME= 2/NDIME= 3/'
+bad_mesh "several zones" 2 'zone' '2i\
+NZONE= 2'
+bad_mesh "element of another type" 4 'element type' '4s/^9/12/'
+bad_mesh "element with too few points" 4 '4 points' '4s/.*/9 0 1 2/'
+bad_mesh "index out of range" 4 'between 0 and 623' '4s/ 48 / 4800 /'
+bad_mesh "negative index" 4 'between 0 and 623' '4s/ 48 / -48 /'
+bad_mesh "word for an index" 4 "'x'" '4s/ 48 / x /'
+bad_mesh "word for a coordinate" $((points + 3)) "'1.O'" "$((points + 3))s/^[^	]*/1.O/"
+bad_mesh "infinite coordinate" $((points + 3)) "'inf'" "$((points + 3))s/^[^	]*/inf/"
+bad_mesh "fewer elements than said" $points 'element 625 of 625' 's/NELEM= 624/NELEM= 625/'
+bad_mesh "more elements than said" 627 'heading' 's/NELEM= 624/NELEM= 623/'
+bad_mesh "count that is none" $points 'a count' 's/NPOIN= .*/NPOIN= many/'
+bad_mesh "truncated in the points" 700 'point 72 of 624' '700,$d'
+bad_mesh "truncated in the markers" 1304 'NMARK' '/MARKER_TAG= far/,$d'
+bad_mesh "triangle in a marker" 1256 'element type 3' '1256s/.*/5 0 1 2/'
+bad_mesh "two points in one cell" 4 '' '4s/.*/9 0 0 49 1/'
+broken bad '/MARKER_TAG= far/,/MARKER_ELEMS/d; s/MARKER_ELEMS= 48/MARKER_ELEMS= 47/; s/NMARK= 2/NMARK= 1/; 1255d'
+refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
+head -c 3000 "$harmorph" >"$tmp/bad.su2"
+refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
+
+# ---- Bad curve, moves and basis files ----------------------------------------------------------------------------
+
+bad_curve() { # bad_curve NAME LINE TEXT CONTENT
+    printf "$4" >"$tmp/bad.curve"
+    refuses "$1" 3 "$tmp/bad.curve:$2: " solve "$ring" --curve body="$tmp/bad.curve" -o "$tmp/x"
+    check "$1: says '$3'" says "$3"
+}
+square='points 4\n1 1\n-1 1\n-1 -1\n1 -1\n' # lines 3 to 7
+bad_curve "curve: unknown word" 1 'degree' 'grade 3\n'
+bad_curve "curve: degree 9" 1 'between 1 and 5' 'degree 9\n'
+bad_curve "curve: closed maybe" 2 'periodic' 'degree 1\nclosed maybe\n'
+bad_curve "curve: a point of one number" 5 'point 2 of 4' 'degree 1\nclosed tied\npoints 4\n1 1\n2\n'
+bad_curve "curve: not a number" 4 "'nan'" 'degree 1\nclosed tied\npoints 4\n1 nan\n2 2\n'
+bad_curve "curve: too few knots" 8 'knots 7' "degree 1\nclosed tied\n${square}knots 6\n0 0 1 2 3 4\n"
+bad_curve "curve: file ends in the knots" 10 'knot 5 of 7' "degree 1\nclosed tied\n${square}knots 7\n0 0 1 2\n"
+line='knots 4\n0 0 1 1\n'
+bad_curve "curve: index out of range" 8 'between 1 and 4' "degree 1\nclosed open\n${square}indices 2\n1 5\n$line"
+bad_curve "curve: indices that do not close" 8 'closed tied' "degree 1\nclosed tied\n${square}indices 2\n1 2\n$line"
+printf "degree 1\nclosed tied\n${square}knots 7\n0 0 1 3 2 4 4\n" >"$tmp/bad.curve"
+refuses "curve: decreasing knots" 3 "$tmp/bad.curve" solve "$ring" --curve body="$tmp/bad.curve" -o "$tmp/x"
+
+bad_moves() { # bad_moves NAME LINE CONTENT
+    printf "$3" >"$tmp/bad.txt"
+    refuses "$1" 3 "$tmp/bad.txt:$2: " morph "$ring" "$basis" --move "$tmp/bad.txt" -o "$tmp/x"
+}
+bad_moves "moves: two numbers" 2 '# index dx dy\n1 2\n'
+bad_moves "moves: control point 0" 1 '0 1 1\n'
+bad_moves "moves: control point 13 of 12" 1 '13 1 1\n'
+bad_moves "moves: not a number" 2 '1 0 0\n2 nan 0\n'
+bad_moves "moves: a point twice" 2 '1 0 0\n1 1 0\n'
+
+bad_basis() { refuses "$1" 3 "$tmp/bad.basis" morph "$ring" "$tmp/bad.basis" --move "$no_moves" -o "$tmp/x"; }
+head -c 1000 "$basis" >"$tmp/bad.basis";                          bad_basis "basis: truncated"
+: >"$tmp/bad.basis";                                              bad_basis "basis: empty"
+cp "$ring" "$tmp/bad.basis";                                      bad_basis "basis: another kind of file"
+{ head -c 9000 "$basis"; echo oops; tail -c +9006 "$basis"; } >"$tmp/bad.basis";  bad_basis "basis: damaged"
+refuses "basis: of another mesh" 3 "$basis" morph "$meshes/naca0012.su2" "$basis" --move "$no_moves"
+leaves_nothing "refused commands leave no file" "$tmp/x"
+
+# ---- Output that cannot be written -------------------------------------------------------------------------------
+
+refuses "no such folder" 3 'no/such/folder' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/no/such/folder/mesh.su2"
+if [ -c /dev/full ]; then
+    refuses "a full disk" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o /dev/full
+    refuses "all files or none" 3 '/dev/full' morph "$ring" "$basis" --move "$no_moves" -o "$tmp/x" --vtu /dev/full
+    leaves_nothing "all files or none: none" "$tmp/x"
+    "$harmorph" check "$ring" >/dev/full 2>/dev/null
+    check "standard output on a full disk" test $? -eq 3
+fi
+
+# ---- The demo on the shipped mesh --------------------------------------------------------------------------------
+
+runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
+for file in airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.vtu morph.svg function.svg; do
+    check "demo leaves $file" test -s "$tmp/demo/$file"
+done
+refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"
+
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]

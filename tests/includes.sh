@@ -1,0 +1,51 @@
+#!/bin/sh
+# Includes point only downwards. The rooms of the core, bottom to top, one per line: a header may include what is in a
+# lower room, or in its own room further to the left; a source may include all of its own room as well.
+rooms='
+types
+span scalar arena progress processor
+vec2 sort hash monotone
+dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
+corners closure knots least_squares projection chain fit
+edges orientation boundary conditions wall
+graph dissection fronts
+matrix laplace basis
+multifrontal analysis harmonic
+morph quality admissible_step crossing
+'
+# Of the standard library the core may use what a freestanding compiler has, and mem*.
+freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
+
+passed=0 failed=0
+verdict() {   # file, offenders
+    if [ -z "$2" ]; then passed=$((passed + 1)); return; fi
+    failed=$((failed + 1))
+    echo "includes: $1:" $2
+}
+included() { sed -n 's|^ *# *include *[<"]\([^>"]*\)[>"].*|\1|p' "$1"; }
+place() {   # 100 * room + position from the left; nothing if in no room
+    echo "$rooms" | awk -v name="$1" 'NF { ++room; for (k = 1; k <= NF; ++k) if ($k == name) print 100 * room + k }'
+}
+
+for file in include/harmorph/*.hpp src/*.hpp src/*.cpp; do
+    here=$(place "$(basename "$file" | sed 's/\.[ch]pp$//')")
+    if [ -z "$here" ]; then verdict "$file" "is in no room of tests/includes.sh"; continue; fi
+    case $file in *.cpp) limit=$((here / 100 * 100 + 100)) ;; *) limit=$here ;; esac
+    wrong=
+    for name in $(included "$file"); do
+        case $name in
+        *.hpp)
+            there=$(place "$(basename "$name" .hpp)")
+            if [ -z "$there" ] || [ "$there" -ge "$limit" ]; then wrong="$wrong $name"; fi ;;
+        *) if ! echo "$name" | grep -qxE "$freestanding"; then wrong="$wrong $name"; fi ;;
+        esac
+    done
+    verdict "$file" "$wrong"
+done
+
+# The program is a client of the C header alone.
+for file in c_api/cli/*; do
+    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^sys/')"
+done
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]

@@ -1,0 +1,91 @@
+#!/bin/sh
+# usage: install.sh BUILD   (MAKE, CC, CXX, ... from the environment)
+# `make install` into an empty place, and CMake's own build and installation: the same files, and a C program that finds
+# them by pkg-config and by find_package. Then the installation is moved, found again, and taken away.
+: "${MAKE:=make}" "${CXX:=c++}" "${CC:=cc}" "${CFLAGS:=-O2}"
+build=$(cd "$1" && pwd)
+source=$(pwd)
+dir=$build/install
+log=$dir/log
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "installation: $what failed:"
+        sed 's/^/    /' "$log"   # indented, so that no count in it is added up
+    fi
+}
+rm -rf "$dir"
+mkdir -p "$dir/project" "$dir/later"
+make_in() { $MAKE BUILD="$1" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" "$2" DESTDIR="$3" PREFIX="$4"; }
+# CMake's own makefiles must hear nothing of the make that runs the tests, nor of its flags.
+cmake() { (unset MAKE MAKEFLAGS MFLAGS MAKELEVEL CXXFLAGS CFLAGS LDFLAGS; command cmake "$@"); }
+listing() { (cd "$1" && find . -type f | sort); }
+
+cat >"$dir/expected" <<END
+./bin/harmorph
+./include/harmorph.h
+./lib/cmake/harmorph/harmorphConfig.cmake
+./lib/cmake/harmorph/harmorphConfigVersion.cmake
+./lib/libharmorph.a
+./lib/pkgconfig/harmorph.pc
+END
+for file in fortran/*.f90; do
+    if [ -f "$file" ]; then echo "./share/harmorph/$(basename "$file")" >>"$dir/expected"; fi
+done
+
+cat >"$dir/project/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.16)
+project(user C)
+find_package(harmorph $(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h) REQUIRED)
+add_executable(use $source/tests/use.c)
+target_link_libraries(use harmorph::harmorph)
+END
+by_pkg_config() {   # prefix
+    flags=$(PKG_CONFIG_PATH=$1/lib/pkgconfig pkg-config --cflags --libs harmorph) &&
+        $CC -std=c99 $CFLAGS -o "$dir/use" "$source/tests/use.c" $flags && "$dir/use"
+}
+by_find_package() {
+    rm -rf "$dir/user" &&
+        cmake -S "$dir/project" -B "$dir/user" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_C_COMPILER="${CC%% *}" \
+            -DCMAKE_C_FLAGS="$CFLAGS" &&
+        cmake --build "$dir/user" && "$dir/user/use"
+}
+version_refused() {
+    sed 's/(harmorph [^ ]*/(harmorph 99.0/' "$dir/project/CMakeLists.txt" >"$dir/later/CMakeLists.txt"
+    ! cmake -S "$dir/later" -B "$dir/user" -DCMAKE_PREFIX_PATH="$1" -DCMAKE_C_COMPILER="${CC%% *}"
+}
+same_files() { listing "$1" | diff "$dir/expected" -; }
+nothing_left() { test -z "$(listing "$1")"; }
+no_such_text() { ! grep -r "$1" "$2"; }
+
+# A packager's way: staged under DESTDIR, of which no trace may stay.
+check "make install with DESTDIR" make_in "$build" install "$dir/stage" /opt/harmorph
+check "the list of files" same_files "$dir/stage/opt/harmorph"
+check "no path of the staging place inside" no_such_text "$dir/stage" "$dir/stage/opt/harmorph/lib/pkgconfig"
+check "make uninstall" make_in "$build" uninstall "$dir/stage" /opt/harmorph
+check "nothing left after it" nothing_left "$dir/stage"
+
+# A user's way, then moved elsewhere.
+check "make install" make_in "$build" install "" "$dir/first"
+check "use by pkg-config" by_pkg_config "$dir/first"
+mv "$dir/first" "$dir/moved"
+check "use by pkg-config, moved" by_pkg_config "$dir/moved"
+check "use by find_package, moved" by_find_package "$dir/moved"
+check "a version to come is refused" version_refused "$dir/moved"
+
+# CMake by itself, without optimisation to be quick.
+check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib
+check "cmake builds" cmake --build "$dir/cmake"
+check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"
+check "the list of files by cmake" same_files "$dir/second"
+check "use by pkg-config, by cmake" by_pkg_config "$dir/second"
+check "use by find_package, by cmake" by_find_package "$dir/second"
+
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]

@@ -1,0 +1,57 @@
+#!/bin/sh
+# All tests (called by `make test`, which says with what compilers and where). Each step prints one or several lines
+# "N passed, M failed", or is the doctest program; the sum is the last line.
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}"
+export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
+passed=0 failed=0
+log=$BUILD/test.log
+
+missing=0
+need() {   # what is needed, Debian's package, how to see that it is there
+    what=$1 package=$2; shift 2
+    "$@" >/dev/null 2>&1 && return
+    echo "$what not found: install Debian's $package"
+    missing=$((missing + 1))
+}
+has_doctest() { echo '#include <doctest/doctest.h>' | $CXX -x c++ -E -; }
+need "the C compiler $CC" gcc $CC --version
+need "the Fortran compiler $FC" gfortran $FC --version
+need doctest/doctest.h doctest-dev has_doctest
+need ld,\ nm,\ objdump binutils objdump --version
+need pkg-config pkg-config pkg-config --version
+need cmake cmake cmake --version
+if [ $missing -gt 0 ]; then echo "0 passed, $missing failed"; exit 1; fi
+
+# The counts are added up; a step that fails without counting a failure, or counts nothing, is a failure.
+step() {   # name, command...
+    echo "== $1"; shift
+    { "$@" </dev/null 2>&1; echo $? >"$log.status"; } | tee "$log"
+    counts=$(sed -n -e 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' \
+        -e 's/^.*test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$log" |
+        awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }')
+    p=${counts% *} f=${counts#* }
+    if [ "$f" = 0 ] && { [ "$(cat "$log.status")" != 0 ] || [ "$p" = 0 ]; }; then
+        echo "this step failed"
+        f=1
+    fi
+    passed=$((passed + p)) failed=$((failed + f))
+}
+compile_and_run() {   # program, compiler with flags...
+    program=$1; shift
+    "$@" -o "$program" && "$program"
+}
+# The header's way to begin a struct, {sizeof it}, leaves fields to be 0 by the language.
+strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
+
+step "C++ tests" $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" unit
+step "the library stands alone" sh tests/check_link.sh "$BUILD"
+step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
+step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
+step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c "$BUILD/libharmorph.a"
+step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+step "includes point downwards" sh tests/includes.sh
+step "installation" sh tests/install.sh "$BUILD"
+
+rm -f "$log" "$log.status"
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]

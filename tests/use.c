@@ -1,0 +1,270 @@
+/* A whole life of a basis in C99, from a mesh made here to a morphed one: what a solver written in C would do. Needs
+ * nothing but the library, not even -lm. */
+#include <harmorph.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { AROUND = 96, RINGS = 33, POINTS = AROUND * RINGS, CELLS = AROUND * (RINGS - 1), CONTROL = 14 };
+enum { BODY = 7, FAR_FIELD = 9 };   /* markers are any integers */
+
+static double x[POINTS], y[POINTS], x_new[POINTS], y_new[POINTS];
+static int32_t cells[4 * CELLS], faces[4 * AROUND], markers[2 * AROUND];
+
+static int passed, failed;
+
+static void check(int holds, const char *what, const hm_error *error) {
+    if (holds) {
+        ++passed;
+        return;
+    }
+    ++failed;
+    printf("use: %s", what);
+    if (error->code != HM_OK) printf(" (%s: %s, item %d)", hm_status_name(error->code), error->text, (int)error->item);
+    printf("\n");
+}
+
+/* What cannot go on without. */
+static void require(hm_status status, const char *what, const hm_error *error) {
+    check(status == HM_OK, what, error);
+    if (status != HM_OK) {
+        printf("%d passed, %d failed\n", passed, failed);
+        exit(1);
+    }
+}
+
+static void *block_of(size_t bytes) {
+    void *block = malloc(bytes);
+    if (block == NULL) exit(1);
+    return block;
+}
+
+static double absolute(double value) { return value < 0 ? -value : value; }
+
+/* A repeatable sequence in [-1, 1). */
+static double noise(void) {
+    static uint32_t state = 1;
+    state = 1664525u * state + 1013904223u;
+    return (double)(state >> 8) / 8388608.0 - 1;
+}
+
+/* Rings round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind, chord about
+ * 1. Cells are quads; points count from 1, as a Fortran code would have them. */
+static void make_mesh(void) {
+    /* cos and sin of 2 pi / AROUND, by which the unit vector turns from column to column */
+    const double turn_x = 0.99785892323860348, turn_y = 0.065403129230143069;
+    double unit_x = 1, unit_y = 0, factor = 1;
+    int i, j, k;
+    for (i = 0; i < AROUND; ++i) {
+        const double next_x = unit_x * turn_x - unit_y * turn_y;
+        factor = 1;
+        for (j = 0; j < RINGS; ++j, factor *= 1.12) {
+            const double r = 1.2 * factor;
+            const double a = r * unit_x - 0.08, b = r * unit_y, square = a * a + b * b;
+            x[j * AROUND + i] = 0.25 * (a + a / square);
+            y[j * AROUND + i] = 0.25 * (b - b / square);
+        }
+        unit_y = unit_x * turn_y + unit_y * turn_x;
+        unit_x = next_x;
+    }
+    for (j = 0, k = 0; j < RINGS - 1; ++j) {
+        for (i = 0; i < AROUND; ++i, k += 4) {
+            const int next = (i + 1) % AROUND;
+            cells[k] = 1 + j * AROUND + i;
+            cells[k + 1] = 1 + (j + 1) * AROUND + i;
+            cells[k + 2] = 1 + (j + 1) * AROUND + next;
+            cells[k + 3] = 1 + j * AROUND + next;
+        }
+    }
+    for (i = 0; i < AROUND; ++i) {
+        const int next = (i + 1) % AROUND, outer = (RINGS - 1) * AROUND;
+        faces[2 * i] = 1 + i;
+        faces[2 * i + 1] = 1 + next;
+        markers[i] = BODY;
+        faces[2 * (AROUND + i)] = 1 + outer + i;
+        faces[2 * (AROUND + i) + 1] = 1 + outer + next;
+        markers[AROUND + i] = FAR_FIELD;
+    }
+}
+
+/* The body's points in order, by an analysis of the mesh alone; then a periodic cubic through them. */
+static const hm_curves *fit_body(const hm_mesh *mesh, void **block) {
+    hm_error error = {HM_OK};
+    hm_problem problem = {sizeof problem};
+    hm_mesh_report report = {sizeof report};
+    hm_fit_options options = {sizeof options};
+    hm_fit_report fit = {sizeof fit};
+    hm_analysis *analysis = NULL;
+    const hm_curves *curves = NULL;
+    const int32_t marker = BODY;
+    int32_t points[AROUND], n = 0, is_loop = 0, k;
+    double body_x[AROUND], body_y[AROUND];
+    size_t bytes = 0;
+
+    problem.mesh = mesh;
+    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the mesh's analysis", &error);
+    *block = block_of(bytes);
+    require(hm_analysis_init(&analysis, *block, bytes, &problem, NULL, &error), "analysis of the mesh", &error);
+    require(hm_analysis_report(analysis, &report, &error), "report on the mesh", &error);
+    check(report.points == POINTS && report.cells == CELLS && report.quads == CELLS, "counts", &error);
+    check(report.boundary_edges == 2 * AROUND && report.boundary_loops == 2, "boundaries", &error);
+    check(report.inverted == 0 && report.min_area > 0, "validity", &error);
+    require(hm_analysis_boundary(analysis, 1, &marker, 0, points, AROUND, &n, &is_loop, &error), "its points", &error);
+    check(n == AROUND && is_loop == 1, "the body is one loop", &error);
+    for (k = 0; k < n; ++k) {
+        body_x[k] = x[points[k] - 1];
+        body_y[k] = y[points[k] - 1];
+    }
+    free(*block);
+
+    options.n_control = CONTROL;
+    require(hm_fit_size(n, &options, &bytes, &error), "size of the fit", &error);
+    *block = block_of(bytes);
+    require(hm_fit(&curves, *block, bytes, body_x, body_y, 1, n, is_loop, &options, &fit, &error), "the fit", &error);
+    check(fit.closed == HM_PERIODIC && curves->n_control == CONTROL, "a smooth body gets a periodic curve", &error);
+    check(fit.max_error < 2e-3 && fit.rms_error <= fit.max_error, "the fit is close", &error);
+    require(hm_curves_check(curves, &error), "the fitted curves are well formed", &error);
+    return curves;
+}
+
+static int32_t cancel(void *user, int32_t phase, double fraction) {
+    (void)fraction;
+    return phase == *(const int32_t *)user;
+}
+
+/* The functions, in a block that holds them and nothing else; the analysis and the plan are given back. */
+static hm_basis *solve(const hm_problem *problem, void **block) {
+    hm_error error = {HM_OK};
+    hm_options options = {sizeof options};
+    hm_solve_report report = {sizeof report};
+    hm_analysis *analysis = NULL;
+    hm_plan *plan = NULL;
+    hm_basis *basis = NULL;
+    void *analysis_block, *plan_block;
+    size_t analysis_bytes = 0, plan_bytes = 0, basis_bytes = 0;
+    int32_t stop_in = HM_PHASE_SOLVE;
+
+    options.progress = cancel;
+    options.progress_user = &stop_in;
+    require(hm_analysis_size(problem, &options, &analysis_bytes, &error), "size of the analysis", &error);
+    analysis_block = block_of(analysis_bytes);
+    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options, &error) == HM_BLOCK_TOO_SMALL
+              && error.value >= 1, "a block that is a byte too small is refused", &error);
+    error.code = HM_OK;
+    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error), "the analysis", &error);
+    require(hm_plan_size(analysis, &plan_bytes, &error), "size of the plan", &error);
+    require(hm_basis_size(analysis, &basis_bytes, &error), "size of the basis", &error);
+    plan_block = block_of(plan_bytes);
+    *block = block_of(basis_bytes);
+    require(hm_plan_init(&plan, plan_block, plan_bytes, analysis, &error), "the plan", &error);
+    require(hm_basis_init(&basis, *block, basis_bytes, analysis, &error), "the basis", &error);
+    free(analysis_block);
+
+    require(hm_plan_factor(plan, NULL, NULL, 0, &error), "the factor", &error);
+    check(hm_plan_solve(plan, basis, &report, &error) == HM_CANCELLED, "the callback cancels the solution", &error);
+    stop_in = -1;
+    error.code = HM_OK;
+    require(hm_plan_solve(plan, basis, &report, &error), "the solution after that", &error);
+    check(report.functions == CONTROL && report.curve_points == AROUND, "counts of the solution", &error);
+    check(report.residual <= 1e-12 && report.boundary_error <= 1e-12, "residual and boundary error", &error);
+    check(report.partition_defect <= 1e-12 && report.max_value < 1.5 && report.min_value > -0.5, "values", &error);
+    free(plan_block);
+    return basis;
+}
+
+static void morph(const hm_basis *basis, const hm_mesh *mesh) {
+    hm_error error = {HM_OK};
+    hm_step_report step = {sizeof step};
+    hm_quality_report quality = {sizeof quality};
+    double move[2 * CONTROL] = {0}, gradient[2 * CONTROL], boundary_error = 1, here = 0, there = 0;
+    static double dx[POINTS], dy[POINTS], dj_dx[POINTS], dj_dy[POINTS];
+    int32_t point = 0;
+    int k;
+
+    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, &error), "a movement of nothing", &error);
+    check(memcmp(x, x_new, sizeof x) == 0 && memcmp(y, y_new, sizeof y) == 0, "it keeps all bits", &error);
+
+    for (k = 0; k < 2 * CONTROL; ++k) move[k] = 0.01 * noise();
+    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, &error), "displacements alone", &error);
+    require(hm_admissible_step(basis, mesh, dx, dy, 1, &step, &error), "the admissible step", &error);
+    check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS, "somewhere a cell sets the limit", &error);
+    for (k = 0; k < 2 * CONTROL; ++k) move[k] *= step.admissible < 2 ? 0.5 * step.admissible : 1;
+    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, &error), "half the admissible step", &error);
+    require(hm_boundary_error(basis, move, x, y, 1, x_new, y_new, 1, &boundary_error, &point, &error), "its check", &error);
+    check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
+    require(hm_quality(basis, mesh, x_new, y_new, 1, x, y, 1, &quality, &error), "quality", &error);
+    check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid", &error);
+    check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality, "least and mean quality", &error);
+
+    /* <g, F m> = <F^T g, m> */
+    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, &error), "displacements of this step", &error);
+    for (k = 0; k < POINTS; ++k) {
+        dj_dx[k] = noise();
+        dj_dy[k] = noise();
+        here += dj_dx[k] * dx[k] + dj_dy[k] * dy[k];
+    }
+    require(hm_adjoint(basis, dj_dx, dj_dy, 1, gradient, &error), "the adjoint", &error);
+    for (k = 0; k < 2 * CONTROL; ++k) there += gradient[k] * move[k];
+    check(absolute(here - there) <= 1e-13 * POINTS * 0.01, "the adjoint is the transpose", &error);
+}
+
+/* A basis is a block of bytes: copied, it is the same; cut short or changed, it is refused. */
+static void attach(const hm_basis *basis, const hm_mesh *mesh) {
+    hm_error error = {HM_OK};
+    hm_basis_info info = {sizeof info};
+    const hm_basis *copy = NULL;
+    static double first[POINTS], second[POINTS];
+    unsigned char *bytes;
+
+    require(hm_basis_info_get(basis, &info, &error), "what the basis is", &error);
+    check(info.solved == 1 && info.points == POINTS && info.functions == CONTROL, "its counts", &error);
+    bytes = block_of((size_t)info.bytes);
+    memcpy(bytes, basis, (size_t)info.bytes);
+    require(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error), "a copy is attached", &error);
+    require(hm_basis_values(basis, 3, first, &error), "values of the basis", &error);
+    require(hm_basis_values(copy, 3, second, &error), "values of the copy", &error);
+    check(memcmp(first, second, sizeof first) == 0, "they are the same", &error);
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS, "cut short: refused", &error);
+    bytes[info.bytes / 2] ^= 1;
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS, "a bit changed: refused", &error);
+    free(bytes);
+}
+
+int main(void) {
+    hm_error none = {HM_OK};
+    hm_mesh mesh = {sizeof mesh};
+    hm_condition on_body = {sizeof on_body};   /* the far field, which is not named, is fixed */
+    hm_problem problem = {sizeof problem};
+    hm_basis *basis;
+    void *curves_block = NULL, *basis_block = NULL;
+
+    check(hm_abi_version() == HM_ABI && strcmp(hm_version(), HM_VERSION) == 0, "header and library fit", &none);
+    make_mesh();
+    mesh.index_base = 1;
+    mesh.n_points = POINTS;
+    mesh.x = x;
+    mesh.y = y;
+    mesh.cell_layout = HM_CELLS_QUADS;
+    mesh.n_cells = CELLS;
+    mesh.cell_points = cells;
+    mesh.n_faces = 2 * AROUND;
+    mesh.face_points = faces;
+    mesh.face_markers = markers;
+
+    problem.mesh = &mesh;
+    problem.curves = fit_body(&mesh, &curves_block);
+    problem.n_conditions = 1;
+    problem.conditions = &on_body;
+    on_body.marker = BODY;
+    on_body.kind = HM_ON_CURVE;
+    on_body.n_curves = 1;
+    basis = solve(&problem, &basis_block);
+    free(curves_block);
+    morph(basis, &mesh);
+    attach(basis, &mesh);
+    free(basis_block);
+
+    printf("%d passed, %d failed\n", passed, failed);
+    return failed != 0;
+}
