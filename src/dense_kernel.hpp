@@ -1,5 +1,6 @@
 // The dense kernels for one kind of vector register. A file that includes this has defined HARMORPH_KERNEL (a namespace),
-// HARMORPH_LANES (numbers in a register) and HARMORPH_TILE_ROWS, and has told the compiler which instructions it may use.
+// HARMORPH_LANES (numbers in a register), HARMORPH_TILE_ROWS and HARMORPH_FMA(a, b, c) = a * b + c of vectors, and has told
+// the compiler which instructions it may use.
 // Everything rests on one product, D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
 #include "harmorph/dense.hpp"
 
@@ -20,6 +21,12 @@ HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a;
 
 HARMORPH_INLINE Vector load(const Real* from) noexcept { return *reinterpret_cast<const Vector*>(from); }
 HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
+
+// c + a b for every number of the vectors.
+HARMORPH_INLINE Vector multiply_add(Real a, Vector b, Vector c) noexcept {
+    Vector const all = a - Vector{};
+    return HARMORPH_FMA(all, b, c);
+}
 
 // A is read transposed (element (k, r) at a[k * row + r]) or plainly (element (r, k) at a[r * row + k]).
 enum class Op { transposed, plain };
@@ -47,7 +54,7 @@ HARMORPH_INLINE void tile(Source const& s, Target const& t) noexcept {
         for (Index v = 0; v < vectors; ++v) b[v] = load(s.b + k * s.b_row + v * lanes);
         for (Index r = 0; r < rows; ++r) {
             Real const a = op == Op::transposed ? s.a[k * s.a_row + r] : s.a[r * s.a_row + k];
-            for (Index v = 0; v < vectors; ++v) sum[r][v] += a * b[v];
+            for (Index v = 0; v < vectors; ++v) sum[r][v] = multiply_add(a, b[v], sum[r][v]);
         }
     }
     for (Index r = 0; r < rows; ++r) {
@@ -171,7 +178,7 @@ static_assert(block % lanes == 0, "rows are whole vectors");
 
 // row -= factor * other, from the vector that holds column `from` on.
 HARMORPH_INLINE void subtract_row(Real* row, Real factor, const Real* other, Index from) noexcept {
-    for (Index c = from / lanes * lanes; c < block; c += lanes) store(row + c, load(row + c) - factor * load(other + c));
+    for (Index c = from / lanes * lanes; c < block; c += lanes) store(row + c, multiply_add(-factor, load(other + c), load(row + c)));
 }
 
 // Cholesky of the leading n x n part. Returns a pivot that fails, or none.
