@@ -32,7 +32,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-trapping-math -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
-CLI = -std=c++17 $(WARNINGS) -Ic_api
+CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api
 UNIT = -std=c++17 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
 LIBRARY = $(BUILD)/libharmorph.a
@@ -59,7 +59,7 @@ rules:
 	}; \
 	program() { \
 	    printf '%s:%s $(LIBRARY)\n\techo $(CXX) $$@\n' $$1 "$$list"; \
-	    printf '\t$$(CXX) $$(CXXFLAGS) -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
+	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
 	core=`some include/harmorph/*.hpp src/*.hpp c_api/*.h c_api/*.hpp`; \

@@ -69,7 +69,7 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
     for (const char* c = fault.sentence; *c != '\0'; ++c) {
         switch (*c) {
             case '#': sentence.put_integer(numbered(fault.item)); break;
-            case '@': sentence.put_integer(numbered(fault.other)); break;
+            case '@': sentence.put_integer(fault.counts == Counts::curves ? fault.other : numbered(fault.other)); break;
             case '~': sentence.put_real(fault.value); break;
             default: sentence.put(*c);
         }

@@ -27,7 +27,7 @@ struct Request {
         hm_problem p;
         if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
         HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
-        HARMORPH_TRY(view_options(options, problem.method, problem.progress, fault));
+        HARMORPH_TRY(view_options(options, problem.method, problem.progress, problem.executor, fault));
         if (p.curves == nullptr) return Status::ok;
         HARMORPH_TRY(view_curves(p.curves, curves, fault));
         n_curves = curves.count();

@@ -31,8 +31,9 @@
  *                  A field that is 0 has its default. Fields are only ever added at the end; reports are filled as far
  *                  as the caller's struct_size goes.
  * Threads          No hidden state. One thread at a time may write an object (plan, basis); reading (morph, adjoint,
- *                  quality) is free for any number. Two plans in two threads share nothing.
- * Repeatability    Same input, same bits, from run to run.
+ *                  quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
+ *                  it uses those of an hm_executor where one is given.
+ * Repeatability    Same input and same kernel, same bits: from run to run, and for any number of threads.
  */
 #ifndef HARMORPH_H
 #define HARMORPH_H
@@ -80,6 +81,20 @@ typedef struct hm_error {     /* 128 bytes for ever */
 HM_API int32_t     hm_abi_version(void);
 HM_API const char *hm_version(void);                      /* "major.minor.patch" of the library */
 HM_API const char *hm_status_name(hm_status status);      /* "HM_OK", ...; "unknown status" otherwise */
+
+/* ---- Threads of the caller ---------------------------------------------------------------------------------------- */
+
+/* Calls task(context, i) once for each i in 0 .. n_tasks-1, in any order, on any threads, and returns when all are done.
+ * A task never waits for another one. Ready-made: harmorph_openmp.h, harmorph_pthreads.h. */
+typedef void (*hm_run)(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context);
+
+typedef struct hm_executor {
+    uint64_t struct_size;
+    hm_run   run;                  /* NULL: everything on the calling thread */
+    void    *user;                 /* handed to run */
+    int32_t  n_threads;            /* how many tasks run at once, about; 1 .. 256. The plan's working space grows with it */
+    int32_t  reserved;             /* 0 */
+} hm_executor;
 
 /* ---- Mesh: a view of the caller's arrays ------------------------------------------------------------------------ */
 
@@ -233,8 +248,9 @@ typedef struct hm_options {
     int32_t  engine;               /* default HM_DIRECT */
     int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
     double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10 */
-    hm_progress progress;          /* NULL: none */
+    hm_progress progress;          /* NULL: none; always called on the thread of the call */
     void    *progress_user;
+    const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -328,12 +344,12 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, double
 
 /* x_new = x + sum_i F_i dx_i, likewise y; move [2*n_control] holds dx,dy pairs [length]. In place (x_new == x, equal
  * strides) or to another array that does not overlap. Points whose sum is 0 keep their bits. Strides: 0 means 1. Also
- * for velocities: give the control points' and x = NULL (taken as 0). */
+ * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
-                          double *x_new, double *y_new, int64_t stride_new, hm_error *err);
+                          double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
 /* The transpose: gradient [2*n_control] of an objective by the control points, from its gradient by the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
-                            double *gradient, hm_error *err);
+                            double *gradient, const hm_executor *executor, hm_error *err);
 /* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const double *x, const double *y,
                                    int64_t stride, const double *x_new, const double *y_new, int64_t stride_new,
@@ -350,7 +366,7 @@ typedef struct hm_step_report {
 /* Exact: along the step each corner's area is a quadratic in s. dx, dy [n_points, stride]: hm_morph with x = NULL.
  * The mesh's own coordinates are the start. */
 HM_API hm_status hm_admissible_step(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy,
-                                    int64_t stride, hm_step_report *report, hm_error *err);
+                                    int64_t stride, const hm_executor *executor, hm_step_report *report, hm_error *err);
 
 typedef struct hm_quality_report {
     uint64_t struct_size;
@@ -366,7 +382,7 @@ typedef struct hm_quality_report {
  * triangles. Combined as in de Boer, van der Schoot, Bijl, Comput. Struct. 85 (2007) 784. */
 HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const double *x, const double *y, int64_t stride,
                             const double *x_ref, const double *y_ref, int64_t stride_ref,
-                            hm_quality_report *report, hm_error *err);
+                            const hm_executor *executor, hm_quality_report *report, hm_error *err);
 
 #ifdef __cplusplus
 }

@@ -140,26 +140,29 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, double* value
 }
 
 hm_status hm_morph(const hm_basis* basis, const double* move, const double* x, const double* y, int64_t stride, double* x_new,
-                   double* y_new, int64_t stride_new, hm_error* err) {
+                   double* y_new, int64_t stride_new, const hm_executor* executor, hm_error* err) {
     Fault fault;
     Basis b;
+    Executor threads;
     Points const from = points_of(x, y, stride);
     MutablePoints const to{x_new, y_new, stride_of(stride_new)};
-    if (!failed(open_solved(basis, b, fault)) && !failed(check_move(b, move, fault)) &&
-        !failed(check_points({to.x, to.y, to.stride}, fault)) && (!from.given() || !failed(check_points(from, fault)))) {
-        morph(b, move, from, to);
+    if (!failed(open_solved(basis, b, fault)) && !failed(view_executor(executor, threads, fault)) &&
+        !failed(check_move(b, move, fault)) && !failed(check_points({to.x, to.y, to.stride}, fault)) && (!from.given() || !failed(check_points(from, fault)))) {
+        morph(b, move, from, to, threads);
     }
     return tell(err, fault);
 }
 
 hm_status hm_adjoint(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride, double* gradient,
-                     hm_error* err) {
+                     const hm_executor* executor, hm_error* err) {
     Fault fault;
     Basis b;
+    Executor threads;
     Points const by_points = points_of(dj_dx, dj_dy, stride);
     if (gradient == nullptr) fault.refuse(Status::bad_argument, "gradient is NULL");
-    if (!failed(fault.status) && !failed(open_solved(basis, b, fault)) && !failed(check_points(by_points, fault))) {
-        adjoint_morph(b, by_points, gradient);
+    if (!failed(fault.status) && !failed(open_solved(basis, b, fault)) && !failed(check_points(by_points, fault)) &&
+        !failed(view_executor(executor, threads, fault))) {
+        adjoint_morph(b, by_points, gradient, threads);
     }
     return tell(err, fault);
 }
@@ -181,14 +184,16 @@ hm_status hm_boundary_error(const hm_basis* basis, const double* move, const dou
 }
 
 hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const double* dx, const double* dy, int64_t stride,
-                             hm_step_report* report, hm_error* err) {
+                             const hm_executor* executor, hm_step_report* report, hm_error* err) {
     Fault fault;
     Basis b;
+    Executor threads;
     Mesh view;
     Points const displacement = points_of(dx, dy, stride);
     if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
     if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
-        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault))) {
+        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
+        !failed(view_executor(executor, threads, fault))) {
         AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed);
         hm_step_report filled = {};
         filled.admissible = limit.step;
@@ -200,14 +205,16 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const d
 }
 
 hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x, const double* y, int64_t stride,
-                     const double* x_ref, const double* y_ref, int64_t stride_ref, hm_quality_report* report, hm_error* err) {
+                     const double* x_ref, const double* y_ref, int64_t stride_ref, const hm_executor* executor,
+                     hm_quality_report* report, hm_error* err) {
     Fault fault;
     Basis b;
+    Executor threads;
     Mesh view;
     Points const points = points_of(x, y, stride), reference = points_of(x_ref, y_ref, stride_ref);
     if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
     if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
-        (!reference.given() || !failed(check_points(reference, fault)))) {
+        (!reference.given() || !failed(check_points(reference, fault))) && !failed(view_executor(executor, threads, fault))) {
         Quality const quality = measure_quality(view, points, reference, b.reversed);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
         hm_quality_report filled = {};

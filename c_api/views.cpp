@@ -89,8 +89,23 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
     return Status::ok;
 }
 
-Status view_options(const hm_options* given, Method& method, Progress& progress, Fault& fault) noexcept {
+Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept {
+    executor = Executor{};
+    if (given == nullptr) return Status::ok;
+    hm_executor e;
+    if (!read_struct(given, e)) return missing(fault, "executor.struct_size is not set");
+    if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
+        return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #", Counts::from_zero,
+                            e.n_threads);
+    }
+    executor = {e.run, e.user, e.n_threads};
+    return Status::ok;
+}
+
+Status view_options(const hm_options* given, Method& method, Progress& progress, Executor& executor,
+                    Fault& fault) noexcept {
     method = Method{};
+    executor = Executor{};
     progress = Progress{};
     if (given == nullptr) return Status::ok;
     hm_options o;
@@ -112,7 +127,7 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
     method.engine = o.engine;
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     progress = {o.progress, o.progress_user};
-    return Status::ok;
+    return view_executor(o.executor, executor, fault);
 }
 
 Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept {

@@ -6,6 +6,7 @@
 #include "harmorph.h"
 #include "harmorph/analysis.hpp"
 #include "harmorph/bspline.hpp"
+#include "harmorph/executor.hpp"
 #include "harmorph/fit.hpp"
 
 namespace harmorph {
@@ -49,7 +50,10 @@ struct CurvesView {
 Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexcept;
 
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
-Status view_options(const hm_options* given, Method& method, Progress& progress, Fault& fault) noexcept;
+// executor NULL: one thread.
+Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
+Status view_options(const hm_options* given, Method& method, Progress& progress, Executor& executor,
+                    Fault& fault) noexcept;
 Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept;
 
 }  // namespace harmorph

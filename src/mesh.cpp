@@ -123,7 +123,9 @@ Status check_mesh(Mesh const& mesh, Fault& fault) noexcept {
 
 Real CornerAreas::smallest() const noexcept {
     Real least = area[0];
-    for (Index corner = 1; corner < n; ++corner) least = smaller(least, area[corner]);
+    for (Index corner = 1; corner < n; ++corner) {
+        if (least == least && !(area[corner] >= least)) least = area[corner];  // NaN stays
+    }
     return least;
 }
 

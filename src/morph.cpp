@@ -9,6 +9,8 @@ typedef Real Four __attribute__((vector_size(32), aligned(8), may_alias));
 constexpr Index block_points = 256;      // their sums stay in the first-level cache
 constexpr Index block_functions = 128;   // and so do these functions' movements
 constexpr Index adjoint_points = 4096;   // of one partial sum
+constexpr Index adjoint_ranges = 16;     // whatever the number of threads: the sum's bits must not depend on it
+constexpr Index least_range = 8192;      // points that are worth a thread
 
 struct Movements {
     Real x[block_functions], y[block_functions];
@@ -40,49 +42,71 @@ Vec2 moved_along_curve(CurveBasis const& functions, const Real* move) noexcept {
     return sum;
 }
 
-}  // namespace
-
-void morph(Basis const& basis, const Real* move, Points from, MutablePoints to) noexcept {
+// Points begin .. begin+n-1, n <= block_points.
+void morph_block(Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin, Index n) noexcept {
     Index const n_functions = basis.n_functions();
-    for (Index begin = 0; begin < basis.n_points(); begin += block_points) {
-        Index const n = smaller(block_points, basis.n_points() - begin);
-        Vec2 sum[block_points] = {};
-        for (Index first = 0; first < n_functions; first += block_functions) {
-            Index const width = smaller(block_functions, n_functions - first);
-            Movements by;
-            for (Index k = 0; k < width; ++k) {
-                by.x[k] = move[2 * (first + k)];
-                by.y[k] = move[2 * (first + k) + 1];
-            }
-            for (Index p = 0; p < n; ++p) accumulate(basis.row(begin + p) + first, width, by, sum[p]);
+    Vec2 sum[block_points] = {};
+    for (Index first = 0; first < n_functions; first += block_functions) {
+        Index const width = smaller(block_functions, n_functions - first);
+        Movements by;
+        for (Index k = 0; k < width; ++k) {
+            by.x[k] = move[2 * (first + k)];
+            by.y[k] = move[2 * (first + k) + 1];
         }
-        for (Index p = 0; p < n; ++p) {
-            Vec2 const old = from.given() ? from[begin + p] : Vec2{};
-            to.set(begin + p, {moved(old.x, sum[p].x), moved(old.y, sum[p].y)});
-        }
+        for (Index p = 0; p < n; ++p) accumulate(basis.row(begin + p) + first, width, by, sum[p]);
+    }
+    for (Index p = 0; p < n; ++p) {
+        Vec2 const old = from.given() ? from[begin + p] : Vec2{};
+        to.set(begin + p, {moved(old.x, sum[p].x), moved(old.y, sum[p].y)});
     }
 }
 
-void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient) noexcept {
-    Index const n_functions = basis.n_functions();
-    for (Index k = 0; k < 2 * n_functions; ++k) gradient[k] = 0;
-    for (Index begin = 0; begin < basis.n_points(); begin += adjoint_points) {
-        Index const n = smaller(adjoint_points, basis.n_points() - begin);
-        for (Index first = 0; first < n_functions; first += block_functions) {
-            Index const width = smaller(block_functions, n_functions - first);
-            Movements sum = {};
-            for (Index p = 0; p < n; ++p) {
-                Vec2 const by = gradient_by_points[begin + p];
-                const Real* const values = basis.row(begin + p) + first;
-                for (Index k = 0; k < width; ++k) {
-                    sum.x[k] += values[k] * by.x;
-                    sum.y[k] += values[k] * by.y;
-                }
+// total += what points begin .. begin+n-1 give to functions first .. first+width-1.
+void add_block(Basis const& basis, Points gradient_by_points, Index begin, Index n, Index first, Index width,
+               Movements& total) noexcept {
+    Movements sum = {};
+    for (Index p = begin; p < begin + n; ++p) {
+        Vec2 const by = gradient_by_points[p];
+        const Real* const values = basis.row(p) + first;
+        for (Index k = 0; k < width; ++k) {
+            sum.x[k] += values[k] * by.x;
+            sum.y[k] += values[k] * by.y;
+        }
+    }
+    for (Index k = 0; k < width; ++k) {
+        total.x[k] += sum.x[k];
+        total.y[k] += sum.y[k];
+    }
+}
+
+}  // namespace
+
+void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
+    executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
+        for (Index begin = range_begin; begin < range_end; begin += block_points) {
+            morph_block(basis, move, from, to, begin, smaller(block_points, range_end - begin));
+        }
+    });
+}
+
+void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
+    Index const n_functions = basis.n_functions(), n_points = basis.n_points();
+    for (Index first = 0; first < n_functions; first += block_functions) {
+        Index const width = smaller(block_functions, n_functions - first);
+        Movements sum[adjoint_ranges];
+        executor.for_each(adjoint_ranges, [&](Index range) {
+            auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / adjoint_ranges); };
+            sum[range] = {};
+            for (Index begin = bound(range); begin < bound(range + 1); begin += adjoint_points) {
+                Index const n = smaller(adjoint_points, bound(range + 1) - begin);
+                add_block(basis, gradient_by_points, begin, n, first, width, sum[range]);
             }
-            for (Index k = 0; k < width; ++k) {
-                gradient[2 * (first + k)] += sum.x[k];
-                gradient[2 * (first + k) + 1] += sum.y[k];
-            }
+        });
+        for (Index k = 0; k < width; ++k) {
+            Vec2 total;
+            for (Movements const& its : sum) total = total + Vec2{its.x[k], its.y[k]};
+            gradient[2 * (first + k)] = total.x;
+            gradient[2 * (first + k) + 1] = total.y;
         }
     }
 }

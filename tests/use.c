@@ -182,29 +182,29 @@ static void morph(const hm_basis *basis, const hm_mesh *mesh) {
     int32_t point = 0;
     int k;
 
-    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, &error), "a movement of nothing", &error);
+    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, NULL, &error), "a movement of nothing", &error);
     check(memcmp(x, x_new, sizeof x) == 0 && memcmp(y, y_new, sizeof y) == 0, "it keeps all bits", &error);
 
     for (k = 0; k < 2 * CONTROL; ++k) move[k] = 0.01 * noise();
-    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, &error), "displacements alone", &error);
-    require(hm_admissible_step(basis, mesh, dx, dy, 1, &step, &error), "the admissible step", &error);
+    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "displacements alone", &error);
+    require(hm_admissible_step(basis, mesh, dx, dy, 1, NULL, &step, &error), "the admissible step", &error);
     check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS, "somewhere a cell sets the limit", &error);
     for (k = 0; k < 2 * CONTROL; ++k) move[k] *= step.admissible < 2 ? 0.5 * step.admissible : 1;
-    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, &error), "half the admissible step", &error);
+    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, NULL, &error), "half the admissible step", &error);
     require(hm_boundary_error(basis, move, x, y, 1, x_new, y_new, 1, &boundary_error, &point, &error), "its check", &error);
     check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
-    require(hm_quality(basis, mesh, x_new, y_new, 1, x, y, 1, &quality, &error), "quality", &error);
+    require(hm_quality(basis, mesh, x_new, y_new, 1, x, y, 1, NULL, &quality, &error), "quality", &error);
     check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid", &error);
     check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality, "least and mean quality", &error);
 
     /* <g, F m> = <F^T g, m> */
-    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, &error), "displacements of this step", &error);
+    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "displacements of this step", &error);
     for (k = 0; k < POINTS; ++k) {
         dj_dx[k] = noise();
         dj_dy[k] = noise();
         here += dj_dx[k] * dx[k] + dj_dy[k] * dy[k];
     }
-    require(hm_adjoint(basis, dj_dx, dj_dy, 1, gradient, &error), "the adjoint", &error);
+    require(hm_adjoint(basis, dj_dx, dj_dy, 1, gradient, NULL, &error), "the adjoint", &error);
     for (k = 0; k < 2 * CONTROL; ++k) there += gradient[k] * move[k];
     check(absolute(here - there) <= 1e-13 * POINTS * 0.01, "the adjoint is the transpose", &error);
 }

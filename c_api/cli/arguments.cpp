@@ -97,6 +97,10 @@ void Arguments::refuse(const std::string& message) const {
     throw Failure(exit_usage, name + ": " + message + "\nTry: harmorph " + name + " --help");
 }
 
+const Option threads_option = {"--threads", "N", "threads to compute with (default 1); the result's bits do not depend on it"};
+
+std::int32_t threads_of(const Arguments& arguments) { return arguments.whole("--threads", 1, 1, 256); }
+
 std::string help_text(const Command& command) {
     std::string text = "Usage: harmorph " + std::string(command.name);
     for (const char* operand : command.operands) text += std::string(" ") + operand;

@@ -54,4 +54,8 @@ private:
 
 std::string help_text(const Command& command);
 
+// An option of every command that computes.
+extern const Option threads_option;
+std::int32_t threads_of(const Arguments& arguments);
+
 } // namespace cli

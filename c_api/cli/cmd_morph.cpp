@@ -85,7 +85,8 @@ void run(const Arguments& arguments) {
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
     const std::vector<double> moves = read_moves(moves_path, basis.functions());
-    const Morph morph(basis, mesh, moves, repeats);
+    const Threads threads(threads_of(arguments));
+    const Morph morph(basis, mesh, moves, repeats, threads);
     if (morph.valid() || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
     if (arguments.has("--json")) {
         print_json(morph);
@@ -109,6 +110,7 @@ const Command morph_command = {
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
+     threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error, min_quality, mean_quality, morph_seconds"}},

@@ -100,7 +100,8 @@ void run(const Arguments& arguments) {
     if (!arguments.has("--curve")) arguments.refuse("--curve is missing");
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Task task = task_of(arguments, mesh);
-    Solver solver(mesh, task);
+    const Threads threads(threads_of(arguments));
+    Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
     if (converged || arguments.has("--force")) {
@@ -137,6 +138,7 @@ const Command solve_command = {
      {"--free", "C[,D..]", "markers whose points may move off their line (may be repeated)"},
      {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"},
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
+     threads_option,
      {"-o", "BASIS", "file to write (required)"},
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"

@@ -6,53 +6,56 @@ namespace cli {
 
 namespace {
 
-void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to) {
+void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
+                 const Threads& threads) {
     call(basis.path(), hm_morph, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1}, to.x.data(),
-         to.y.data(), std::int64_t{1});
+         to.y.data(), std::int64_t{1}, threads.executor());
 }
 
 double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
-                      std::int32_t repeats) {
+                      std::int32_t repeats, const Threads& threads) {
     std::vector<double> seconds;
     for (std::int32_t i = 0; i < repeats; ++i) {
         const Stopwatch watch;
-        move_points(basis, mesh, moves, to);
+        move_points(basis, mesh, moves, to, threads);
         seconds.push_back(watch.seconds());
     }
     return median(seconds);
 }
 
-hm_quality_report quality_of(const Basis& basis, const Mesh& mesh, const Field& moved) {
+hm_quality_report quality_of(const Basis& basis, const Mesh& mesh, const Field& moved, const Threads& threads) {
     const hm_mesh view = mesh.view();
     auto report = sized<hm_quality_report>();
     call(mesh, hm_quality, basis.get(), &view, moved.x.data(), moved.y.data(), std::int64_t{1}, mesh.x.data(),
-         mesh.y.data(), std::int64_t{1}, &report);
+         mesh.y.data(), std::int64_t{1}, threads.executor(), &report);
     return report;
 }
 
 } // namespace
 
-Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves) {
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
     Field field(mesh.x.size());
     call(basis.path(), hm_morph, basis.get(), moves.data(), nullptr, nullptr, std::int64_t{1}, field.x.data(),
-         field.y.data(), std::int64_t{1});
+         field.y.data(), std::int64_t{1}, threads.executor());
     return field;
 }
 
-hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement) {
+hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
+                               const Threads& threads) {
     const hm_mesh view = mesh.view();
     auto report = sized<hm_step_report>();
     call(mesh, hm_admissible_step, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
-         &report);
+         threads.executor(), &report);
     return report;
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats)
-    : displacement(cli::displacement(basis, mesh, moves)), moved(mesh.x.size()),
-      step(admissible_step(basis, mesh, displacement)) {
-    if (repeats > 1) move_points(basis, mesh, moves, moved); // a warm-up
-    seconds = median_seconds(basis, mesh, moves, moved, repeats);
-    quality = quality_of(basis, mesh, moved);
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
+             const Threads& threads)
+    : displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()),
+      step(admissible_step(basis, mesh, displacement, threads)) {
+    if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
+    seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
+    quality = quality_of(basis, mesh, moved, threads);
     std::int32_t worst_point = -1; // of no interest
     call(mesh, hm_boundary_error, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1},
          moved.x.data(), moved.y.data(), std::int64_t{1}, &boundary_error, &worst_point);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basis_file.hpp"
+#include "threads.hpp"
 
 #include <vector>
 
@@ -14,8 +15,9 @@ struct Field {
 };
 
 // The points' movement for dx,dy pairs of the control points, and how far it may go on without inverting a cell.
-Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves);
-hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement);
+Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads);
+hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
+                               const Threads& threads);
 
 struct Morph {
     Field displacement, moved;
@@ -24,7 +26,8 @@ struct Morph {
     double boundary_error = 0;
     double seconds = 0;        // of one hm_morph: the median
 
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats);
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
+          const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
 };
 

@@ -2,7 +2,7 @@
 
 namespace cli {
 
-Solver::Solver(const Mesh& mesh, const Task& task)
+Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     : mesh_(mesh), mesh_view_(mesh.view()), curves_view_(task.curves), problem_(sized<hm_problem>()),
       options_(sized<hm_options>()), report_(sized<hm_solve_report>()) {
     problem_.mesh = &mesh_view_;
@@ -10,6 +10,7 @@ Solver::Solver(const Mesh& mesh, const Task& task)
     problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
     problem_.conditions = task.conditions.data();
     options_.tolerance = task.tolerance;
+    options_.executor = threads.executor();
     progress_.listen(options_);
 }
 

@@ -4,6 +4,7 @@
 #include "curves.hpp"
 #include "library.hpp"
 #include "progress.hpp"
+#include "threads.hpp"
 
 #include <vector>
 
@@ -23,7 +24,7 @@ struct SolveTimes { // seconds
 
 class Solver {
 public:
-    Solver(const Mesh& mesh, const Task& task); // both must outlive it
+    Solver(const Mesh& mesh, const Task& task, const Threads& threads); // all must outlive it
     Solver(const Solver&) = delete;
 
     hm_status run(); // from the mesh to the basis; once more does the same in the same memory

@@ -57,12 +57,12 @@ int main(void) {
     double move[2 * 12] = {0}, dx[NI * NJ], dy[NI * NJ];
     for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0 ? 0.1 : 0;
     hm_step_report step = {.struct_size = sizeof step};
-    check(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, &error), &error);
-    check(hm_admissible_step(basis, &mesh, dx, dy, 1, &step, &error), &error);
-    check(hm_morph(basis, move, x, y, 1, x, y, 1, &error), &error);
+    check(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), &error);
+    check(hm_admissible_step(basis, &mesh, dx, dy, 1, NULL, &step, &error), &error);
+    check(hm_morph(basis, move, x, y, 1, x, y, 1, NULL, &error), &error);
 
     hm_quality_report quality = {.struct_size = sizeof quality};
-    check(hm_quality(basis, &mesh, x, y, 1, NULL, NULL, 0, &quality, &error), &error);
+    check(hm_quality(basis, &mesh, x, y, 1, NULL, NULL, 0, NULL, &quality, &error), &error);
     printf("%d inverted cells; the mesh could follow %.1f times as far\n", quality.inverted, step.admissible);
     return quality.inverted > 0;
 }

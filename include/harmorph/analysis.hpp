@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/boundary.hpp"
+#include "harmorph/executor.hpp"
 #include "harmorph/fronts.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/orientation.hpp"
@@ -17,6 +18,7 @@ struct Problem {
     GivenParameters given;
     Method method;
     Progress progress;
+    Executor executor;
 };
 
 struct Analysis {

@@ -33,7 +33,8 @@ enum class Status : std::int32_t {
 
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
 
-// What a number in a fault counts; mesh and curves each have an index base that the caller's reports are shifted by.
+// What the numbers in a fault count: `mesh`, points and cells, which the caller counts from an index base of the mesh;
+// `curves`, a control point as `item`, likewise, and a curve as `other`, which counts from 0 like everything else.
 enum class Counts : std::int32_t { from_zero, mesh, curves };
 
 // Why a call was refused. In the sentence # stands for item, @ for other and ~ for value.

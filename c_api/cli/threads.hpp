@@ -1,0 +1,27 @@
+// Threads for the library, as many as --threads says; one means none besides the program's own.
+#pragma once
+
+#include "harmorph_pthreads.h"
+
+namespace cli {
+
+class Threads {
+public:
+    explicit Threads(std::int32_t count) : started_(count > 1) {
+        if (started_) executor_ = hm_pthreads_start(&pool_, count);
+    }
+    ~Threads() {
+        if (started_) hm_pthreads_stop(&pool_);
+    }
+    Threads(const Threads&) = delete;
+    Threads& operator=(const Threads&) = delete;
+
+    const hm_executor* executor() const { return started_ ? &executor_ : nullptr; }
+
+private:
+    bool started_;
+    hm_pthreads pool_;
+    hm_executor executor_ = {};
+};
+
+} // namespace cli

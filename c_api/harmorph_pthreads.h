@@ -1,0 +1,98 @@
+/* Threads for harmorph from POSIX threads: a pool that waits between calls. Compile and link with -pthread.
+ *
+ *     hm_pthreads pool;
+ *     hm_executor executor = hm_pthreads_start(&pool, 4);   (executor.n_threads: how many there are in the end)
+ *     options.executor = &executor;
+ *     ...
+ *     hm_pthreads_stop(&pool);
+ *
+ * The pool must not move while it runs, and serves one call at a time.
+ */
+#ifndef HARMORPH_PTHREADS_H
+#define HARMORPH_PTHREADS_H
+
+#include <pthread.h>
+
+#include "harmorph.h"
+
+typedef struct hm_pthreads {
+    pthread_mutex_t mutex;
+    pthread_cond_t  work, done;
+    pthread_t       thread[255];   /* beside the caller's own */
+    int32_t         n_started;
+    int32_t         next, n_tasks; /* of the current call */
+    int32_t         running;       /* tasks taken and not yet done */
+    int32_t         stop;
+    void          (*task)(void *context, int32_t index);
+    void           *context;
+} hm_pthreads;
+
+/* Takes tasks until there are none; called and left with the mutex locked. */
+static void hm_pthreads_work(hm_pthreads *pool) {
+    while (pool->next < pool->n_tasks) {
+        const int32_t index = pool->next++;
+        ++pool->running;
+        pthread_mutex_unlock(&pool->mutex);
+        pool->task(pool->context, index);
+        pthread_mutex_lock(&pool->mutex);
+        --pool->running;
+    }
+}
+
+static void *hm_pthreads_main(void *argument) {
+    hm_pthreads *pool = (hm_pthreads *)argument;
+    pthread_mutex_lock(&pool->mutex);
+    while (!pool->stop) {
+        hm_pthreads_work(pool);
+        if (pool->running == 0) pthread_cond_signal(&pool->done);
+        if (!pool->stop) pthread_cond_wait(&pool->work, &pool->mutex);
+    }
+    pthread_mutex_unlock(&pool->mutex);
+    return NULL;
+}
+
+static void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
+    hm_pthreads *pool = (hm_pthreads *)user;
+    pthread_mutex_lock(&pool->mutex);
+    pool->task = task;
+    pool->context = context;
+    pool->next = 0;
+    pool->n_tasks = n_tasks;
+    pthread_cond_broadcast(&pool->work);
+    hm_pthreads_work(pool);
+    while (pool->running > 0) pthread_cond_wait(&pool->done, &pool->mutex);
+    pool->n_tasks = 0;
+    pthread_mutex_unlock(&pool->mutex);
+}
+
+static hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads) {
+    hm_executor executor;
+    pthread_mutex_init(&pool->mutex, NULL);
+    pthread_cond_init(&pool->work, NULL);
+    pthread_cond_init(&pool->done, NULL);
+    pool->n_started = pool->next = pool->n_tasks = pool->running = pool->stop = 0;
+    while (pool->n_started + 1 < n_threads && pool->n_started < 255) {
+        if (pthread_create(&pool->thread[pool->n_started], NULL, hm_pthreads_main, pool) != 0) break;
+        ++pool->n_started;
+    }
+    executor.struct_size = sizeof executor;
+    executor.run = hm_pthreads_run;
+    executor.user = pool;
+    executor.n_threads = pool->n_started + 1;
+    executor.reserved = 0;
+    return executor;
+}
+
+static void hm_pthreads_stop(hm_pthreads *pool) {
+    int32_t i;
+    pthread_mutex_lock(&pool->mutex);
+    pool->stop = 1;
+    pthread_cond_broadcast(&pool->work);
+    pthread_mutex_unlock(&pool->mutex);
+    for (i = 0; i < pool->n_started; ++i) pthread_join(pool->thread[i], NULL);
+    pthread_cond_destroy(&pool->done);
+    pthread_cond_destroy(&pool->work);
+    pthread_mutex_destroy(&pool->mutex);
+}
+
+#endif
