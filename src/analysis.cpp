@@ -2,7 +2,8 @@
 
 namespace harmorph {
 
-void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions) noexcept {
+void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions,
+                       Executor const& executor) noexcept {
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
     arena.take(representative, mesh.n_points);
@@ -20,6 +21,7 @@ void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_c
     dissection_work.lay_out(arena, mesh.n_points);
     border.lay_out(arena, mesh.n_points);
     arena.take(border_start, mesh.n_points / 2 + 2);
+    subtrees.lay_out(arena, executor.is_serial() ? 1 : executor.n_threads);
 }
 
 Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
@@ -85,6 +87,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
     fronts = count_borders(graph, order, tree, border, border_start);
+    subtrees.choose(tree, border_start);
     return progress.report(Phase::symbolic, 1, fault);
 }
 

@@ -106,12 +106,14 @@ struct Shape {
     Index rows, columns, depth;
 };
 
-// D [rows x columns] -= op(A) B, read where they are: for what fits the first-level cache.
+// D [rows x columns] -= op(A) B, read where they are: for what fits the first-level cache. upper: D begins on the diagonal,
+// and what is below it is not wanted.
 template <Op op>
-void subtract_product(Shape shape, Rows a, Rows b, Real* d, Offset d_row) noexcept {
+void subtract_product(Shape shape, Rows a, Rows b, Real* d, Offset d_row, bool upper = false) noexcept {
     for (Index c = 0; c < shape.columns; c += tile_columns) {
         Index const columns = smaller(tile_columns, shape.columns - c);
-        for (Index r = 0; r < shape.rows; r += tile_rows) {
+        Index const wanted = upper ? smaller(shape.rows, c + tile_columns) : shape.rows;
+        for (Index r = 0; r < wanted; r += tile_rows) {
             const Real* const first = op == Op::transposed ? a.data + r : a.data + r * a.length;
             any_tile<op, Store::subtract>(smaller(tile_rows, shape.rows - r),
                                           {first, a.length, b.data + c, b.length, 0, shape.depth},
@@ -128,16 +130,18 @@ HARMORPH_INLINE void pack(Rows from, Index depth, Index width, Real* to) noexcep
 }
 
 // D [rows x columns] -= A^T B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
-// memory. depth, rows <= strip. upper: D is square and only its upper triangle is wanted, row `r` being column r + skew.
-void subtract_packed(Shape shape, Rows a, Rows b, Real* d, Offset d_row, Real* packing, bool upper, Index skew) noexcept {
+// memory. depth, rows <= strip.
+void subtract_packed(Shape shape, Rows a, Rows b, Real* d, Offset d_row, Real* packing, bool upper) noexcept {
     Real* const packed_a = packing;
     Real* const packed_b = packing + strip * strip;
     Index const whole_rows = shape.rows / tile_rows * tile_rows;
-    for (Index r = 0; r < whole_rows; r += tile_rows) pack({a.data + r, a.length}, shape.depth, tile_rows, packed_a + r * shape.depth);
+    for (Index r = 0; r < whole_rows; r += tile_rows) {
+        pack({a.data + r, a.length}, shape.depth, tile_rows, packed_a + r * shape.depth);
+    }
     for (Index c = 0; c < shape.columns; c += tile_columns) {
         Index const columns = smaller(tile_columns, shape.columns - c);
         pack({b.data + c, b.length}, shape.depth, tile_columns, packed_b);
-        Index const wanted = upper ? smaller(shape.rows, c + tile_columns - skew) : shape.rows;
+        Index const wanted = upper ? smaller(shape.rows, c + tile_columns) : shape.rows;
         for (Index r = 0; r < wanted; r += tile_rows) {
             bool const whole = r < whole_rows;
             Source const source{whole ? packed_a + r * shape.depth : a.data + r, whole ? Offset{tile_rows} : a.length, packed_b,
@@ -223,103 +227,107 @@ Index factor_block(Real* a, Offset row, Index n, Real floor) noexcept {
     return none;
 }
 
-// One strip, after all earlier strips have been taken off: blocks of rows, each updated by the blocks above it at once.
-Index factor_strip(Real* rows, Offset row, Index n_pivots, Real floor) noexcept {
-    Index const front = static_cast<Index>(row);
-    for (Index k = 0; k < n_pivots; k += block) {
-        Index const n = smaller(block, n_pivots - k);
-        Real* const own = rows + k * row + k;
-        if (k > 0) subtract_product<Op::transposed>({n, front - k, k}, {rows + k, row}, {rows + k, row}, own, row);
-        Index const bad = factor_block(own, row, n, floor);
-        if (bad != none) return k + bad;
-        apply_inverse_transposed(n, front - k - n, {own, row}, own + n, row);
-    }
-    return none;
-}
-
 struct Strip {
     Real* rows;     // its first pivot's column is number 0
     Offset length;
-    Index first, n;
+    Index n;
 };
 
 Strip strip_of(Panel const& panel, Index first) noexcept {
-    return {panel.data + panel.strip_start(first), panel.row_length(first), first, smaller(strip, panel.pivots - first)};
+    return {panel.data + panel.strip_start(first), panel.row_length(first), smaller(strip, panel.pivots - first)};
 }
 
 constexpr Index packing_pays = 96;  // rows longer than this are copied before they are multiplied
 
-Index factor_panel(Panel const& panel, Real floor, Real* packing) noexcept {
-    for (Index first = 0; first < panel.pivots; first += strip) {
-        Strip const own = strip_of(panel, first);
-        for (Index earlier = 0; earlier < first; earlier += strip) {
-            Strip const above = strip_of(panel, earlier);
-            Rows const columns{above.rows + (first - earlier), above.length};
-            subtract_packed({own.n, panel.front - first, above.n}, columns, columns, own.rows, own.length, packing, true, 0);
-        }
-        Index const bad = factor_strip(own.rows, own.length, own.n, floor);
-        if (bad != none) return first + bad;
+}  // namespace
+
+void take_off_earlier(Panel const& panel, Index first, Index from, Index to, Real* packing) noexcept {
+    Strip const own = strip_of(panel, first);
+    bool const diagonal = from == first;
+    for (Index earlier = 0; earlier < first; earlier += strip) {
+        Strip const above = strip_of(panel, earlier);
+        subtract_packed({own.n, to - from, above.n}, {above.rows + (first - earlier), above.length},
+                        {above.rows + (from - earlier), above.length}, own.rows + (from - first), own.length, packing,
+                        diagonal);
+    }
+}
+
+Index factor_diagonal(Panel const& panel, Index first, Real floor) noexcept {
+    Strip const own = strip_of(panel, first);
+    for (Index k = 0; k < own.n; k += block) {
+        Index const n = smaller(block, own.n - k);
+        Rows const above{own.rows + k, own.length};
+        Real* const diagonal = own.rows + k * own.length + k;
+        if (k > 0) subtract_product<Op::transposed>({n, own.n - k, k}, above, above, diagonal, own.length);
+        Index const bad = factor_block(diagonal, own.length, n, floor);
+        if (bad != none) return first + k + bad;
+        apply_inverse_transposed(n, own.n - k - n, {diagonal, own.length}, diagonal + n, own.length);
     }
     return none;
 }
 
-void subtract_border_square(Panel const& panel, Real* c, Offset c_row, Real* packing) noexcept {
-    Index const border = panel.border();
+void finish_columns(Panel const& panel, Index first, Index from, Index to) noexcept {
+    Strip const own = strip_of(panel, first);
+    Real* const columns = own.rows + (from - first);
+    for (Index k = 0; k < own.n; k += block) {
+        Index const n = smaller(block, own.n - k);
+        Real* const its = columns + k * own.length;
+        Rows const above{own.rows + k, own.length};
+        if (k > 0) subtract_product<Op::transposed>({n, to - from, k}, above, {columns, own.length}, its, own.length);
+        apply_inverse_transposed(n, to - from, {own.rows + k * own.length + k, own.length}, its, own.length);
+    }
+}
+
+void update_band(Panel const& panel, UpdateMatrix const& update, Index begin, Real* packing) noexcept {
+    Index const rows = smaller(strip, update.n - begin), width = padded(update.n - begin);  // padding may be written
+    Real* const d = update.row(begin) + begin;
+    Offset const d_row = update.row_length(begin);
     for (Index first = 0; first < panel.pivots; first += strip) {
         Strip const own = strip_of(panel, first);
-        Rows const columns{own.rows + (panel.pivots - first), own.length};
-        for (Index r = 0; r < border; r += strip) {  // a band of rows, from its diagonal on; padding may be written
-            Index const rows = smaller(strip, border - r), width = static_cast<Index>(c_row) - r;
-            Rows const a{columns.data + r, columns.length};
-            Real* const d = c + r * c_row + r;
-            if (own.length > packing_pays) {
-                subtract_packed({rows, width, own.n}, a, a, d, c_row, packing, true, 0);
-            } else {
-                for (Index column = 0; column < width; column += tile_columns) {
-                    for (Index k = 0; k < smaller(rows, column + tile_columns); k += tile_rows) {
-                        any_tile<Op::transposed, Store::subtract>(
-                            smaller(tile_rows, rows - k), {a.data + k, a.length, a.data + column, a.length, 0, own.n},
-                            {d + k * c_row + column, c_row, smaller(tile_columns, width - column)});
-                    }
-                }
-            }
+        Rows const columns{own.rows + (panel.pivots - first) + begin, own.length};
+        if (own.length > packing_pays) {
+            subtract_packed({rows, width, own.n}, columns, columns, d, d_row, packing, true);
+        } else {
+            subtract_product<Op::transposed>({rows, width, own.n}, columns, columns, d, d_row, true);
         }
     }
 }
 
-void forward(Panel const& panel, Real* y, Index y_row) noexcept {
-    for (Index first = 0; first < panel.pivots; first += strip) {
-        Strip const own = strip_of(panel, first);
-        for (Index k = 0; k < own.n; k += block) {
-            Index const n = smaller(block, own.n - k), rest = panel.front - first - k - n;
-            const Real* const rows = own.rows + k * own.length + k;
-            Real* const its = y + Offset{first + k} * y_row;
-            apply_inverse_transposed(n, y_row, {rows, own.length}, its, y_row);
-            subtract_product<Op::transposed>({rest, y_row, n}, {rows + n, own.length}, {its, y_row}, its + Offset{n} * y_row, y_row);
-        }
+void solve_strip_forward(Panel const& panel, Index first, Real* y, Index row) noexcept {
+    Strip const own = strip_of(panel, first);
+    for (Index k = 0; k < own.n; k += block) {
+        Index const n = smaller(block, own.n - k);
+        const Real* const diagonal = own.rows + k * own.length + k;
+        Real* const its = y + Offset{first + k} * row;
+        apply_inverse_transposed(n, row, {diagonal, own.length}, its, row);
+        subtract_product<Op::transposed>({own.n - k - n, row, n}, {diagonal + n, own.length}, {its, row}, its + Offset{n} * row,
+                                         row);
     }
 }
 
-void backward(Panel const& panel, Real* y, Index y_row) noexcept {
-    for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
-        Strip const own = strip_of(panel, first);
-        for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
-            Index const n = smaller(block, own.n - k), rest = panel.front - first - k - n;
-            const Real* const rows = own.rows + k * own.length + k;
-            Real* const its = y + Offset{first + k} * y_row;
-            subtract_product<Op::plain>({n, y_row, rest}, {rows + n, own.length}, {its + Offset{n} * y_row, y_row}, its, y_row);
-            apply_inverse(n, y_row, {rows, own.length}, its, y_row);
-        }
+void take_off_forward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
+    Strip const own = strip_of(panel, first);
+    subtract_product<Op::transposed>({to - from, row, own.n}, {own.rows + (from - first), own.length},
+                                     {y + Offset{first} * row, row}, y + Offset{from} * row, row);
+}
+
+void take_off_backward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
+    Strip const own = strip_of(panel, first);
+    Index const known = first + own.n;
+    subtract_product<Op::plain>({to - from, row, panel.front - known},
+                                {own.rows + (from - first) * own.length + own.n, own.length}, {y + Offset{known} * row, row},
+                                y + Offset{from} * row, row);
+}
+
+void solve_strip_backward(Panel const& panel, Index first, Real* y, Index row) noexcept {
+    Strip const own = strip_of(panel, first);
+    for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
+        Index const n = smaller(block, own.n - k);
+        const Real* const diagonal = own.rows + k * own.length + k;
+        Real* const its = y + Offset{first + k} * row;
+        subtract_product<Op::plain>({n, row, own.n - k - n}, {diagonal + n, own.length}, {its + Offset{n} * row, row}, its, row);
+        apply_inverse(n, row, {diagonal, own.length}, its, row);
     }
 }
-
-}  // namespace
-
-Index factor(Panel const& panel, Real floor, Real* packing) noexcept { return factor_panel(panel, floor, packing); }
-void update_border(Panel const& panel, Real* c, Offset row, Real* packing) noexcept {
-    subtract_border_square(panel, c, row, packing);
-}
-void solve_forward(Panel const& panel, Real* y, Index row) noexcept { forward(panel, y, row); }
-void solve_backward(Panel const& panel, Real* y, Index row) noexcept { backward(panel, y, row); }
 
 }  // namespace harmorph::dense::HARMORPH_KERNEL

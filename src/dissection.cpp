@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index leaf_size = 32;       // parts up to this size are eliminated densely
+constexpr Index leaf_size = 20;       // parts up to this size are eliminated densely
 constexpr Index smallest_child = 4;   // smaller parts join the separator; with it, nodes <= n / 2
 constexpr Index most_samples = 63;
 constexpr Index separator_samples = 48;

@@ -44,10 +44,6 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
     for_each_border_entry(graph, order, tree, work, [&](Index node, Index) { ++border_start[node]; });
 
     FrontSizes sizes;
-    auto const update_entries = [&](Index node) {
-        Index const border = static_cast<Index>(border_start[node]);
-        return border * update_row(border);
-    };
     for (Index t = 0; t < tree.count; ++t) {
         Index const border = static_cast<Index>(border_start[t]);
         Index const front = tree.nodes[t].pivots() + border;
@@ -55,10 +51,6 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         sizes.factor_entries += dense::Panel::entries(tree.nodes[t].pivots(), front);
         sizes.largest_front = larger(sizes.largest_front, front);
         sizes.largest_border = larger(sizes.largest_border, border);
-        if (tree.nodes[t].child != none) continue;
-        Offset path = 0;  // a path down ends at a leaf
-        for (Index node = t; node != none; node = tree.nodes[node].parent) path += update_entries(node);
-        sizes.stack_entries = larger(sizes.stack_entries, path);
     }
     counts_to_starts(border_start.first(tree.count + 1));
     return sizes;

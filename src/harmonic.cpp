@@ -16,9 +16,9 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(point_of, n);
     arena.take(reversed, analysis.problem.mesh.n_cells);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
-    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.n_functions());
+    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, analysis.n_functions());
     Size const shared = arena.mark();
-    engine.lay_out_stack(arena, analysis.fronts);
+    engine.lay_out_stack(arena);
     arena.release(shared);
     residual.lay_out(arena, n);
 }
@@ -35,7 +35,9 @@ void Plan::init(Analysis const& analysis) noexcept {
     matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
+    engine.executor = analysis.problem.executor;
     engine.tree.count = analysis.tree.count;
+    copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
     copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
     copy(engine.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
     fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.border_start, engine.border);

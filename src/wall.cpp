@@ -109,7 +109,7 @@ private:
 Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<const Index> representative,
                    WallWork const& work, Wall& wall, Fault& fault) noexcept {
     for (Index i = 0; i < given.point.count(); ++i) {
-        Index const point = given.point[i] - given.index_base;
+        Index const point = from_zero(given.point[i], given.index_base);
         if (point < 0 || point >= representative.count()) {
             return fault.refuse(Status::bad_condition, "a parameter is given for point #, which does not exist", Counts::mesh,
                                 point);

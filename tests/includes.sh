@@ -3,14 +3,14 @@
 # lower room, or in its own room further to the left; a source may include all of its own room as well.
 rooms='
 types
-span scalar arena progress processor
+span scalar arena progress processor executor
 vec2 sort hash monotone
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall
-graph dissection fronts
-matrix laplace basis
-multifrontal analysis harmonic
+graph dissection fronts subtrees
+matrix laplace basis residual
+multifrontal multifrontal_factor multifrontal_solve analysis harmonic
 morph quality admissible_step crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.

@@ -8,6 +8,7 @@
 #include "harmorph/matrix.hpp"
 #include "harmorph/orientation.hpp"
 #include "harmorph/progress.hpp"
+#include "harmorph/subtrees.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {
@@ -38,6 +39,7 @@ struct Analysis {
     BorderWork border;
     Span<Offset> border_start;    // [nodes + 1]
     FrontSizes fronts;
+    Subtrees subtrees;
     Matrix::Sizes matrix;
 
     // Working arrays.
@@ -46,7 +48,7 @@ struct Analysis {
     DissectionWork dissection_work;
 
     // Sizes from the counts alone.
-    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions) noexcept;
+    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions, Executor const& executor) noexcept;
     Status run(Problem const& its_problem, Fault& fault) noexcept;
 
     bool has_curves() const noexcept { return !curves.empty(); }

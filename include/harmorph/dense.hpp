@@ -9,6 +9,7 @@
 //                +-------+-----------+
 #pragma once
 
+#include "harmorph/executor.hpp"
 #include "harmorph/processor.hpp"
 
 namespace harmorph::dense {
@@ -20,7 +21,7 @@ inline constexpr Offset overread = 64;
 // Rows of right-hand sides are padded to a multiple of this.
 inline constexpr Index row_multiple = 8;
 constexpr Index padded(Index n) noexcept { return (n + row_multiple - 1) / row_multiple * row_multiple; }
-// Numbers of working space for factor() and update_border().
+// Numbers of working space for one thread.
 inline constexpr Offset packing_entries = 2 * strip * strip;
 
 struct Panel {
@@ -46,15 +47,44 @@ struct Panel {
     }
 };
 
-// Factors in place. Returns the first pivot that is not above `floor` times its value before its own block, or none.
-Index factor(Kernel kernel, Panel const& panel, Real floor, Real* packing) noexcept;
+// The symmetric matrix that a front leaves to its parent: the upper triangle, in bands of `strip` rows that begin at their
+// first row's diagonal. Rows are padded, so that they can be written in whole vectors.
+struct UpdateMatrix {
+    Real* data = nullptr;
+    Index n = 0;
 
-// Upper triangle of c [border x row] minus U^T U of the border's columns; what is below the diagonal is left undefined.
-void update_border(Kernel kernel, Panel const& panel, Real* c, Offset row, Real* packing) noexcept;
+    Offset row_length(Index first) const noexcept { return padded(n - first); }
+    Offset band_start(Index first) const noexcept {
+        Offset const all = padded(n);
+        return Offset{first} * all - Offset{first} * (first - strip) / 2;  // strip is a multiple of the padding
+    }
+    // row[column] is the entry in a column, column >= the band's first row.
+    Real* row(Index number) const noexcept {
+        Index const first = number / strip * strip;
+        return data + band_start(first) + (number - first) * row_length(first) - first;
+    }
+    static Offset entries(Index n) noexcept {
+        Index const first = n / strip * strip;
+        UpdateMatrix const matrix{nullptr, n};
+        return matrix.band_start(first) + Offset{n - first} * matrix.row_length(first);
+    }
+};
+
+// The caller's threads, and packing_entries numbers for each of them.
+struct Workers {
+    Executor executor;
+    Real* packing = nullptr;
+};
+
+// Factors in place. Returns the first pivot that is not above `floor` times its value before its own block, or none.
+Index factor(Kernel kernel, Panel const& panel, Real floor, Workers const& workers) noexcept;
+
+// Takes U^T U of the border's columns off the update matrix.
+void update_border(Kernel kernel, Panel const& panel, UpdateMatrix const& update, Workers const& workers) noexcept;
 
 // y [front x row], row a multiple of row_multiple: solves U^T y = y for the pivots and takes them off the border's rows.
-void solve_forward(Kernel kernel, Panel const& panel, Real* y, Index row) noexcept;
+void solve_forward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept;
 // Solves U y = y for the pivots, the border's rows known.
-void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row) noexcept;
+void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept;
 
 }  // namespace harmorph::dense

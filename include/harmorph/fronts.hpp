@@ -11,7 +11,6 @@ namespace harmorph {
 struct FrontSizes {
     Offset border_entries = 0;  // of all fronts
     Offset factor_entries = 0;  // of all panels
-    Offset stack_entries = 0;   // most update matrices at once: those of one path down the tree
     Index largest_front = 0;    // pivots + border
     Index largest_border = 0;
 };
@@ -23,9 +22,6 @@ struct BorderWork {
     Span<Index> filled;     // [nodes] entries of each border so far
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
 };
-
-// An update matrix is square with rows of this many numbers, so that rows can be written in whole vectors.
-constexpr Offset update_row(Index border) noexcept { return (Offset{border} + 7) / 8 * 8; }
 
 // border_start [nodes + 1]: counts, then starts. Fills work.node and work.position for fill_borders.
 FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,

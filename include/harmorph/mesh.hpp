@@ -17,6 +17,12 @@ struct Cell {
     Index previous(Index corner) const noexcept { return point[corner == 0 ? n - 1 : corner - 1]; }
 };
 
+// The caller's number counted from 0. Whatever the caller gives, this does not overflow: the smallest number of all becomes
+// the largest, which does not exist either.
+constexpr Index from_zero(Index number, Index index_base) noexcept {
+    return static_cast<Index>(static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(index_base));
+}
+
 struct BoundaryFace {
     Index begin = none, end = none;  // points, counted from 0
     Index marker = 0;
@@ -84,7 +90,7 @@ inline Cell Mesh::cell(Index i) const noexcept {
         cell.n = layout == CellLayout::triangles ? 3 : 4;
         first += Offset{cell.n} * i;
     }
-    for (Index k = 0; k < cell.n; ++k) cell.point[k] = first[k] - index_base;
+    for (Index k = 0; k < cell.n; ++k) cell.point[k] = from_zero(first[k], index_base);
     if (cell.n == 4 && cell.point[3] == cell.point[2]) cell.n = 3;
     return cell;
 }
@@ -93,12 +99,13 @@ template <class Visit>
 bool Mesh::for_each_face(Visit visit) const noexcept {
     for (Index face = 0; face < n_faces; ++face) {
         Index const* const ends = face_points + 2 * Offset{face};
-        if (!visit(BoundaryFace{ends[0] - index_base, ends[1] - index_base, face_markers[face]}, none, face)) return false;
+        BoundaryFace const its{from_zero(ends[0], index_base), from_zero(ends[1], index_base), face_markers[face]};
+        if (!visit(its, none, face)) return false;
     }
     for (Index list = 0; list < n_lists; ++list) {
         for (Index k = list_start[list] - index_base; k + 1 < list_start[list + 1] - index_base; ++k) {
-            BoundaryFace const face{list_points[k] - index_base, list_points[k + 1] - index_base, list_markers[list]};
-            if (!visit(face, list, k)) return false;
+            Index const begin = from_zero(list_points[k], index_base), end = from_zero(list_points[k + 1], index_base);
+            if (!visit(BoundaryFace{begin, end, list_markers[list]}, list, k)) return false;
         }
     }
     return true;

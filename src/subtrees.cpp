@@ -1,0 +1,123 @@
+#include "harmorph/subtrees.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+class Costs {
+public:
+    Costs(AssemblyTree const& tree, Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
+
+    Index border(Index node) const noexcept { return static_cast<Index>(border_start_[node + 1] - border_start_[node]); }
+    Offset update(Index node) const noexcept { return dense::UpdateMatrix::entries(border(node)); }
+    Index front(Index node) const noexcept { return tree_.nodes[node].pivots() + border(node); }
+
+    Subtree subtree(Index root) const noexcept {
+        Subtree its;
+        its.first = its.root = root;
+        while (tree_.nodes[its.first].child != none) its.first = tree_.nodes[its.first].child;
+        for (Index node = its.first; node <= root; ++node) {
+            its.work += Offset{tree_.nodes[node].pivots()} * front(node) * front(node);
+        }
+        return its;
+    }
+
+private:
+    AssemblyTree const& tree_;
+    Span<const Offset> border_start_;
+};
+
+}  // namespace
+
+void Subtrees::lay_out(Arena& arena, Index n_lanes) noexcept {
+    lanes = n_lanes;
+    arena.take(all, most(lanes));
+}
+
+Index Subtrees::find(Index node) const noexcept {
+    Index low = 0, high = count;
+    while (low < high) {
+        Index const middle = low + (high - low) / 2;
+        if (all[middle].root < node) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low < count && all[low].root == node ? low : none;
+}
+
+void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
+    count = 0;
+    if (lanes > 1) split(tree, border_start);
+    share_out();
+
+    Costs const costs(tree, border_start);
+    kept_entries = kept_rows = stack_entries = top_stack_entries = stack_rows = 0;
+    for (Subtree& subtree : all.first(count)) {
+        subtree.kept = kept_entries;
+        subtree.kept_rows = kept_rows;
+        kept_entries += costs.update(subtree.root);
+        kept_rows += costs.front(subtree.root);
+    }
+    for (Index node = 0; node < tree.count; ++node) {
+        bool const is_leaf = tree.nodes[node].child == none, is_root = find(node) != none;
+        if (!is_leaf && !is_root) continue;
+        Offset inside = 0, above = 0, rows = 0;  // along the path upwards, in a subtree and above it
+        bool in_subtree = !is_root && count > 0;
+        for (Index up = node; up != none; up = tree.nodes[up].parent) {
+            rows += costs.front(up);
+            if (in_subtree && find(up) != none) {
+                in_subtree = false;  // the root's own matrix is kept elsewhere
+            } else if (up != node || !is_root) {
+                (in_subtree ? inside : above) += costs.update(up);
+            }
+        }
+        // A leaf that meets no subtree on its way up is itself above all of them.
+        if (in_subtree) {
+            above = inside;
+            inside = 0;
+        }
+        stack_entries = larger(stack_entries, inside);
+        top_stack_entries = larger(top_stack_entries, above);
+        stack_rows = larger(stack_rows, rows);
+    }
+}
+
+// The largest subtree is cut into those of its children, until there are enough.
+void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
+    Costs const costs(tree, border_start);
+    for (Index node = 0; node < tree.count && count < all.count(); ++node) {
+        if (tree.nodes[node].parent == none) all[count++] = costs.subtree(node);
+    }
+    while (true) {
+        Index largest = 0;
+        for (Index i = 1; i < count; ++i) {
+            if (all[i].work > all[largest].work) largest = i;
+        }
+        Index n_children = 0;
+        for (Index child = tree.nodes[all[largest].root].child; child != none; child = tree.nodes[child].sibling) ++n_children;
+        if (n_children == 0 || count + n_children - 1 > all.count()) break;
+        Index child = tree.nodes[all[largest].root].child;
+        all[largest] = costs.subtree(child);
+        for (child = tree.nodes[child].sibling; child != none; child = tree.nodes[child].sibling) {
+            all[count++] = costs.subtree(child);
+        }
+    }
+}
+
+// Largest first, each to the lane that has least to do.
+void Subtrees::share_out() noexcept {
+    sort(all.first(count), [](Subtree const& a, Subtree const& b) { return a.work != b.work ? a.work > b.work : a.root < b.root; });
+    Offset load[Executor::most_threads] = {};
+    for (Subtree& subtree : all.first(count)) {
+        for (Index lane = 1; lane < lanes; ++lane) {
+            if (load[lane] < load[subtree.lane]) subtree.lane = lane;
+        }
+        load[subtree.lane] += subtree.work;
+    }
+    sort(all.first(count), [](Subtree const& a, Subtree const& b) { return a.root < b.root; });
+}
+
+}  // namespace harmorph
