@@ -1,5 +1,7 @@
 #include "harmorph/dense.hpp"
 
+#include "kernel_call.hpp"
+
 namespace harmorph::dense {
 
 // One set of kernels for each kind of processor; see dense_kernel.hpp. Columns are counted in the front.
@@ -19,22 +21,7 @@ namespace harmorph::dense {
     void take_off_backward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept;          \
     void solve_strip_backward(Panel const& panel, Index first, Real* y, Index row) noexcept;                             \
     }
-HARMORPH_DECLARE(baseline)
-
-#if defined(__x86_64__) && defined(__GNUC__)
-HARMORPH_DECLARE(avx2)
-HARMORPH_DECLARE(avx512)
-#define HARMORPH_CALL(kernel, call)               \
-    switch (kernel) {                             \
-        case Kernel::avx512: return avx512::call; \
-        case Kernel::avx2: return avx2::call;     \
-        default: return baseline::call;           \
-    }
-#else
-#define HARMORPH_CALL(kernel, call) \
-    static_cast<void>(kernel);      \
-    return baseline::call;
-#endif
+HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
 namespace {
 

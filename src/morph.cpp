@@ -1,33 +1,20 @@
 #include "harmorph/morph.hpp"
 
+#include "harmorph/product.hpp"
+
 namespace harmorph {
 namespace {
 
-// Four numbers at once, at any address.
-typedef Real Four __attribute__((vector_size(32), aligned(8), may_alias));
-
 constexpr Index block_points = 256;      // their sums stay in the first-level cache
-constexpr Index block_functions = 128;   // and so do these functions' movements
 constexpr Index adjoint_points = 4096;   // of one partial sum
 constexpr Index adjoint_ranges = 16;     // whatever the number of threads: the sum's bits must not depend on it
 constexpr Index least_range = 8192;      // points that are worth a thread
+constexpr Offset worth_asking = Offset{1} << 21;  // values; fewer are done before the processor has told what it is
 
-struct Movements {
-    Real x[block_functions], y[block_functions];
-};
-
-// sum += values . movements, n functions of one point.
-inline void accumulate(const Real* values, Index n, Movements const& by, Vec2& sum) noexcept {
-    Four x = {}, y = {};
-    Index k = 0;
-    for (; k + 4 <= n; k += 4) {
-        Four const f = *reinterpret_cast<const Four*>(values + k);
-        x += f * *reinterpret_cast<const Four*>(by.x + k);
-        y += f * *reinterpret_cast<const Four*>(by.y + k);
-    }
-    Vec2 rest;
-    for (; k < n; ++k) rest = rest + Vec2{values[k] * by.x[k], values[k] * by.y[k]};
-    sum = sum + Vec2{(x[0] + x[1]) + (x[2] + x[3]), (y[0] + y[1]) + (y[2] + y[3])} + rest;
+Kernel kernel_for(Basis const& basis) noexcept {
+    Kernel const pinned = basis.header->method.kernel;
+    if (pinned != Kernel::automatic) return pinned;
+    return Offset{basis.n_points()} * basis.n_functions() < worth_asking ? Kernel::baseline : best_kernel();
 }
 
 // A sum of 0 keeps the bits: -0.0 + 0.0 would not.
@@ -43,17 +30,18 @@ Vec2 moved_along_curve(CurveBasis const& functions, const Real* move) noexcept {
 }
 
 // Points begin .. begin+n-1, n <= block_points.
-void morph_block(Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin, Index n) noexcept {
+void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin,
+                 Index n) noexcept {
     Index const n_functions = basis.n_functions();
     Vec2 sum[block_points] = {};
-    for (Index first = 0; first < n_functions; first += block_functions) {
-        Index const width = smaller(block_functions, n_functions - first);
-        Movements by;
+    for (Index first = 0; first < n_functions; first += Movements::most) {
+        Index const width = smaller(Movements::most, n_functions - first);
+        Movements by = {};
         for (Index k = 0; k < width; ++k) {
             by.x[k] = move[2 * (first + k)];
             by.y[k] = move[2 * (first + k) + 1];
         }
-        for (Index p = 0; p < n; ++p) accumulate(basis.row(begin + p) + first, width, by, sum[p]);
+        multiply_rows(kernel, {basis.row(begin) + first, n_functions, n, width}, by, sum);
     }
     for (Index p = 0; p < n; ++p) {
         Vec2 const old = from.given() ? from[begin + p] : Vec2{};
@@ -62,16 +50,14 @@ void morph_block(Basis const& basis, const Real* move, Points from, MutablePoint
 }
 
 // total += what points begin .. begin+n-1 give to functions first .. first+width-1.
-void add_block(Basis const& basis, Points gradient_by_points, Index begin, Index n, Index first, Index width,
-               Movements& total) noexcept {
+void add_part(Kernel kernel, Basis const& basis, Points gradient_by_points, Index begin, Index n, Index first, Index width,
+              Movements& total) noexcept {
     Movements sum = {};
-    for (Index p = begin; p < begin + n; ++p) {
-        Vec2 const by = gradient_by_points[p];
-        const Real* const values = basis.row(p) + first;
-        for (Index k = 0; k < width; ++k) {
-            sum.x[k] += values[k] * by.x;
-            sum.y[k] += values[k] * by.y;
-        }
+    for (Index p = begin; p < begin + n; p += block_points) {
+        Index const count = smaller(block_points, begin + n - p);
+        Vec2 by[block_points];
+        for (Index i = 0; i < count; ++i) by[i] = gradient_by_points[p + i];
+        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.n_functions(), count, width}, by, sum);
     }
     for (Index k = 0; k < width; ++k) {
         total.x[k] += sum.x[k];
@@ -82,24 +68,26 @@ void add_block(Basis const& basis, Points gradient_by_points, Index begin, Index
 }  // namespace
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
+    Kernel const kernel = kernel_for(basis);
     executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
         for (Index begin = range_begin; begin < range_end; begin += block_points) {
-            morph_block(basis, move, from, to, begin, smaller(block_points, range_end - begin));
+            morph_block(kernel, basis, move, from, to, begin, smaller(block_points, range_end - begin));
         }
     });
 }
 
 void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
     Index const n_functions = basis.n_functions(), n_points = basis.n_points();
-    for (Index first = 0; first < n_functions; first += block_functions) {
-        Index const width = smaller(block_functions, n_functions - first);
+    Kernel const kernel = kernel_for(basis);
+    for (Index first = 0; first < n_functions; first += Movements::most) {
+        Index const width = smaller(Movements::most, n_functions - first);
         Movements sum[adjoint_ranges];
         executor.for_each(adjoint_ranges, [&](Index range) {
             auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / adjoint_ranges); };
             sum[range] = {};
             for (Index begin = bound(range); begin < bound(range + 1); begin += adjoint_points) {
                 Index const n = smaller(adjoint_points, bound(range + 1) - begin);
-                add_block(basis, gradient_by_points, begin, n, first, width, sum[range]);
+                add_part(kernel, basis, gradient_by_points, begin, n, first, width, sum[range]);
             }
         });
         for (Index k = 0; k < width; ++k) {

@@ -4,7 +4,8 @@
 rooms='
 types
 span scalar arena progress processor executor
-vec2 sort hash monotone
+vec2 sort hash monotone kernel_call
+product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall

@@ -1,0 +1,5 @@
+// Products of morphing for whatever the compiler may assume: SSE2 on x86-64, NEON on aarch64, plain numbers elsewhere.
+#define HARMORPH_KERNEL baseline
+#define HARMORPH_LANES 2
+#define HARMORPH_LOAD_PART(from, n) (Vector{*(from), 0})
+#include "product_kernel.hpp"
