@@ -46,7 +46,7 @@ struct Request {
 
     void lay_out(Arena& arena, Span<Analysis>& place, Analysis& analysis) const noexcept {
         arena.take(place, 1);
-        analysis.lay_out(arena, problem.mesh, n_curves, n_conditions);
+        analysis.lay_out(arena, problem.mesh, n_curves, n_conditions, problem.executor);
     }
 
     Status copy_to(Analysis& analysis, Fault& fault) const noexcept {
@@ -151,7 +151,7 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     }
     Analysis const& a = opened(analysis);
     Mesh const& mesh = a.problem.mesh;
-    Quality const quality = measure_quality(mesh, mesh.points, {}, a.reversed);
+    Quality const quality = measure_quality(mesh, mesh.points, {}, a.reversed, a.problem.executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = a.used_points;
@@ -164,7 +164,7 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     filled.first_inverted = quality.first_inverted == none ? none : quality.first_inverted + mesh.index_base;
     filled.min_area = quality.min_area;
     filled.min_quality = quality.min_quality;
-    filled.mean_quality = quality.mean_quality;
+    filled.mean_quality = quality.mean_quality();
     write_struct(filled, report);
     return tell(err, fault);
 }

@@ -383,6 +383,10 @@ typedef struct hm_quality_report {
 HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const double *x, const double *y, int64_t stride,
                             const double *x_ref, const double *y_ref, int64_t stride_ref,
                             const hm_executor *executor, hm_quality_report *report, hm_error *err);
+/* Both in one pass over the cells: how far the displacement may go, and the quality of the mesh's own coordinates plus the
+ * displacement, relative to them. Call it before the morph; nothing has moved yet. */
+HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy, int64_t stride,
+                           const hm_executor *executor, hm_step_report *step, hm_quality_report *quality, hm_error *err);
 
 #ifdef __cplusplus
 }

@@ -1,9 +1,8 @@
 // The C interface, part 3: everything that needs only a solved basis and the mesh.
 #include "fault_text.hpp"
-#include "harmorph/admissible_step.hpp"
+#include "harmorph/assessment.hpp"
 #include "harmorph/crossing.hpp"
 #include "harmorph/morph.hpp"
-#include "harmorph/quality.hpp"
 #include "views.hpp"
 
 namespace harmorph {
@@ -52,6 +51,30 @@ Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept
 Bases bases_of(Basis const& basis) noexcept { return {basis.header != nullptr ? basis.header->index_base : 0, 0}; }
 
 Index numbered(Index item, Index base) noexcept { return item == none ? none : item + base; }
+
+hm_step_report report_of(AdmissibleStep const& limit, Mesh const& mesh, Basis const& basis) noexcept {
+    hm_step_report filled = {};
+    filled.admissible = limit.step;
+    filled.cell = numbered(limit.cell, mesh.index_base);
+    filled.point = numbered(limiting_point(mesh, limit, basis.reversed), mesh.index_base);
+    return filled;
+}
+
+hm_quality_report report_of(Quality const& quality, Crossing const& crossing, Mesh const& mesh) noexcept {
+    hm_quality_report filled = {};
+    filled.inverted = quality.inverted;
+    filled.first_inverted = numbered(quality.first_inverted, mesh.index_base);
+    filled.min_area = quality.min_area;
+    filled.min_quality = quality.min_quality;
+    filled.mean_quality = quality.mean_quality();
+    filled.min_quality_cell = numbered(quality.min_quality_cell, mesh.index_base);
+    filled.self_crossing = crossing.found ? 1 : 0;
+    for (Index k = 0; k < 2; ++k) {
+        filled.crossing_points[k] = numbered(crossing.first[k], mesh.index_base);
+        filled.crossing_points[2 + k] = numbered(crossing.second[k], mesh.index_base);
+    }
+    return filled;
+}
 
 }  // namespace
 }  // namespace harmorph
@@ -194,11 +217,8 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const d
     if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
         !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed);
-        hm_step_report filled = {};
-        filled.admissible = limit.step;
-        filled.cell = numbered(limit.cell, view.index_base);
-        filled.point = numbered(limit.point, view.index_base);
+        AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed, threads);
+        hm_step_report const filled = report_of(limit, view, b);
         write_struct(filled, report);
     }
     return tell(err, fault, {view.index_base, 0});
@@ -215,21 +235,29 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x
     if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
     if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
         (!reference.given() || !failed(check_points(reference, fault))) && !failed(view_executor(executor, threads, fault))) {
-        Quality const quality = measure_quality(view, points, reference, b.reversed);
+        Quality const quality = measure_quality(view, points, reference, b.reversed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
-        hm_quality_report filled = {};
-        filled.inverted = quality.inverted;
-        filled.first_inverted = numbered(quality.first_inverted, view.index_base);
-        filled.min_area = quality.min_area;
-        filled.min_quality = quality.min_quality;
-        filled.mean_quality = quality.mean_quality;
-        filled.min_quality_cell = numbered(quality.min_quality_cell, view.index_base);
-        filled.self_crossing = crossing.found ? 1 : 0;
-        for (Index k = 0; k < 2; ++k) {
-            filled.crossing_points[k] = numbered(crossing.first[k], view.index_base);
-            filled.crossing_points[2 + k] = numbered(crossing.second[k], view.index_base);
-        }
+        hm_quality_report const filled = report_of(quality, crossing, view);
         write_struct(filled, report);
+    }
+    return tell(err, fault, {view.index_base, 0});
+}
+
+hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const double* dx, const double* dy, int64_t stride,
+                    const hm_executor* executor, hm_step_report* step, hm_quality_report* quality, hm_error* err) {
+    Fault fault;
+    Basis b;
+    Executor threads;
+    Mesh view;
+    Points const displacement = points_of(dx, dy, stride);
+    if (step == nullptr || quality == nullptr) fault.refuse(Status::bad_argument, "step or quality is NULL");
+    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
+        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
+        !failed(view_executor(executor, threads, fault))) {
+        Assessment const assessment = assess(view, view.points, displacement, b.reversed, threads);
+        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, view.points, displacement);
+        write_struct(report_of(assessment.limit, view, b), step);
+        write_struct(report_of(assessment.quality, crossing, view), quality);
     }
     return tell(err, fault, {view.index_base, 0});
 }

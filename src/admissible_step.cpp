@@ -1,5 +1,7 @@
 #include "harmorph/admissible_step.hpp"
 
+#include "harmorph/cell_ranges.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -14,31 +16,36 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
-struct Corner {
-    Vec2 a, b;  // its two sides, so that cross(a, b) is twice its area
-};
-
 }  // namespace
 
-AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacement,
-                               Span<const std::uint8_t> reversed) noexcept {
-    AdmissibleStep limit;
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        Real const sign = reversed[i] != 0 ? -1 : 1;
-        for (Index k = 0; k < (cell.n == 3 ? 1 : 4); ++k) {
-            auto const corner_of = [&](Points const& at) {
-                Vec2 const apex = at[cell.point[k]];
-                return Corner{at[cell.next(k)] - apex, at[cell.previous(k)] - apex};
-            };
-            Corner const now = corner_of(points), change = corner_of(displacement);
-            Real const area = sign * cross(now.a, now.b);
-            Real const slope = sign * (cross(now.a, change.b) + cross(change.a, now.b));
-            Real const step = area > 0 ? smallest_positive_root(sign * cross(change.a, change.b), slope, area) : 0;
-            if (step < limit.step) limit = {step, i, cell.point[k]};
-        }
+void AdmissibleStep::add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept {
+    CellCorners const moving(change);
+    Index const n_areas = now.n == 3 ? 1 : 4;
+    for (Index k = 0; k < n_areas; ++k) {
+        Index const before = now.n == 3 ? 0 : (k + 3) & 3, after = now.n == 3 ? 1 : k;  // the sides of this area
+        Real const slope = cross(corners.side[before], moving.side[after]) + cross(moving.side[before], corners.side[after]);
+        Real const area = corners.twice_area[k];
+        // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
+        Real const curvature = moving.twice_area[k];
+        if (area > 0 && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
+        Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
+        if (its < step) *this = {its, number, k};
     }
-    return limit;
+}
+
+AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+                               Executor const& executor) noexcept {
+    return reduce_cells<AdmissibleStep>(mesh.n_cells, executor, [&](Index i, AdmissibleStep& limit) {
+        Cell const cell = mesh.cell(i);
+        CellShape const now(cell, points, reversed[i] != 0);
+        limit.add(i, now, CellShape(cell, displacement, reversed[i] != 0), CellCorners(now));
+    });
+}
+
+Index limiting_point(Mesh const& mesh, AdmissibleStep const& limit, Span<const std::uint8_t> reversed) noexcept {
+    if (limit.cell == none) return none;
+    Cell const cell = mesh.cell(limit.cell);
+    return cell.point[reversed[limit.cell] != 0 ? cell.n - 1 - limit.corner : limit.corner];
 }
 
 }  // namespace harmorph

@@ -25,8 +25,8 @@ struct Range {
 
 class Search {
 public:
-    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points) noexcept
-        : boundary_point_(boundary_point), loop_start_(loop_start), points_(points) {}
+    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points, Points displacement) noexcept
+        : boundary_point_(boundary_point), loop_start_(loop_start), points_(points), displacement_(displacement) {}
 
     // Pairs of faces within the range.
     bool within(Range range) noexcept {
@@ -66,11 +66,15 @@ private:
 
     // The ends of each lie strictly on both sides of the other; faces that only touch, or share a point, do not cross.
     bool cross_properly(Index face, Index other) const noexcept {
-        Vec2 const a = points_[boundary_point_[face]], b = points_[end_of(face)];
-        Vec2 const c = points_[boundary_point_[other]], d = points_[end_of(other)];
+        Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
+        Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
         auto const opposite = [](Real s, Real t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
         return opposite(triangle_area(a, b, c), triangle_area(a, b, d)) &&
                opposite(triangle_area(c, d, a), triangle_area(c, d, b));
+    }
+
+    Vec2 at(Index point) const noexcept {
+        return displacement_.given() ? points_[point] + displacement_[point] : points_[point];
     }
 
     Index end_of(Index face) const noexcept {
@@ -81,25 +85,26 @@ private:
 
     Box box_of(Range range) const noexcept {
         Box box;
-        for (Index face = range.begin; face < range.end; ++face) box.include(points_[boundary_point_[face]]);
-        box.include(points_[end_of(range.end - 1)]);
+        for (Index face = range.begin; face < range.end; ++face) box.include(at(boundary_point_[face]));
+        box.include(at(end_of(range.end - 1)));
         // A range may hold the end of one loop and the beginning of the next: faces that close a loop end at its start.
         for (Index loop = 0; loop + 1 < loop_start_.count(); ++loop) {
             Index const last = loop_start_[loop + 1] - 1;
-            if (last >= range.begin && last < range.end) box.include(points_[boundary_point_[loop_start_[loop]]]);
+            if (last >= range.begin && last < range.end) box.include(at(boundary_point_[loop_start_[loop]]));
         }
         return box;
     }
 
     Span<const Index> boundary_point_, loop_start_;
-    Points points_;
+    Points points_, displacement_;
     Crossing result_;
 };
 
 }  // namespace
 
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points) noexcept {
-    Search search(boundary_point, loop_start, points);
+Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+                       Points displacement) noexcept {
+    Search search(boundary_point, loop_start, points, displacement);
     search.within({0, boundary_point.count()});
     return search.result();
 }

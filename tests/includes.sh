@@ -3,7 +3,7 @@
 # lower room, or in its own room further to the left; a source may include all of its own room as well.
 rooms='
 types
-span scalar arena progress processor executor
+span scalar arena progress processor executor cell_ranges
 vec2 sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
@@ -12,7 +12,7 @@ edges orientation boundary conditions wall
 graph dissection fronts subtrees
 matrix laplace basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
-morph quality admissible_step crossing
+morph cell_shape quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'

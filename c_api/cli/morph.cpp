@@ -23,14 +23,6 @@ double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<do
     return median(seconds);
 }
 
-hm_quality_report quality_of(const Basis& basis, const Mesh& mesh, const Field& moved, const Threads& threads) {
-    const hm_mesh view = mesh.view();
-    auto report = sized<hm_quality_report>();
-    call(mesh, hm_quality, basis.get(), &view, moved.x.data(), moved.y.data(), std::int64_t{1}, mesh.x.data(),
-         mesh.y.data(), std::int64_t{1}, threads.executor(), &report);
-    return report;
-}
-
 } // namespace
 
 Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
@@ -51,11 +43,13 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
 
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
              const Threads& threads)
-    : displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()),
-      step(admissible_step(basis, mesh, displacement, threads)) {
+    : displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()), step(sized<hm_step_report>()),
+      quality(sized<hm_quality_report>()) {
+    const hm_mesh view = mesh.view();
+    call(mesh, hm_assess, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
+         threads.executor(), &step, &quality);
     if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
     seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
-    quality = quality_of(basis, mesh, moved, threads);
     std::int32_t worst_point = -1; // of no interest
     call(mesh, hm_boundary_error, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1},
          moved.x.data(), moved.y.data(), std::int64_t{1}, &boundary_error, &worst_point);

@@ -14,7 +14,9 @@ struct Crossing {
 };
 
 // Boundary faces in the order of their loops (see Boundary). Faces that follow each other lie close together, so halving
-// the list halves the place it takes: boxes of list ranges prune the pairs, without any memory.
-Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points) noexcept;
+// the list halves the place it takes: boxes of list ranges prune the pairs, without any memory. The points are taken where
+// `displacement` (not given: 0) puts them.
+Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+                       Points displacement = {}) noexcept;
 
 }  // namespace harmorph

@@ -1,0 +1,22 @@
+// A displacement judged in one pass over the cells: how far it may go, and how good the mesh is where it ends.
+#pragma once
+
+#include "harmorph/admissible_step.hpp"
+#include "harmorph/quality.hpp"
+
+namespace harmorph {
+
+struct Assessment {
+    AdmissibleStep limit;
+    Quality quality;  // at points + displacement, relative to points
+
+    void merge(Assessment const& later) noexcept {
+        limit.merge(later.limit);
+        quality.merge(later.quality);
+    }
+};
+
+Assessment assess(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+                  Executor const& executor) noexcept;
+
+}  // namespace harmorph

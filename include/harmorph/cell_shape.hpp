@@ -1,0 +1,42 @@
+// One cell's corners, sides and areas, gathered once for everything that is asked of them.
+#pragma once
+
+#include "harmorph/mesh.hpp"
+
+namespace harmorph {
+
+// Points in order round the cell, counter-clockwise where the cell is not inverted; n is 3 or 4.
+struct CellShape {
+    Index n;
+    Vec2 at[4];
+
+    CellShape(Cell const& cell, Points points, bool reversed) noexcept : n(cell.n) {
+        Index const first = reversed ? n - 1 : 0, step = reversed ? -1 : 1;
+        for (Index k = 0; k < n; ++k) at[k] = points[cell.point[first + step * k]];
+        if (n == 3) at[3] = at[0];
+    }
+};
+
+// Sides from each corner to the next, and twice the signed area of each corner: the cross product of its two sides. A
+// triangle has one area for all corners.
+struct CellCorners {
+    Vec2 side[4];
+    Real twice_area[4];
+
+    explicit CellCorners(CellShape const& shape) noexcept {
+        if (shape.n == 3) {
+            for (Index k = 0; k < 3; ++k) side[k] = shape.at[k + 1] - shape.at[k];
+            twice_area[0] = twice_area[1] = twice_area[2] = twice_area[3] = cross(side[0], side[1]);
+            return;
+        }
+        for (Index k = 0; k < 4; ++k) side[k] = shape.at[(k + 1) & 3] - shape.at[k];
+        for (Index k = 0; k < 4; ++k) twice_area[k] = cross(side[(k + 3) & 3], side[k]);
+    }
+    Real smallest() const noexcept {
+        return smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3]));
+    }
+    // Of the whole cell.
+    Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }
+};
+
+}  // namespace harmorph
