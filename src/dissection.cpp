@@ -9,23 +9,11 @@ constexpr Index leaf_size = 20;       // parts up to this size are eliminated de
 constexpr Index smallest_child = 4;   // smaller parts join the separator; with it, nodes <= n / 2
 constexpr Index most_samples = 63;
 constexpr Index separator_samples = 48;
-constexpr Index layer_direction = 4;
 enum Side : std::uint8_t { left = 0, right = 1, separator = 2, elsewhere = 3 };
-
-using Place = DissectionWork::Place;
-using Reach = DissectionWork::Reach;
-
-// Numbers of four directions: wider vectors would be taken apart on the plain architecture.
-typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
-typedef std::int32_t FourCounts __attribute__((vector_size(16)));
-constexpr Index halves = DissectionWork::lanes / 4;
-
-inline Four& four(float* numbers, Index half) noexcept { return *reinterpret_cast<Four*>(numbers + 4 * half); }
-inline Four const& four(const float* numbers, Index half) noexcept { return *reinterpret_cast<const Four*>(numbers + 4 * half); }
 
 // Cuts at `level` in all directions at once: left is what lies before it.
 struct Cuts {
-    float level[DissectionWork::lanes] = {};
+    float level[direction_lanes] = {};
     FourCounts left_size[halves] = {}, left_border[halves] = {}, right_border[halves] = {};  // borders: upper bounds
 
     void count(Place const& place, Reach const& reach) noexcept {
@@ -128,10 +116,10 @@ private:
         Index const n = (part + stride - 1) / stride;
         Cuts cuts;
         set_levels(begin, part, cuts);
-        for (Index k = begin; k < end; k += stride) cuts.count(work_.place[order_[k]], work_.reach[order_[k]]);
+        for (Index k = begin; k < end; k += stride) cuts.count(work_.where.place[order_[k]], work_.where.reach[order_[k]]);
         Cut best;
         Real least = infinity;
-        for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+        for (Index direction = 0; direction < directions; ++direction) {
             Index const left_size = Cuts::in(cuts.left_size, direction), right_size = n - left_size;
             Index const left_border = Cuts::in(cuts.left_border, direction);
             Index const right_border = Cuts::in(cuts.right_border, direction);
@@ -148,14 +136,14 @@ private:
     // Levels at the medians of a few samples.
     void set_levels(Index begin, Index n, Cuts& cuts) const noexcept {
         Index const count = n < 128 ? most_samples / 4 : n < 1024 ? most_samples / 2 : most_samples;
-        float sample[DissectionWork::directions][most_samples];
+        float sample[directions][most_samples];
         for (Index k = 0; k < count; ++k) {
-            Place const& place = work_.place[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
-            for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+            Place const& place = work_.where.place[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
+            for (Index direction = 0; direction < directions; ++direction) {
                 sample[direction][k] = place.at[direction];
             }
         }
-        for (Index direction = 0; direction < DissectionWork::directions; ++direction) {
+        for (Index direction = 0; direction < directions; ++direction) {
             cuts.level[direction] = median(sample[direction], count);
         }
     }
@@ -168,7 +156,7 @@ private:
         for (Index k = begin; k < end; ++k) {
             Index const u = order_[k];
             float const distance = cut.direction == none ? static_cast<float>(k - begin - (end - begin) / 2)
-                                                         : work_.place[u].at[cut.direction] - cut.level;
+                                                         : work_.where.place[u].at[cut.direction] - cut.level;
             bool const is_left = distance < 0;
             work_.side[u] = is_left ? left : right;
             if (is_left != (cut.separated == left)) continue;
@@ -186,7 +174,7 @@ private:
 
     bool may_touch(Cut const& cut, Index u, float distance) const noexcept {
         if (cut.direction == none) return true;
-        Reach const& reach = work_.reach[u];
+        Reach const& reach = work_.where.reach[u];
         return distance < 0 ? distance + reach.ahead[cut.direction] >= 0 : distance - reach.behind[cut.direction] < 0;
     }
 
@@ -199,12 +187,12 @@ private:
             switch (work_.side[u]) {
                 case left: order_[middle++] = u; break;
                 case right: work_.moved[n_right++] = u; break;
-                default: work_.queue[n_cut_off++] = u;
+                default: work_.where.queue[n_cut_off++] = u;
             }
         }
         pivots = middle + n_right;
         copy(order_.from(middle, n_right), Span<const Index>(work_.moved.first(n_right)));
-        copy(order_.from(pivots, n_cut_off), Span<const Index>(work_.queue.first(n_cut_off)));
+        copy(order_.from(pivots, n_cut_off), Span<const Index>(work_.where.queue.first(n_cut_off)));
     }
 
     // Along a straight cut; round the middle of a cut between layers.
@@ -213,18 +201,18 @@ private:
         if (cut.direction != layer_direction) {
             Index const perpendicular = cut.direction ^ 1;  // x and y, and the two diagonals
             return sort(cut_off, [&](Index a, Index b) {
-                float const p = work_.place[a].at[perpendicular], q = work_.place[b].at[perpendicular];
+                float const p = work_.where.place[a].at[perpendicular], q = work_.where.place[b].at[perpendicular];
                 return p != q ? p < q : a < b;
             });
         }
         float x = 0, y = 0;
         float const weight = 1.0f / static_cast<float>(cut_off.size() + 1);
         for (Index const u : cut_off) {
-            x += weight * work_.place[u].at[0];
-            y += weight * work_.place[u].at[1];
+            x += weight * work_.where.place[u].at[0];
+            y += weight * work_.where.place[u].at[1];
         }
         auto const angle = [&](Index u) {  // round the unit square instead of the circle: -2 .. 2
-            float const dx = work_.place[u].at[0] - x, dy = work_.place[u].at[1] - y;
+            float const dx = work_.where.place[u].at[0] - x, dy = work_.where.place[u].at[1] - y;
             float const size = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
             if (size == 0) return 0.0f;
             return dx >= 0 ? dy / size : dy >= 0 ? 2 - dy / size : -2 - dy / size;
@@ -241,65 +229,18 @@ private:
     AssemblyTree& tree_;
 };
 
-// Breadth first from the unknowns beside curves; what is not reached (no curve in its part of the mesh) is layer 0.
-void find_layers(Graph const& graph, DissectionWork const& work) noexcept {
-    auto const layer = [&](Index u) -> float& { return work.place[u].at[layer_direction]; };
-    Index filled = 0;
-    for (Index u = 0; u < graph.n; ++u) {
-        bool const is_first = graph.beside_curve[u] != 0;
-        layer(u) = is_first ? 1 : 0;
-        if (is_first) work.queue[filled++] = u;
-    }
-    for (Index read = 0; read < filled; ++read) {
-        Index const u = work.queue[read];
-        for (Index const v : graph.of(u)) {
-            if (layer(v) != 0) continue;
-            layer(v) = layer(u) + 1;
-            work.queue[filled++] = v;
-        }
-    }
-}
-
-// Coordinates about the first point, which are small numbers where the mesh is fine.
-void find_places(Graph const& graph, Points points, DissectionWork const& work) noexcept {
-    Vec2 const origin = points[graph.point[0]];
-    for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = points[graph.point[u]] - origin;
-        float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-        work.place[u] = {{x, y, x + y, x - y}};
-    }
-    find_layers(graph, work);
-    constexpr float outwards = 1.000001f;
-    for (Index u = 0; u < graph.n; ++u) {
-        Four ahead[halves] = {}, behind[halves] = {};
-        for (Index const v : graph.of(u)) {
-            for (Index half = 0; half < halves; ++half) {
-                Four const step = four(work.place[v].at, half) - four(work.place[u].at, half);
-                ahead[half] = step > ahead[half] ? step : ahead[half];
-                behind[half] = -step > behind[half] ? -step : behind[half];
-            }
-        }
-        for (Index half = 0; half < halves; ++half) {
-            four(work.reach[u].ahead, half) = outwards * ahead[half];
-            four(work.reach[u].behind, half) = outwards * behind[half];
-        }
-    }
-}
-
 }  // namespace
 
 void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept { arena.take(nodes, max_unknowns / 2 + 1); }
 
 void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
-    arena.take(place, max_unknowns);
-    arena.take(reach, max_unknowns);
-    arena.take(queue, max_unknowns);
+    where.lay_out(arena, max_unknowns);
     arena.take(moved, max_unknowns);
     arena.take(side, max_unknowns);
 }
 
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept {
-    find_places(graph, points, work);
+    work.where.find(graph, points);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
     tree.count = 0;
     Dissector(graph, work, order, tree).dissect(0, graph.n);

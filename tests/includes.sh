@@ -9,7 +9,7 @@ product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall
-graph dissection fronts subtrees
+graph places dissection fronts subtrees
 matrix laplace basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
 morph cell_shape quality admissible_step assessment crossing

@@ -1,7 +1,7 @@
 // Nested dissection on the coordinates: the order of elimination, and the tree in which the matrix is factored.
 #pragma once
 
-#include "harmorph/graph.hpp"
+#include "harmorph/places.hpp"
 
 namespace harmorph {
 
@@ -23,23 +23,9 @@ struct AssemblyTree {
 };
 
 struct DissectionWork {
-    // Directions in which parts may be cut: x, y, both diagonals, and the layer round the curves. Eight, because vectors
-    // of numbers are: the last ones are not used.
-    static constexpr Index directions = 5, lanes = 8;
-
-    // Where an unknown is in each direction. Single precision suffices to choose cuts.
-    struct Place {
-        float at[lanes];
-    };
-    // How far forwards and backwards its neighbours are, rounded outwards: farther from a cut than that, it has none across.
-    struct Reach {
-        float ahead[lanes], behind[lanes];
-    };
-    Span<Place> place;       // [n]
-    Span<Reach> reach;       // [n]
-    Span<Index> queue;       // [n]
-    Span<Index> moved;       // [n]
-    Span<std::uint8_t> side; // [n] of each unknown
+    Places where;
+    Span<Index> moved;        // [n]
+    Span<std::uint8_t> side;  // [n] of each unknown
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
 };

@@ -1,0 +1,42 @@
+// Where the unknowns are in each of the directions in which a dissection may cut, and how far their neighbours reach.
+#pragma once
+
+#include "harmorph/graph.hpp"
+
+namespace harmorph {
+
+// x, y, both diagonals, and the layer round the curves. Eight numbers, because vectors of numbers are; the last are not used.
+inline constexpr Index directions = 5, direction_lanes = 8, layer_direction = 4;
+
+// Numbers of four directions: wider vectors would be taken apart on the plain architecture.
+typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
+typedef std::int32_t FourCounts __attribute__((vector_size(16)));
+inline constexpr Index halves = direction_lanes / 4;
+
+inline Four& four(float* numbers, Index half) noexcept { return *reinterpret_cast<Four*>(numbers + 4 * half); }
+inline Four const& four(const float* numbers, Index half) noexcept { return *reinterpret_cast<const Four*>(numbers + 4 * half); }
+
+// Single precision suffices to choose cuts.
+struct Place {
+    float at[direction_lanes];
+};
+
+// How far forwards and backwards an unknown's neighbours are, rounded outwards: farther from a cut than that, it has none
+// across.
+struct Reach {
+    float ahead[direction_lanes], behind[direction_lanes];
+};
+
+struct Places {
+    Span<Place> place;  // [n]
+    Span<Reach> reach;  // [n]
+    Span<Index> queue;  // [n] working space
+
+    void lay_out(Arena& arena, Index max_unknowns) noexcept;
+    void find(Graph const& graph, Points points) const noexcept;
+
+private:
+    void find_layers(Graph const& graph) const noexcept;
+};
+
+}  // namespace harmorph

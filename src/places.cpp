@@ -1,0 +1,56 @@
+#include "harmorph/places.hpp"
+
+namespace harmorph {
+
+void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(place, max_unknowns);
+    arena.take(reach, max_unknowns);
+    arena.take(queue, max_unknowns);
+}
+
+// Breadth first from the unknowns beside curves; what is not reached (no curve in its part of the mesh) is layer 0.
+void Places::find_layers(Graph const& graph) const noexcept {
+    auto const layer = [&](Index u) -> float& { return place[u].at[layer_direction]; };
+    Index filled = 0;
+    for (Index u = 0; u < graph.n; ++u) {
+        bool const is_first = graph.beside_curve[u] != 0;
+        layer(u) = is_first ? 1 : 0;
+        if (is_first) queue[filled++] = u;
+    }
+    for (Index read = 0; read < filled; ++read) {
+        Index const u = queue[read];
+        for (Index const v : graph.of(u)) {
+            if (layer(v) != 0) continue;
+            layer(v) = layer(u) + 1;
+            queue[filled++] = v;
+        }
+    }
+}
+
+// Coordinates about the first point, which are small numbers where the mesh is fine.
+void Places::find(Graph const& graph, Points points) const noexcept {
+    Vec2 const origin = points[graph.point[0]];
+    for (Index u = 0; u < graph.n; ++u) {
+        Vec2 const p = points[graph.point[u]] - origin;
+        float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+        place[u] = {{x, y, x + y, x - y}};
+    }
+    find_layers(graph);
+    constexpr float outwards = 1.000001f;
+    for (Index u = 0; u < graph.n; ++u) {
+        Four ahead[halves] = {}, behind[halves] = {};
+        for (Index const v : graph.of(u)) {
+            for (Index half = 0; half < halves; ++half) {
+                Four const step = four(place[v].at, half) - four(place[u].at, half);
+                ahead[half] = step > ahead[half] ? step : ahead[half];
+                behind[half] = -step > behind[half] ? -step : behind[half];
+            }
+        }
+        for (Index half = 0; half < halves; ++half) {
+            four(reach[u].ahead, half) = outwards * ahead[half];
+            four(reach[u].behind, half) = outwards * behind[half];
+        }
+    }
+}
+
+}  // namespace harmorph
