@@ -4,6 +4,7 @@
 #   make test             all tests; the last line counts them
 #   make unit             the C++ tests alone
 #   make check-link       the library needs nothing but mem*: it links into C programs
+#   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
 #   make install          header, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
@@ -13,7 +14,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules unit test check-link demo install uninstall clean
+.PHONY: all rules unit test check-link bench demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -84,6 +85,11 @@ check-link: all
 test: all
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
 	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
+
+bench: all
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
+	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
+	    sh tests/bench/run.sh
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo

@@ -1,0 +1,146 @@
+// What this machine can do at best: bytes read per second by the threads asked for, and multiply-adds of one.
+#include "clock.hpp"
+#include "peers.hpp"
+#include "settings.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace bench {
+namespace {
+
+// One loop for each width of vectors, compiled for the processors that have it: GCC's vectors are split where they are
+// wider than what the function is compiled for, so that templates and inlining would not do.
+#define BENCH_LOOPS(name, target, bytes)                                                             \
+    struct name {                                                                                    \
+        typedef double Vector __attribute__((vector_size(bytes)));                                   \
+        static constexpr double per_round = 2.0 * 12 * (bytes) / sizeof(double);                     \
+        target static double multiply_add(long rounds, double factor) {                              \
+            Vector sum[12], a, b;                                                                    \
+            for (std::size_t k = 0; k < (bytes) / sizeof(double); ++k) a[k] = factor, b[k] = 1;      \
+            for (Vector& s : sum) s = b;                                                             \
+            for (long r = 0; r < rounds; ++r)                                                        \
+                for (Vector& s : sum) s = s * a + b;                                                 \
+            double all = 0;                                                                          \
+            for (Vector& s : sum) all += s[0];                                                       \
+            return all;                                                                              \
+        }                                                                                            \
+        target static double read(double const* data, std::size_t n, std::size_t ahead) {            \
+            Vector sum[8] = {};                                                                      \
+            std::size_t const step = 8 * (bytes) / sizeof(double);                                   \
+            for (std::size_t i = 0; i + step <= n; i += step) {                                      \
+                for (std::size_t k = 0; k < step; k += 8) __builtin_prefetch(data + i + k + ahead);  \
+                for (std::size_t k = 0; k < 8; ++k)                                                  \
+                    sum[k] += *reinterpret_cast<Vector const*>(data + i + k * (bytes) / sizeof(double)); \
+            }                                                                                        \
+            double all = 0;                                                                          \
+            for (Vector& s : sum) all += s[0];                                                       \
+            return all;                                                                              \
+        }                                                                                            \
+    };
+
+#if defined(__x86_64__)
+BENCH_LOOPS(Avx512, __attribute__((target("avx512f"))), 64)
+BENCH_LOOPS(Avx2, __attribute__((target("avx2,fma"))), 32)
+#endif
+BENCH_LOOPS(Plain, , 16)
+#undef BENCH_LOOPS
+
+struct Loops {
+    char const* name;
+    double per_round;
+    double (*multiply_add)(long, double);
+    double (*read)(double const*, std::size_t, std::size_t);
+};
+
+template <class Set>
+Loops loops_of(char const* name) {
+    return {name, Set::per_round, Set::multiply_add, Set::read};
+}
+
+Loops widest() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return loops_of<Avx512>("AVX-512");
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return loops_of<Avx2>("AVX2");
+#endif
+    return loops_of<Plain>("16-byte vectors");
+}
+
+double volatile sink;
+
+double measure_peak(Loops const& loops) {
+    long const rounds = 4000000;
+    double const factor = 0.5;
+    return static_cast<double>(rounds) * loops.per_round / time_of([&] { sink = loops.multiply_add(rounds, factor); });
+}
+
+// Bytes per second; each thread reads its part.
+double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings) {
+    struct Job {
+        Loops const& loops;
+        double const* data;
+        std::size_t part, ahead;
+    };
+    auto const read_part = [](void* context, std::int32_t index) {
+        Job const& job = *static_cast<Job const*>(context);
+        sink = job.loops.read(job.data + static_cast<std::size_t>(index) * job.part, job.part, job.ahead);
+    };
+    std::size_t const threads = static_cast<std::size_t>(settings.threads);
+    double best = 0;
+    for (std::size_t const ahead : {std::size_t{0}, std::size_t{128}, std::size_t{512}}) {
+        Job job{loops, data, n / threads / 64 * 64, ahead};
+        double const seconds = time_of([&] {
+            if (settings.executor == nullptr) read_part(&job, 0);
+            else settings.executor->run(settings.executor->user, settings.threads, read_part, &job);
+        });
+        best = std::max(best, 8.0 * static_cast<double>(job.part * threads) / seconds);
+    }
+    return best;
+}
+
+double measure_dgemm(Blas const& its) {
+    int const n = 2000;
+    std::vector<double> a(static_cast<std::size_t>(n) * n, 1.5), b = a, c = a;
+    double const seconds = time_of([&] { its.dgemm('N', 'N', n, n, n, 1, a.data(), n, b.data(), n, 0, c.data(), n); });
+    return 2.0 * n * n * n / seconds;
+}
+
+}  // namespace
+
+Limits measure_machine(Settings const& settings, Report& report) {
+    say("machine");
+    Limits limits;
+    Loops const loops = widest();
+    Table table{"The machine", {"what", "value", "unit"}, {}, {}};
+    limits.peak = measure_peak(loops);
+    table.add({std::string("multiply-adds in registers, one thread, ") + loops.name, {1e-9 * limits.peak, "%.1f"},
+               "GFLOP/s"});
+    if (blas() != nullptr) {
+        blas()->set_threads(1);
+        table.add({"OpenBLAS dgemm of 2000, one thread", {1e-9 * measure_dgemm(*blas()), "%.1f"}, "GFLOP/s"});
+        blas()->set_threads(settings.threads);
+    } else {
+        table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
+    }
+
+    // Larger than any cache; aligned by hand, so that whole vectors may be read.
+    std::size_t const n = std::size_t{48} << 20;
+    std::vector<double> memory(n + 1024, 1.0);
+    double* data = memory.data();
+    while (reinterpret_cast<std::uintptr_t>(data) % 64 != 0) ++data;
+    limits.read = measure_reading(loops, data, n, settings);
+    std::string const threads = settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
+    table.add({"reading 400 MB, " + threads + ", best of three prefetches", {1e-9 * limits.read, "%.1f"}, "GB/s"});
+    std::size_t const third = n / 3;
+    double *a = data, *b = data + third, *c = data + 2 * third;
+    double const seconds = time_of([&] {
+        for (std::size_t i = 0; i < third; ++i) a[i] = b[i] + 0.5 * c[i];
+        sink = a[third / 2];
+    });
+    double const triad = 24.0 * static_cast<double>(third) / seconds;
+    table.add({"STREAM triad, one thread, 24 bytes an element", {1e-9 * triad, "%.1f"}, "GB/s"});
+    report.finish(table);
+    return limits;
+}
+
+}  // namespace bench

@@ -1,0 +1,169 @@
+// The product and its transpose against OpenBLAS's dgemm and the machine's read bandwidth; admissible step and quality.
+#include "clock.hpp"
+#include "ours.hpp"
+#include "peers.hpp"
+#include "settings.hpp"
+
+#include <functional>
+#include <stdexcept>
+
+namespace bench {
+namespace {
+
+class Product {
+public:
+    Product(Case const& its_case, Ours const& ours, hm_executor const* executor)
+        : basis_(ours.basis()), executor_(executor), m_(at(ours.functions())), n_(its_case.mesh.x.size()) {
+        x_ = its_case.mesh.x;
+        x_.insert(x_.end(), its_case.mesh.y.begin(), its_case.mesh.y.end());
+        for (std::size_t k = 0; k < 2 * m_; ++k) move_.push_back(1e-9 * static_cast<double>(k % 7));
+        gradient_.assign(2 * m_, 0);
+    }
+
+    // In place: F read, coordinates read and written. The move is tiny, so that repeating it does no harm.
+    double morph_seconds() {
+        double* const x = x_.data();
+        return time_of([&] { done(hm_morph(basis_, move_.data(), x, y(), 1, x, y(), 1, executor_, &error_), "hm_morph"); });
+    }
+    double adjoint_seconds() {
+        double *const x = x_.data(), *const gradient = gradient_.data();
+        return time_of([&] { done(hm_adjoint(basis_, x, y(), 1, gradient, executor_, &error_), "hm_adjoint"); });
+    }
+
+    // The fastest of the ways to store F and the coordinates that suit dgemm: {morph, adjoint}.
+    std::pair<double, double> blas_seconds(Blas const& its) {
+        std::vector<double> by_node(m_ * n_), by_function(m_ * n_);
+        for (std::size_t k = 0; k < m_; ++k) {
+            done(hm_basis_values(basis_, static_cast<Index>(k), &by_function[k * n_], &error_), "hm_basis_values");
+            for (std::size_t i = 0; i < n_; ++i) by_node[i * m_ + k] = by_function[k * n_ + i];
+        }
+        std::vector<double> columns(2 * m_), pairs(move_);   // moves as [m x 2] and as [2 x m]
+        for (std::size_t k = 0; k < m_; ++k) {
+            columns[k] = move_[2 * k];
+            columns[m_ + k] = move_[2 * k + 1];
+        }
+        check(its, by_node, columns);
+        int const m = static_cast<int>(m_), n = static_cast<int>(n_);
+        double *const x = x_.data(), *const g = gradient_.data(), *const f = by_node.data(), *const t = by_function.data();
+        std::vector<std::function<void()>> const morphs = {
+            [&] { its.dgemm('T', 'N', n, 2, m, 1, f, m, columns.data(), m, 1, x, n); },
+            [&] { its.dgemm('N', 'N', 2, n, m, 1, pairs.data(), 2, f, m, 1, x, 2); },
+            [&] { its.dgemm('N', 'N', n, 2, m, 1, t, n, columns.data(), m, 1, x, n); }};
+        std::vector<std::function<void()>> const adjoints = {
+            [&] { its.dgemm('N', 'N', m, 2, n, 1, f, m, x, n, 0, g, m); },
+            [&] { its.dgemm('N', 'T', m, 2, n, 1, f, m, x, 2, 0, g, m); },
+            [&] { its.dgemm('T', 'N', m, 2, n, 1, t, n, x, n, 0, g, m); }};
+        return {fastest(morphs), fastest(adjoints)};
+    }
+
+    double nodes() const { return static_cast<double>(n_); }
+    double morph_bytes() const { return nodes() * (8.0 * static_cast<double>(m_) + 32); }
+    double adjoint_bytes() const { return nodes() * (8.0 * static_cast<double>(m_) + 16); }
+
+private:
+    hm_basis const* basis_;
+    hm_executor const* executor_;
+    std::size_t m_, n_;
+    std::vector<double> x_, move_, gradient_;   // x_: all x, then all y
+    hm_error error_{};
+
+    double* y() { return x_.data() + n_; }
+    void done(hm_status status, char const* call) const { require(status, error_, call); }
+    static double fastest(std::vector<std::function<void()>> const& ways) {
+        double best = not_measured;
+        for (auto const& way : ways) {
+            double const seconds = time_of(way);
+            if (!(best <= seconds)) best = seconds;
+        }
+        return best;
+    }
+    // Both sides move the points alike.
+    void check(Blas const& its, std::vector<double> const& by_node, std::vector<double> const& columns) {
+        std::vector<double> ours(2 * n_), theirs(2 * n_);
+        int const m = static_cast<int>(m_), n = static_cast<int>(n_);
+        double *const dx = ours.data(), *const dy = dx + n_;
+        done(hm_morph(basis_, move_.data(), nullptr, nullptr, 1, dx, dy, 1, executor_, &error_), "hm_morph");
+        its.dgemm('T', 'N', n, 2, m, 1, by_node.data(), m, columns.data(), m, 0, theirs.data(), n);
+        for (std::size_t i = 0; i < 2 * n_; ++i)
+            if (!(std::fabs(ours[i] - theirs[i]) < 1e-20)) throw std::runtime_error("our morph is not OpenBLAS's");
+    }
+};
+
+void add_products(Case const& its_case, Settings const& settings, Limits const& limits, Table& table) {
+    for (Index const functions : settings.functions) {
+        Workspace workspace;
+        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
+        ours.run();
+        Product product(its_case, ours, settings.executor);
+        std::pair<double, double> theirs{not_measured, not_measured};
+        if (blas() != nullptr) theirs = product.blas_seconds(*blas());
+        auto row = [&](char const* what, double bytes, double our_seconds, double their_seconds) {
+            table.add({what, its_case.name(), count(functions), milliseconds(our_seconds),
+                       {1e9 * our_seconds / product.nodes(), "%.2f"}, {1e-9 * bytes / our_seconds, "%.1f"},
+                       percent(bytes / our_seconds / limits.read), milliseconds(their_seconds),
+                       ratio(their_seconds / our_seconds)});
+        };
+        row("morph", product.morph_bytes(), product.morph_seconds(), theirs.first);
+        row("adjoint", product.adjoint_bytes(), product.adjoint_seconds(), theirs.second);
+    }
+}
+
+void add_step(Case const& its_case, Settings const& settings, Table& table) {
+    Workspace workspace;
+    Ours ours(its_case, workspace, 20, settings.executor, settings.kernel);
+    ours.run();
+    Product product(its_case, ours, settings.executor);
+    double const morph = product.morph_seconds();
+
+    hm_basis const* const basis = ours.basis();
+    hm_executor const* const executor = settings.executor;
+    hm_error error{};
+    hm_mesh const mesh = its_case.mesh.view();
+    std::vector<double> dx(its_case.mesh.x.size()), dy = dx, move(40, 1e-3), x = its_case.mesh.x, y = its_case.mesh.y;
+    require(hm_morph(basis, move.data(), nullptr, nullptr, 1, dx.data(), dy.data(), 1, executor, &error), error, "hm_morph");
+    double const step = time_of([&] {
+        hm_step_report report{};
+        report.struct_size = sizeof report;
+        require(hm_admissible_step(basis, &mesh, dx.data(), dy.data(), 1, executor, &report, &error), error,
+                "hm_admissible_step");
+    });
+    double const quality = time_of([&] {
+        hm_quality_report report{};
+        report.struct_size = sizeof report;
+        require(hm_quality(basis, &mesh, x.data(), y.data(), 1, mesh.x, mesh.y, 1, executor, &report, &error), error,
+                "hm_quality");
+    });
+    table.add({its_case.name(), count(its_case.mesh.n_cells()), milliseconds(morph), milliseconds(step),
+               milliseconds(quality), ratio((step + quality) / morph)});
+}
+
+}  // namespace
+
+void bench_morph(Settings const& settings, Limits const& limits, Report& report) {
+    if (blas() != nullptr) blas()->set_threads(settings.threads);
+    Index largest = 0;
+    for (Index const size : settings.sizes) largest = std::max(largest, size);
+    largest = std::min(largest, Index{1000000});
+    Table products{"Morph and adjoint [ms] (threads: " + std::to_string(settings.threads) + ")",
+                   {"what", "mesh", "functions", "ours", "ns/node", "GB/s", "% of reading", "dgemm", "ratio"}, {}, {}};
+    Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
+                {"mesh", "cells", "morph", "step", "quality", "step and quality / morph"}, {}, {}};
+    Others others;
+    for (std::string const& kind : settings.kinds) {
+        say(kind + " " + std::to_string(largest) + ": morph");
+        Case const its_case = make_case(kind, largest);
+        if (kind == settings.kinds[0]) {
+            add_products(make_case(kind, 5000), settings, limits, products);
+            add_products(its_case, settings, limits, products);
+        }
+        add_step(its_case, settings, steps);
+    }
+    if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
+    products.notes.push_back("Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Small meshes stay "
+                             "in the caches. dgemm: the best of three ways to store F and the coordinates.");
+    products.notes.push_back(others.text());
+    report.finish(products);
+    report.finish(steps);
+}
+
+}  // namespace bench

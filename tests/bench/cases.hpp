@@ -1,0 +1,47 @@
+// The meshes of all comparisons, and the curves fitted to their airfoil.
+#pragma once
+
+#include <fixtures/mesh.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+using Index = std::int32_t;
+inline std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+// A NACA 0012 in a circle of 20 chords.
+struct Case {
+    std::string kind;         // iso, viscous, unstructured or shuffled
+    fixtures::Mesh mesh;
+    Index wall_points = 0;    // the first points of the mesh, in order round the airfoil (but for shuffled)
+
+    std::string name() const;
+};
+
+std::vector<std::string> const& known_kinds();
+
+// iso:          O-mesh of quads, as long as they are high
+// viscous:      O-mesh of quads, the first 1e-5 chords high
+// unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them down
+// shuffled:     the same, points and cells in random order
+// About `size` points. An unknown kind: std::invalid_argument.
+Case make_case(std::string const& kind, Index size);
+
+// A fit through the airfoil's points, in its own memory.
+class Fit {
+public:
+    Fit(Case const& its_case, Index n_control);
+    hm_curves const& curves() const { return *curves_; }
+
+private:
+    std::unique_ptr<unsigned char[]> block_;
+    hm_curves const* curves_ = nullptr;
+};
+
+// Throws what an hm_error says, unless the status is HM_OK or a warning.
+void require(hm_status status, hm_error const& error, const char* call);
+
+}  // namespace bench

@@ -1,0 +1,84 @@
+#include "dense_front.hpp"
+
+#include <harmorph/dense.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace bench {
+namespace {
+
+namespace dense = harmorph::dense;
+
+harmorph::Kernel chosen(int kernel) {
+    auto const wanted = static_cast<harmorph::Kernel>(kernel);
+    if (wanted == harmorph::Kernel::automatic) return harmorph::best_kernel();
+    if (!harmorph::has_kernel(wanted)) throw std::invalid_argument("this processor lacks the kernel asked for");
+    return wanted;
+}
+
+std::vector<double> numbers(harmorph::Offset count, double value = 0) {
+    return std::vector<double>(static_cast<std::size_t>(count + dense::overread), value);
+}
+
+}  // namespace
+
+struct DenseFront::Inside {
+    harmorph::Kernel kernel;
+    std::vector<double> original, panel_data, update_data, packing, sides;
+    dense::Panel panel;
+    dense::UpdateMatrix update;
+
+    dense::Workers workers() { return {harmorph::Executor{}, packing.data()}; }
+};
+
+DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {
+    Inside& in = *inside_;
+    in.kernel = chosen(kernel);
+    in.original = numbers(dense::Panel::entries(pivots, front));
+    dense::Panel const panel{in.original.data(), pivots, front};
+    for (int i = 0; i < pivots; ++i)
+        for (int j = i; j < front; ++j) panel.row(i)[j] = entry(front, i, j);
+    in.panel_data = in.original;
+    in.panel = {in.panel_data.data(), pivots, front};
+    in.update_data = numbers(dense::UpdateMatrix::entries(front - pivots));
+    in.update = {in.update_data.data(), front - pivots};
+    in.packing = numbers(dense::packing_entries);
+    in.sides = numbers(harmorph::Offset{front} * right_hand_sides, 1);
+}
+
+DenseFront::~DenseFront() = default;
+
+void DenseFront::restore() {
+    std::copy(inside_->original.begin(), inside_->original.end(), inside_->panel_data.begin());
+    std::fill(inside_->sides.begin(), inside_->sides.end(), 1.0);
+}
+
+void DenseFront::factor() {
+    Inside& in = *inside_;
+    if (dense::factor(in.kernel, in.panel, 1e-14, in.workers()) >= 0) throw std::runtime_error("our factor failed");
+}
+
+void DenseFront::update() {
+    Inside& in = *inside_;
+    dense::update_border(in.kernel, in.panel, in.update, in.workers());
+}
+
+void DenseFront::solve() {
+    Inside& in = *inside_;
+    dense::solve_forward(in.kernel, in.panel, in.sides.data(), right_hand_sides, harmorph::Executor{});
+    dense::solve_backward(in.kernel, in.panel, in.sides.data(), right_hand_sides, harmorph::Executor{});
+}
+
+double DenseFront::factored(int i, int j) const { return inside_->panel.row(i)[j]; }
+
+std::string DenseFront::kernel_name(int kernel) {
+    switch (chosen(kernel)) {
+        case harmorph::Kernel::avx512: return "avx512";
+        case harmorph::Kernel::avx2: return "avx2";
+        default: return "baseline";
+    }
+}
+
+}  // namespace bench

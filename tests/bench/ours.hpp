@@ -1,0 +1,70 @@
+// The library, through its C interface alone: from a mesh to solved functions, every phase timed.
+#pragma once
+
+#include "cases.hpp"
+
+namespace bench {
+
+struct Phases {
+    double structure = 0, ordering = 0, symbolic = 0;   // hm_analysis_init; symbolic: with hm_plan_init as a whole
+    double assembly = 0, factor = 0;                    // hm_plan_factor
+    double solve = 0, residual = 0;                     // hm_plan_solve
+
+    // What a solver does that is given the matrix and the right-hand sides.
+    double engine() const { return ordering + symbolic + factor + solve; }
+    // What it is spared.
+    double around() const { return structure + assembly; }
+};
+
+// Memory comes untouched, and is kept for the next run.
+struct Block {
+    std::unique_ptr<unsigned char[]> data;
+    std::size_t bytes = 0;
+
+    void* give(std::size_t wanted) {
+        if (wanted > bytes) {
+            data.reset();
+            data.reset(new unsigned char[wanted]);
+            bytes = wanted;
+        }
+        return data.get();
+    }
+};
+
+// What only a run needs: several problems may take turns with it.
+struct Workspace {
+    Block analysis, plan;
+};
+
+class Ours {
+public:
+    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel);
+    Ours(Ours const&) = delete;
+
+    // From the beginning, in the same blocks each time: the first run is the warm-up.
+    Phases run();
+    hm_basis const* basis() const { return basis_; }
+    Fit const& fit() const { return fit_; }
+    Index functions() const { return functions_; }
+    double plan_bytes() const { return plan_bytes_; }
+    double analysis_bytes() const { return analysis_bytes_; }
+    double factor_entries() const { return factor_entries_; }
+
+private:
+    struct Clock;
+
+    Case const& case_;
+    Workspace& workspace_;
+    Index functions_;
+    hm_executor const* executor_;
+    int kernel_;
+    Fit fit_;
+    Block basis_block_;
+    hm_basis* basis_ = nullptr;
+    double analysis_bytes_ = 0, plan_bytes_ = 0, factor_entries_ = 0;
+};
+
+// The medians of several runs, phase by phase.
+Phases medians(std::vector<Phases> const& runs);
+
+}  // namespace bench

@@ -1,0 +1,33 @@
+#include "peers.hpp"
+
+namespace bench {
+
+std::vector<SolverPackage> const& solver_packages() {
+    static std::vector<SolverPackage> const packages = {
+#ifdef HAVE_CHOLMOD
+        {"CHOLMOD", "libsuitesparse-dev", make_cholmod},
+#else
+        {"CHOLMOD", "libsuitesparse-dev", nullptr},
+#endif
+#ifdef HAVE_EIGEN
+        {"Eigen SimplicialLLT", "libeigen3-dev", make_eigen},
+#else
+        {"Eigen SimplicialLLT", "libeigen3-dev", nullptr},
+#endif
+    };
+    return packages;
+}
+
+Blas const* blas() {
+#ifdef HAVE_OPENBLAS
+    return &openblas();
+#else
+    return nullptr;
+#endif
+}
+
+std::string presence(SolverPackage const& package) {
+    return package.make != nullptr ? "installed" : "not installed (" + package.package + ")";
+}
+
+}  // namespace bench

@@ -1,0 +1,22 @@
+// Which peers this program was built with. run.sh finds out and defines HAVE_CHOLMOD, HAVE_EIGEN and HAVE_OPENBLAS.
+#pragma once
+
+#include "blas.hpp"
+#include "solver_peer.hpp"
+
+namespace bench {
+
+struct SolverPackage {
+    std::string name, package;   // package: Debian's
+    SolverPeers (*make)(int threads);   // null: not installed
+};
+
+std::vector<SolverPackage> const& solver_packages();
+
+// Null: not installed.
+Blas const* blas();
+
+// "installed" or "not installed (libsuitesparse-dev)".
+std::string presence(SolverPackage const& package);
+
+}  // namespace bench

@@ -1,0 +1,98 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace bench {
+namespace {
+
+std::string format(const char* how, double number) {
+    char text[64];
+    std::snprintf(text, sizeof text, how, number);
+    return text;
+}
+
+std::string quoted(std::string const& text) {
+    std::string out = "\"";
+    for (char const c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+    return out + '"';
+}
+
+std::string json(Value const& value) {
+    if (!value.is_number) return quoted(value.text);
+    return std::isfinite(value.number) ? format("%.9g", value.number) : "null";
+}
+
+// Texts to the left, numbers to the right.
+void print_cell(std::string const& text, std::size_t width, bool to_right) {
+    std::printf(to_right ? "%*s  " : "%-*s  ", static_cast<int>(width), text.c_str());
+}
+
+}  // namespace
+
+Value::Value(double its_number, const char* how)
+    : text(std::isfinite(its_number) ? format(how, its_number) : "-"), number(its_number), is_number(true) {}
+
+void Table::print() const {
+    std::vector<std::size_t> width;
+    for (std::string const& name : columns) width.push_back(name.size());
+    for (std::vector<Value> const& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].text.size());
+    std::printf("\n%s\n", title.c_str());
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        print_cell(columns[k], width[k], !rows.empty() && rows[0][k].is_number);
+    std::printf("\n");
+    for (std::vector<Value> const& row : rows) {
+        for (std::size_t k = 0; k < row.size(); ++k) print_cell(row[k].text, width[k], row[k].is_number);
+        std::printf("\n");
+    }
+    for (std::string const& note : notes) std::printf("  %s\n", note.c_str());
+    std::fflush(stdout);
+}
+
+void Report::fact(std::string const& name, std::string const& text) {
+    facts_.emplace_back(name, text);
+    std::printf("%s: %s\n", name.c_str(), text.c_str());
+    std::fflush(stdout);
+}
+
+void Report::finish(Table const& table) {
+    table.print();
+    tables_.push_back(table);
+}
+
+bool Report::write_json(std::string const& path) const {
+    std::FILE* file = std::fopen(path.c_str(), "w");
+    if (file == nullptr) return false;
+    std::fprintf(file, "{\n");
+    for (auto const& fact : facts_)
+        std::fprintf(file, "  %s: %s,\n", quoted(fact.first).c_str(), quoted(fact.second).c_str());
+    std::fprintf(file, "  \"tables\": [");
+    for (std::size_t t = 0; t < tables_.size(); ++t) {
+        Table const& table = tables_[t];
+        std::fprintf(file, "%s\n    {\"title\": %s, \"rows\": [", t > 0 ? "," : "", quoted(table.title).c_str());
+        for (std::size_t r = 0; r < table.rows.size(); ++r) {
+            std::fprintf(file, "%s\n      {", r > 0 ? "," : "");
+            for (std::size_t k = 0; k < table.columns.size(); ++k)
+                std::fprintf(file, "%s%s: %s", k > 0 ? ", " : "", quoted(table.columns[k]).c_str(),
+                             json(table.rows[r][k]).c_str());
+            std::fprintf(file, "}");
+        }
+        std::fprintf(file, "\n    ], \"notes\": [");
+        for (std::size_t k = 0; k < table.notes.size(); ++k)
+            std::fprintf(file, "%s%s", k > 0 ? ", " : "", quoted(table.notes[k]).c_str());
+        std::fprintf(file, "]}");
+    }
+    std::fprintf(file, "\n  ]\n}\n");
+    return std::fclose(file) == 0;
+}
+
+void say(std::string const& text) {
+    std::fprintf(stderr, "... %s\n", text.c_str());
+}
+
+}  // namespace bench

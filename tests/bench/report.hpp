@@ -1,0 +1,54 @@
+// Tables: on the standard output for people, in one JSON object for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// A text, or a number and how it is printed. A number that is not finite is printed as "-" and is null in JSON.
+struct Value {
+    std::string text;
+    double number = 0;
+    bool is_number = false;
+
+    Value(std::string its_text) : text(std::move(its_text)) {}
+    Value(const char* its_text) : text(its_text) {}
+    Value(double its_number, const char* format);
+};
+
+inline Value seconds(double s) { return {s, s < 0.01 ? "%.5f" : s < 10 ? "%.4f" : "%.2f"}; }
+inline Value milliseconds(double s) { return {1e3 * s, "%.3f"}; }
+inline Value count(double n) { return {n, "%.0f"}; }
+inline Value ratio(double r) { return {r, "%.2f"}; }
+inline Value percent(double share) { return {100 * share, "%.1f"}; }
+inline Value residual(double r) { return {r, "%.1e"}; }
+
+struct Table {
+    std::string title;
+    std::vector<std::string> columns;
+    std::vector<std::vector<Value>> rows;
+    std::vector<std::string> notes;
+
+    void add(std::vector<Value> row) { rows.push_back(std::move(row)); }
+    void print() const;
+};
+
+class Report {
+public:
+    // Facts come before all tables: machine, date, compilers, peers.
+    void fact(std::string const& name, std::string const& text);
+    // Prints a finished table and keeps it for JSON.
+    void finish(Table const& table);
+    // False: the file cannot be written.
+    bool write_json(std::string const& path) const;
+
+private:
+    std::vector<std::pair<std::string, std::string>> facts_;
+    std::vector<Table> tables_;
+};
+
+// What is being measured, on the standard error: runs are long.
+void say(std::string const& text);
+
+}  // namespace bench

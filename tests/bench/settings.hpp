@@ -1,0 +1,39 @@
+// What the command line asks for, and the parts of the benchmark.
+#pragma once
+
+#include "report.hpp"
+
+#include <harmorph.h>
+
+namespace bench {
+
+struct Settings {
+    std::vector<std::int32_t> sizes{10000, 100000, 1000000};
+    std::vector<std::string> kinds{"iso", "viscous", "unstructured"};
+    std::vector<std::int32_t> functions{20, 60};
+    std::vector<std::string> parts{"dense", "solve", "morph"};
+    int threads = 1;        // of both sides
+    hm_executor const* executor = nullptr;   // with as many; null: one
+    int kernel = 0;         // HM_KERNEL_...
+    int repeats = 0;        // of the solves; 0: by size
+    std::string json;       // file name; empty: none
+
+    bool has(std::string const& part) const {
+        for (std::string const& wanted : parts)
+            if (wanted == part) return true;
+        return false;
+    }
+};
+
+// Bytes read per second, and arithmetic: what the other parts are measured against.
+struct Limits {
+    double read = 0;        // [bytes/s] of all threads over an array that fits in no cache
+    double peak = 0;        // [flop/s] of one thread, multiply-adds in registers
+};
+
+Limits measure_machine(Settings const& settings, Report& report);
+void bench_dense(Settings const& settings, Limits const& limits, Report& report);
+void bench_solve(Settings const& settings, Report& report);
+void bench_morph(Settings const& settings, Limits const& limits, Report& report);
+
+}  // namespace bench
