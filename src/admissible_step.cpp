@@ -10,8 +10,8 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     if (a >= 0 && b >= 0) return infinity;
     if (a == 0) return -c / b;
     Real const discriminant = b * b - 4 * a * c;
-    if (discriminant < 0) return infinity;
-    Real const root = square_root(discriminant);
+    if (discriminant < -4 * epsilon * b * b) return infinity;
+    Real const root = square_root(larger(discriminant, 0.0));  // but for rounding, an area that touches 0 has a root there
     if (b <= 0) return 2 * c / (root - b);   // a > 0: the smaller of two positive roots; a < 0: the only one
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }

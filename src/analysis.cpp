@@ -76,8 +76,21 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
     graph.build(mesh, edges, representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
+    HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(mesh, edges, representative, graph, wall_work.slot);
     return Status::ok;
+}
+
+// Every part of the mesh must hang on a known value.
+Status Analysis::check_parts(Fault& fault) noexcept {
+    bool any_free = false;
+    for (Condition const& condition : conditions) any_free = any_free || condition.kind == ConditionKind::free;
+    if (!any_free) return Status::ok;
+    Index const floating = graph.first_floating(problem.mesh, edges, representative, kinds, dissection_work.moved,
+                                                dissection_work.side);
+    if (floating == none) return Status::ok;
+    return fault.refuse(Status::bad_condition, "point # is in a part of the mesh whose boundaries are all free", Counts::mesh,
+                        floating);
 }
 
 Status Analysis::analyse_order(Fault& fault) noexcept {

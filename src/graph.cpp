@@ -46,4 +46,26 @@ void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> repres
     });
 }
 
+Index Graph::first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
+                            Span<const PointKind> kinds, Span<Index> queue, Span<std::uint8_t> reached) const noexcept {
+    fill(reached.first(n), std::uint8_t{0});
+    Index filled = 0;
+    auto const reach = [&](Index u) {
+        if (u == none || reached[u] != 0) return;
+        reached[u] = 1;
+        queue[filled++] = u;
+    };
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        if (!is_unknown(kinds[a])) reach(unknown[b]);
+        if (!is_unknown(kinds[b])) reach(unknown[a]);
+    });
+    for (Index read = 0; read < filled; ++read) {
+        for (Index const v : of(queue[read])) reach(v);
+    }
+    for (Index u = 0; u < n; ++u) {
+        if (reached[u] == 0) return point[u];
+    }
+    return none;
+}
+
 }  // namespace harmorph

@@ -81,8 +81,9 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     report.functions = width;
     report.factor_entries = engine.panel_start[engine.tree.count];
     HARMORPH_TRY(measure_residual(basis, report, fault));
-    for (; report.residual > refined_above && report.refinements < most_refinements; ++report.refinements) {
+    while (report.residual > refined_above && report.refinements < most_refinements) {
         HARMORPH_TRY(refine(basis, fault));
+        ++report.refinements;
         HARMORPH_TRY(measure_residual(basis, report, fault));
     }
     copy_joined_points(basis);
@@ -134,6 +135,7 @@ Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fa
             report.residual = relative;
             report.residual_function = first + k;
         }
+        if (report.refinements > 0) continue;  // fractions never go back
         HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_functions, fault));
     }
     return Status::ok;

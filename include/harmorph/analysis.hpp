@@ -59,6 +59,7 @@ private:
     Status analyse_mesh(Fault& fault) noexcept;
     void count_used_points() noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
+    Status check_parts(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;
 };
 

@@ -32,8 +32,10 @@ struct CellCorners {
         for (Index k = 0; k < 4; ++k) side[k] = shape.at[(k + 1) & 3] - shape.at[k];
         for (Index k = 0; k < 4; ++k) twice_area[k] = cross(side[(k + 3) & 3], side[k]);
     }
+    // NaN if any corner's is: a minimum alone may lose it, the sum does not.
     Real smallest() const noexcept {
-        return smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3]));
+        Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]);
+        return sum == sum ? smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3])) : sum;
     }
     // Of the whole cell.
     Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }

@@ -28,6 +28,10 @@ struct Graph {
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds) noexcept;
+    // First mesh point of a part that is next to no known value, where constants would be solutions too; or none. Only free
+    // boundaries leave such parts. queue, reached [n]: working space.
+    Index first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
+                         Span<Index> queue, Span<std::uint8_t> reached) const noexcept;
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
 };
 

@@ -1,0 +1,211 @@
+// The admissible step is where the first corner's area becomes 0: not before, not after.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+#include <harmorph/admissible_step.hpp>
+
+using namespace fixtures;
+using harmorph::AdmissibleStep;
+
+namespace {
+
+struct Displaced {
+    Mesh mesh;
+    std::vector<double> dx, dy;
+    std::vector<std::uint8_t> reversed;
+
+    explicit Displaced(Mesh const& its_mesh)
+        : mesh(its_mesh), dx(mesh.x.size(), 0.0), dy(dx), reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}
+
+    AdmissibleStep step() const {
+        harmorph::Mesh const view = core_mesh(mesh);
+        return admissible_step(view, view.points, {dx.data(), dy.data(), 1}, span(reversed), {});
+    }
+    std::int32_t point(AdmissibleStep const& limit) const { return limiting_point(core_mesh(mesh), limit, span(reversed)); }
+    Mesh after(double s) const {
+        Mesh out = mesh;
+        for (std::size_t k = 0; k < dx.size(); ++k) {
+            out.x[k] += s * dx[k];
+            out.y[k] += s * dy[k];
+        }
+        return out;
+    }
+    bool valid_after(double s) const { return check(after(s)).min_corner > 0; }
+};
+
+Displaced one_triangle() {
+    Mesh mesh;
+    mesh.add_point({0, 0});
+    mesh.add_point({1, 0});
+    mesh.add_point({0, 1});
+    mesh.add_cell({0, 1, 2});
+    return Displaced(mesh);
+}
+
+Displaced random_displacement(Mesh const& mesh, double size, unsigned seed) {
+    Displaced out(mesh);
+    std::mt19937 random(seed);
+    for (std::size_t k = 0; k < out.dx.size(); ++k) {
+        out.dx[k] = size * (2 * uniform(random) - 1);
+        out.dy[k] = size * (2 * uniform(random) - 1);
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("roots of the quadratic, in all cases of its signs") {
+    // With these displacements twice the area is (1 + p s)(1 + q s) - r s^2 = 1 + (p + q) s + (p q - r) s^2.
+    double const values[] = {-3, -1, -0.5, -0x1p-10, 0, 0x1p-10, 0.5, 1, 3};   // exact, and so double roots are
+    int unlimited = 0, limited = 0;
+    for (double const p : values)
+        for (double const q : values)
+            for (double const r : {-20.0, -2.0, -0.25, 0.0, 0.25, 2.0, 20.0}) {
+                Displaced its = one_triangle();
+                its.dx[1] = p;
+                its.dy[2] = q;
+                its.dy[1] = 1;
+                its.dx[2] = r;
+                long double const a = static_cast<long double>(p) * q - r, b = static_cast<long double>(p) + q;
+                long double const discriminant = b * b - 4 * a;
+                long double expected = HUGE_VALL;
+                auto const offer = [&](long double s) {
+                    if (s > 0 && s < expected) expected = s;
+                };
+                if (discriminant >= 0) {
+                    long double const root = std::sqrt(discriminant);
+                    if (b + root != 0) offer(-2 / (b + root));   // both forms of the quadratic formula lose digits somewhere
+                    if (b - root != 0) offer(-2 / (b - root));
+                }
+                AdmissibleStep const found = its.step();
+                INFO("p " << p << " q " << q << " r " << r);
+                if (expected == HUGE_VALL) {
+                    CHECK(found.step == HUGE_VAL);
+                    CHECK((found.cell == -1 && its.point(found) == -1));
+                    ++unlimited;
+                } else {
+                    CHECK(found.step == doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
+                    CHECK((found.cell == 0 && its.point(found) == 0));
+                    ++limited;
+                }
+            }
+    CHECK(unlimited > 50);
+    CHECK(limited > 50);
+}
+
+TEST_CASE("a double root: the area touches 0 and grows again; that is a limit") {
+    Displaced its = one_triangle();
+    its.dx[1] = -1;
+    its.dy[2] = -1;   // (1 - s)^2
+    CHECK(its.step().step == 1);
+}
+
+TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
+    Mesh const mesh = square(6, Cells::hybrid, 2, 2);
+    Displaced its(mesh);
+    CHECK(its.step().step == HUGE_VAL);   // no motion
+    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = 0.3, its.dy[k] = -7;
+    CHECK(its.step().step == HUGE_VAL);
+    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = mesh.x[k], its.dy[k] = mesh.y[k];
+    CHECK(its.step().step == HUGE_VAL);
+    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.y[k], its.dy[k] = mesh.x[k];   // turning and growing
+    CHECK(its.step().step == HUGE_VAL);
+    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.x[k] / 3, its.dy[k] = 0;
+    CHECK(its.step().step == doctest::Approx(3).epsilon(1e-12));
+}
+
+TEST_CASE("exact on meshes: valid a millionth before, inverted a millionth behind, all the way valid up to it") {
+    int limited = 0;
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Mesh mesh = annulus(5, 24, 0.5, 2, kind);
+            perturb(mesh, 0.3, seed);
+            Displaced const its = random_displacement(mesh, 0.01, seed + 100);
+            AdmissibleStep const found = its.step();
+            REQUIRE(found.step < HUGE_VAL);
+            ++limited;
+            CHECK(its.valid_after(found.step * 0.999999));
+            CHECK(!its.valid_after(found.step * 1.000001));
+            for (int k = 1; k < 50; ++k) CHECK(its.valid_after(found.step * k / 50));
+            // The limiting corner is the one that is flat there.
+            Mesh const flat = its.after(found.step);
+            harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
+            bool seen = false;
+            for (int k = 0; k < cell.n; ++k) {
+                Point const a = flat.point(cell.point[k]), b = flat.point(cell.next(k)), c = flat.point(cell.previous(k));
+                if (cell.point[k] == its.point(found)) seen = std::fabs(twice_area(a, b, c)) < 1e-12;
+            }
+            CHECK(seen);
+        }
+    CHECK(limited == 60);
+}
+
+TEST_CASE("the same as bisection, where the motion is a bending that grows") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Mesh const mesh = annulus(8, 40, 0.5, 2, kind);
+        Displaced its(mesh);
+        for (std::size_t k = 0; k < its.dx.size(); ++k)
+            its.dy[k] = std::exp(-10 * std::pow(mesh.x[k] - 0.4, 2)) * (2 - std::hypot(mesh.x[k], mesh.y[k]));
+        double low = 0, high = 1;
+        while (its.valid_after(high)) high *= 2;
+        for (int k = 0; k < 60; ++k) (its.valid_after(0.5 * (low + high)) ? low : high) = 0.5 * (low + high);
+        CHECK(its.step().step == doctest::Approx(high).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
+    Mesh const mesh = square(6, Cells::hybrid, 2, 2);
+    Displaced const its = random_displacement(mesh, 0.01, 5);
+    Displaced clockwise = its;
+    reverse_all(clockwise.mesh);
+    std::fill(clockwise.reversed.begin(), clockwise.reversed.end(), std::uint8_t{1});
+    CHECK(clockwise.step().step == doctest::Approx(its.step().step).epsilon(1e-14));
+    CHECK(clockwise.step().cell == its.step().cell);
+    CHECK(clockwise.point(clockwise.step()) == its.point(its.step()));
+
+    Displaced inverted = its;
+    inverted.mesh.x[8] = -1;
+    CHECK(inverted.step().step == 0);
+    CHECK(inverted.step().cell == 0);
+    Displaced flat = one_triangle();
+    flat.mesh.x[2] = 2;
+    flat.mesh.y[2] = 0;
+    flat.dy[2] = 1;   // would become valid, but is not
+    CHECK(flat.step().step == 0);
+}
+
+TEST_CASE("a smaller displacement allows the larger step, to rounding; scaling by a power of two exactly") {
+    Mesh const mesh = annulus(5, 24, 0.5, 2, Cells::hybrid);
+    Displaced const its = random_displacement(mesh, 0.01, 6);
+    Displaced small = its;
+    for (std::size_t k = 0; k < its.dx.size(); ++k) small.dx[k] /= 1024, small.dy[k] /= 1024;
+    CHECK(small.step().step == 1024 * its.step().step);
+    Displaced tiny = its;
+    double const unit = std::ldexp(1.0, -40);
+    for (std::size_t k = 0; k < its.dx.size(); ++k) {
+        tiny.dx[k] *= unit, tiny.dy[k] *= unit;
+        tiny.mesh.x[k] *= unit, tiny.mesh.y[k] *= unit;
+    }
+    CHECK(tiny.step().step == its.step().step);
+}
+
+TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh, twice is not") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    for (unsigned seed = 0; seed < 5; ++seed) {
+        std::vector<double> const move = some_move(its.curves.n_control(), 0.05, seed);
+        Displaced displaced(its.mesh);
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, displaced.dx.data(), displaced.dy.data(), 1,
+                         nullptr, nullptr) == HM_OK);
+        hm_step_report report{};
+        report.struct_size = sizeof report;
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, displaced.dx.data(), displaced.dy.data(), 1, nullptr, &report,
+                                   nullptr) == HM_OK);
+        REQUIRE(report.admissible < HUGE_VAL);
+        CHECK(displaced.valid_after(0.5 * report.admissible));
+        CHECK(displaced.valid_after(0.999999 * report.admissible));
+        CHECK(!displaced.valid_after(1.000001 * report.admissible));
+    }
+}

@@ -1,0 +1,87 @@
+// One pass says what the admissible step and the quality say each for itself.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/executors.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+struct Both {
+    hm_step_report step{};
+    hm_quality_report quality{};
+    Both() {
+        step.struct_size = sizeof step;
+        quality.struct_size = sizeof quality;
+    }
+    // To rounding: areas of reference come from diagonals here, from corners there.
+    bool agrees_with(Both const& other) const {
+        auto const near = [](double a, double b) { return a == doctest::Approx(b).epsilon(1e-12) || a == b; };
+        hm_quality_report const &a = quality, &b = other.quality;
+        return std::memcmp(&step, &other.step, sizeof step) == 0 && a.inverted == b.inverted &&
+               a.first_inverted == b.first_inverted && a.min_area == b.min_area && near(a.min_quality, b.min_quality) &&
+               near(a.mean_quality, b.mean_quality) && a.min_quality_cell == b.min_quality_cell &&
+               a.self_crossing == b.self_crossing &&
+               std::memcmp(a.crossing_points, b.crossing_points, sizeof a.crossing_points) == 0;
+    }
+    bool same_as(Both const& other) const {
+        return std::memcmp(&step, &other.step, sizeof step) == 0 && std::memcmp(&quality, &other.quality, sizeof quality) == 0;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the same step and the same quality as one after the other, before the morph instead of after it") {
+    for (std::int32_t const base : {0, 1})
+        for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+            for (double const size : {0.0, 1e-5, 1.0}) {   // from nothing at all to a tangle
+                Case its = airfoil_case(40, 12, kind);
+                its.index_base = base;
+                if (base == 1) reverse_some(its.mesh, 3);
+                Solved const solved(its);
+                hm_mesh const mesh = its.mesh_view();
+                std::size_t const n = its.mesh.x.size();
+                std::vector<double> const move = some_move(its.curves.n_control(), size, 5);
+                std::vector<double> dx(n), dy(n), x(n), y(n);
+                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, dx.data(), dy.data(), 1, nullptr, nullptr) ==
+                        HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+                Both apart, together;
+                REQUIRE(hm_admissible_step(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &apart.step, nullptr) == HM_OK);
+                REQUIRE(hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, mesh.x, mesh.y, 1, nullptr, &apart.quality,
+                                   nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &together.step, &together.quality,
+                                  nullptr) == HM_OK);
+                CHECK(together.agrees_with(apart));
+                CHECK((together.quality.inverted > 0) == (size == 1.0));
+                CHECK((together.step.admissible < 1) == (size == 1.0));
+                Backwards order;
+                hm_executor const executor = order.executor(4);
+                Both threaded;
+                REQUIRE(hm_assess(solved.basis, &mesh, dx.data(), dy.data(), 1, &executor, &threaded.step, &threaded.quality,
+                                  nullptr) == HM_OK);
+                CHECK(threaded.same_as(together));
+                CHECK(order.tasks > 1);
+            }
+}
+
+TEST_CASE("NULL and foreign meshes are refused") {
+    Case its = tiny_case(), other = two_body_case();
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view(), foreign = other.mesh.view();
+    std::vector<double> const d(its.mesh.x.size(), 0.0);
+    Both both;
+    hm_status const refused[] = {
+        hm_assess(nullptr, &mesh, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, nullptr, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, d.data(), nullptr, 1, nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, d.data(), d.data(), -1, nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, nullptr, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, &both.step, nullptr, nullptr),
+    };
+    for (hm_status const status : refused) CHECK(status == HM_BAD_ARGUMENT);
+    CHECK(hm_assess(solved.basis, &foreign, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr) == HM_BAD_BASIS);
+    CHECK(both.same_as(Both()));
+}

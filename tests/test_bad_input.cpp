@@ -1,0 +1,300 @@
+// Every kind of bad input is refused with a sentence that names the first offender; the caller's arrays stay as they are.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+#include <functional>
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+constexpr std::int32_t nobody = -1;
+double const not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+struct Spoiled {
+    hm_status status;
+    const char* word;       // in the sentence
+    std::int32_t item;      // from 0; numbered by the mesh if `in_mesh`
+    bool in_mesh;
+    std::function<void(Case&)> change;
+    std::function<void(hm_mesh&)> change_view = {};
+};
+
+void check_refused(Spoiled const& bad) {
+    for (std::int32_t const base : {0, 1}) {
+        Case its = tiny_case();
+        its.index_base = base;
+        if (bad.change) bad.change(its);
+        hm_mesh view = its.mesh_view();
+        if (bad.change_view) bad.change_view(view);
+        hm_problem const problem = its.problem(view);
+        Mesh const mesh = its.mesh;
+        std::vector<double> const control = its.curves.control;
+
+        Attempt attempt(problem);
+        INFO(std::string(bad.word) << ", index_base " << base << ": " << attempt.reached << ": " << attempt.error.text);
+        CHECK(attempt.status == bad.status);
+        CHECK(attempt.error.code == attempt.status);
+        CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
+        CHECK(std::string(attempt.error.text).find_first_of("#@~") == std::string::npos);
+        CHECK(attempt.error.item == (bad.item == nobody ? nobody : bad.item + (bad.in_mesh ? base : 0)));
+        CHECK(attempt.guards_intact());
+        CHECK(attempt.basis == nullptr);
+        CHECK(same_bits(mesh.x, its.mesh.x));
+        CHECK(mesh.cells == its.mesh.cells);
+        CHECK(same_bits(control, its.curves.control));
+    }
+}
+
+void replace_cell(Mesh& mesh, std::int32_t cell, std::vector<std::int32_t> const& points) {
+    Mesh const old = mesh;
+    mesh.cells.clear();
+    mesh.cell_start.assign(1, 0);
+    for (std::int32_t i = 0; i < old.n_cells(); ++i) {
+        auto const begin = old.cells.begin() + old.cell_start[static_cast<std::size_t>(i)];
+        auto const end = old.cells.begin() + old.cell_start[static_cast<std::size_t>(i) + 1];
+        if (i == cell) mesh.cells.insert(mesh.cells.end(), points.begin(), points.end());
+        else mesh.cells.insert(mesh.cells.end(), begin, end);
+        mesh.cell_start.push_back(static_cast<std::int32_t>(mesh.cells.size()));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("what the others spoil is sound") {
+    for (std::int32_t const base : {0, 1}) {
+        Case its = tiny_case();
+        its.index_base = base;
+        Solved const solved(its);
+        CHECK(solved.report.curve_points == 8);
+        CHECK(solved.report.unknowns == 48 - 8 - 24);
+    }
+}
+
+TEST_CASE("bad counts and missing arrays of a mesh") {
+    Spoiled const all[] = {
+        {HM_BAD_ARGUMENT, "index_base", 2, false, {}, [](hm_mesh& m) { m.index_base = 2; }},
+        {HM_BAD_MESH, "n_points", 2, false, {}, [](hm_mesh& m) { m.n_points = 2; }},
+        {HM_BAD_MESH, "n_points", -5, false, {}, [](hm_mesh& m) { m.n_points = -5; }},
+        {HM_BAD_MESH, "n_cells", 0, false, {}, [](hm_mesh& m) { m.n_cells = 0; }},
+        {HM_BAD_ARGUMENT, "negative", nobody, false, {}, [](hm_mesh& m) { m.n_faces = -1; }},
+        {HM_BAD_ARGUMENT, "negative", nobody, false, {}, [](hm_mesh& m) { m.n_lists = -1; }},
+        {HM_BAD_ARGUMENT, "cell_layout", 9, false, {}, [](hm_mesh& m) { m.cell_layout = 9; }},
+        {HM_BAD_ARGUMENT, "struct_size", nobody, false, {}, [](hm_mesh& m) { m.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "cell_points", nobody, false, {}, [](hm_mesh& m) { m.cell_points = nullptr; }},
+        {HM_BAD_ARGUMENT, "cell_start", nobody, false, {}, [](hm_mesh& m) { m.cell_start = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.x", nobody, false, {}, [](hm_mesh& m) { m.x = nullptr; }},
+        {HM_BAD_ARGUMENT, "mesh.y", nobody, false, {}, [](hm_mesh& m) { m.y = nullptr; }},
+        {HM_BAD_ARGUMENT, "stride", nobody, false, {}, [](hm_mesh& m) { m.stride = -1; }},
+        {HM_BAD_ARGUMENT, "face_points", nobody, false, {}, [](hm_mesh& m) { m.face_points = nullptr; }},
+        {HM_BAD_ARGUMENT, "face_markers", nobody, false, {}, [](hm_mesh& m) { m.face_markers = nullptr; }},
+        {HM_BAD_ARGUMENT, "list_start", nobody, false, {}, [](hm_mesh& m) { m.n_lists = 1; }},
+    };
+    for (Spoiled const& bad : all) check_refused(bad);
+}
+
+TEST_CASE("bad cells") {
+    Spoiled const all[] = {
+        {HM_BAD_MESH, "begin with", 5, false, {}, [](hm_mesh& m) {
+             static std::int32_t const five = 5;
+             m.cell_start = &five;
+         }},
+        {HM_BAD_MESH, "3 or 4", 9, true, [](Case& c) { replace_cell(c.mesh, 9, {10, 11, 18, 17, 3}); }},
+        {HM_BAD_MESH, "3 or 4", 5, true, [](Case& c) { replace_cell(c.mesh, 5, {5, 6}); }},
+        {HM_BAD_MESH, "does not exist", 7, true, [](Case& c) { replace_cell(c.mesh, 7, {8, 9, 48, 15}); }},
+        {HM_BAD_MESH, "does not exist", 7, true, [](Case& c) { replace_cell(c.mesh, 7, {8, -1, 16, 15}); }},
+        {HM_BAD_MESH, "does not exist", 20, true, [](Case& c) { replace_cell(c.mesh, 20, {24, 25, 2000000000}); }},
+        {HM_BAD_MESH, "twice", 18, true, [](Case& c) { replace_cell(c.mesh, 18, {22, 23, 22}); }},
+        {HM_BAD_MESH, "twice", 3, true, [](Case& c) { replace_cell(c.mesh, 3, {3, 4, 3, 10}); }},
+        {HM_BAD_MESH, "twice", 3, true, [](Case& c) { replace_cell(c.mesh, 3, {3, 3, 11, 10}); }},
+        {HM_BAD_MESH, "more than two cells", 8, true, [](Case& c) { c.mesh.add_cell({8, 9, 5}); }},
+        {HM_BAD_MESH, "inverted or empty", 0, true, [](Case& c) { c.mesh.x[8] = -1; }},
+        {HM_BAD_MESH, "inverted or empty", 24, true, [](Case& c) { c.mesh.y[35] = 4; }},   // flat
+        {HM_BAD_MESH, "inverted or empty", 0, true, [](Case& c) { c.mesh.x[8] = c.mesh.y[8] = 0.4; }},   // not convex
+        {HM_BAD_MESH, "not finite", 12, true, [](Case& c) { c.mesh.x[12] = not_a_number; }},
+        {HM_BAD_MESH, "not finite", 47, true, [](Case& c) { c.mesh.y[47] = -HUGE_VAL; }},
+    };
+    for (Spoiled const& bad : all) check_refused(bad);
+}
+
+TEST_CASE("the largest and smallest of numbers as an index") {
+    for (std::int32_t const base : {0, 1})
+        for (std::int32_t const number :
+             {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()}) {
+            Case its = tiny_case();
+            its.index_base = base;
+            hm_mesh view = its.mesh_view();
+            std::vector<std::int32_t> cells(view.cell_points, view.cell_points + its.mesh.cells.size());
+            cells[17] = number;
+            view.cell_points = cells.data();
+            Attempt const in_cell(its.problem(view));
+            CHECK(in_cell.status == HM_BAD_MESH);
+            CHECK(in_cell.error.item == 4 + base);
+
+            view = its.mesh_view();
+            std::vector<std::int32_t> faces(view.face_points, view.face_points + its.mesh.faces.size());
+            faces[17] = number;
+            view.face_points = faces.data();
+            Attempt const in_face(its.problem(view));
+            CHECK(in_face.status == HM_BAD_MESH);
+            CHECK(in_face.error.item == 8 + base);
+        }
+}
+
+TEST_CASE("bad structured blocks") {
+    auto const block = [](std::int32_t ni, std::int32_t nj) {
+        return [=](hm_mesh& m) {
+            m.cell_layout = HM_CELLS_STRUCTURED;
+            m.n_cells = 0;
+            m.ni = ni;
+            m.nj = nj;
+        };
+    };
+    check_refused({HM_BAD_MESH, "ni*nj", 7, false, {}, block(7, 8)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(1, 48)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(48, 1)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(-6, -8)});
+    check_refused({HM_BAD_MESH, "n_cells", 0, false, {}, block(2000000000, 2000000000)});
+    check_refused({HM_BAD_MESH, "(ni-1)*(nj-1)", 34, false, {}, [](hm_mesh& m) {
+                       m.cell_layout = HM_CELLS_STRUCTURED;
+                       m.n_cells = 34;
+                       m.ni = 6;
+                       m.nj = 8;
+                   }});
+}
+
+TEST_CASE("bad boundaries") {
+    auto const drop_last_face = [](Case& c) {
+        c.mesh.faces.resize(c.mesh.faces.size() - 2);
+        c.mesh.face_markers.pop_back();
+    };
+    Spoiled const all[] = {
+        {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[6] = 48; }},
+        {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[7] = -1; }},
+        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},    // inside
+        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},   // no edge
+        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9]; }},
+        {HM_BAD_MESH, "no marker", 24, true, drop_last_face},
+        {HM_BAD_MESH, "no marker", 0, true, [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
+        {HM_BAD_MESH, "two markers", 1, true, [](Case& c) { c.mesh.add_face(1, 0, right); }},
+    };
+    for (Spoiled const& bad : all) check_refused(bad);
+
+    // Lists of points, counted from 0 here.
+    static std::vector<std::int32_t> starts, points;
+    static std::int32_t const markers[] = {bottom, right};
+    auto const lists = [](std::vector<std::int32_t> const& its_starts, std::vector<std::int32_t> const& its_points) {
+        return [=](hm_mesh& m) {
+            starts = its_starts;
+            points = its_points;
+            for (std::int32_t& start : starts) start += m.index_base;
+            for (std::int32_t& point : points) point += m.index_base;
+            m.n_lists = static_cast<std::int32_t>(starts.size()) - 1;
+            m.list_start = starts.data();
+            m.list_points = points.data();
+            m.list_markers = markers;
+        };
+    };
+    check_refused({HM_BAD_MESH, "never decrease", 1, false, {}, lists({0, 3, 2}, {0, 1, 2})});
+    check_refused({HM_BAD_MESH, "begin with", 0, false, {}, lists({1, 3}, {0, 1, 2})});
+    check_refused({HM_BAD_MESH, "not joined", 1, true, {}, lists({0, 3}, {0, 1, 8})});
+    check_refused({HM_BAD_MESH, "not joined", 4, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
+    check_refused({HM_BAD_MESH, "does not exist", 1, true, {}, lists({0, 3}, {0, 1, 48})});
+    check_refused({HM_BAD_MESH, "two markers", 0, true, {}, lists({0, 0, 2}, {0, 1})});
+}
+
+TEST_CASE("bad curves") {
+    auto const number = [](std::int32_t hm_curves::*member, std::int32_t value) {
+        return [=](hm_curves& c) { c.*member = value; };
+    };
+    struct Bad {
+        hm_status status;
+        const char* word;
+        std::function<void(CurveSet&)> change;
+        std::function<void(hm_curves&)> change_view;
+    };
+    Bad const all[] = {
+        {HM_BAD_ARGUMENT, "struct_size", {}, [](hm_curves& c) { c.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "index_base", {}, number(&hm_curves::index_base, 7)},
+        {HM_BAD_CURVE, "n_control", {}, number(&hm_curves::n_control, 1)},
+        {HM_BAD_CURVE, "n_curves", {}, number(&hm_curves::n_curves, 0)},
+        {HM_BAD_CURVE, "n_curves", {}, number(&hm_curves::n_curves, -1)},
+        {HM_BAD_ARGUMENT, "NULL", {}, [](hm_curves& c) { c.control = nullptr; }},
+        {HM_BAD_ARGUMENT, "NULL", {}, [](hm_curves& c) { c.curve = nullptr; }},
+        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 0; }, {}},
+        {HM_BAD_CURVE, "degree", [](CurveSet& c) { c.shapes[0].degree = 6; }, {}},
+        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = 0.5; }, {}},
+        {HM_BAD_CURVE, "knot", [](CurveSet& c) { c.shapes[0].knots[3] = not_a_number; }, {}},
+        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = 4; }, {}},
+        {HM_BAD_CURVE, "index", [](CurveSet& c) { c.shapes[0].indices[2] = -1; }, {}},
+        {HM_BAD_CURVE, "finite", [](CurveSet& c) { c.control[5] = not_a_number; }, {}},
+        {HM_BAD_CURVE, "weight", [](CurveSet& c) { c.weights = {1, 1, 0, 1}; }, {}},
+    };
+    for (Bad const& bad : all) {
+        Case its = tiny_case();
+        if (bad.change) bad.change(its.curves);
+        hm_problem problem = its.problem();
+        hm_curves view = *problem.curves;
+        if (bad.change_view) bad.change_view(view);
+        problem.curves = &view;
+        Attempt const attempt(problem);
+        INFO(std::string(bad.word) << ": " << attempt.error.text);
+        CHECK(attempt.status == bad.status);
+        CHECK(std::string(attempt.error.text).find(bad.word) != std::string::npos);
+        CHECK(hm_curves_check(&view, nullptr) == bad.status);
+    }
+}
+
+TEST_CASE("bad conditions and parameters") {
+    Spoiled const all[] = {
+        {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
+        {HM_BAD_CONDITION, "no boundary face has", 77, false, [](Case& c) { c.set_free(77); }},
+        {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
+        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = 3; }},
+        {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
+        {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].first_curve = -1; }},
+        {HM_BAD_CONDITION, "nothing to solve", nobody, false, [](Case& c) { c.conditions[0].kind = HM_FREE; }},
+        {HM_BAD_CONDITION, "does not exist", 48, true, [](Case& c) { c.give(48, 0); }},
+        {HM_BAD_CONDITION, "on no curve", 8, true, [](Case& c) { c.give(8, 0); }},
+        {HM_BAD_CONDITION, "on no curve", 0, true, [](Case& c) { c.give(0, 0); }},   // on a fixed marker
+        {HM_BAD_CONDITION, "which does not exist", 0, false, [](Case& c) { c.give(16, 0, 1); }},
+        {HM_BAD_CONDITION, "outside its curve", 17, true, [](Case& c) { c.give(16, 4), c.give(17, 4.001); }},
+        {HM_BAD_CONDITION, "outside its curve", 17, true, [](Case& c) { c.give(17, not_a_number); }},
+    };
+    for (Spoiled const& bad : all) check_refused(bad);
+}
+
+TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and curves") {
+    Case its = tiny_case();
+    its.mesh = square(4, Cells::hybrid, 2, 2);
+    Attempt const attempt(its.problem());
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);
+}
+
+TEST_CASE("a part of the mesh that hangs on no known value is refused") {
+    // A second square beside the first, all of whose sides are free: constants are in the matrix's kernel.
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+        for (int const n : {1, 2, 3, 10, 30}) {
+            Case its = tiny_case();
+            Mesh const island = square(n, kind);
+            std::int32_t const first = its.mesh.n_points();
+            for (std::size_t k = 0; k < island.x.size(); ++k) its.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
+            for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
+                for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
+                    its.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);
+                its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
+            }
+            for (std::size_t f = 0; f < island.face_markers.size(); ++f)
+                its.mesh.add_face(first + island.faces[2 * f], first + island.faces[2 * f + 1], 50);
+            its.set_free(50);
+            Attempt const attempt(its.problem());
+            INFO(n << " x " << n << ": " << attempt.reached << ": " << attempt.error.text);
+            CHECK(attempt.status == HM_BAD_CONDITION);
+            CHECK(attempt.error.item >= first);   // a point of the island
+        }
+}

@@ -1,0 +1,206 @@
+#include <doctest/doctest.h>
+
+#include <harmorph/bspline.hpp>
+
+#include <fixtures/spline.hpp>
+
+#include <limits>
+#include <string>
+
+using namespace harmorph;
+using fixtures::Spline;
+
+namespace {
+
+double value_sum(CurveBasis const& basis, int derivative) {
+    double sum = 0;
+    for (int k = 0; k < basis.order; ++k) sum += basis.value[derivative][k];
+    return sum;
+}
+
+std::vector<double> parameters(Curve const& curve) {
+    std::vector<double> out;
+    for (int k = 0; k <= 97; ++k) out.push_back(curve.begin() + (curve.end() - curve.begin()) * k / 97.0);
+    for (int k = curve.degree; k <= curve.n_indices; ++k) out.push_back(curve.knots[k]);
+    return out;
+}
+
+Spline with_weights(Spline spline) {
+    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k) spline.weights.push_back(0.5 + 0.37 * (k % 5));
+    return spline;
+}
+
+Status refusal(Spline const& spline, std::string const& word, Fault* out = nullptr) {
+    Fault fault;
+    Status const status = check_curve(spline.curve(), 7, fault);
+    CHECK_MESSAGE(std::string(fault.sentence).find(word) != std::string::npos, fault.sentence);
+    CHECK(fault.other == 7);
+    if (out != nullptr) *out = fault;
+    return status;
+}
+
+}  // namespace
+
+TEST_CASE("B-spline basis functions are not negative, sum up to 1, and their derivatives to 0") {
+    for (int degree = 1; degree <= 5; ++degree)
+        for (Spline const& spline : {fixtures::clamped(degree, 11, 1), with_weights(fixtures::clamped(degree, 9, 2)),
+                                     fixtures::periodic(degree, 8, 1, 3)}) {
+            Curve const curve = spline.curve();
+            Fault fault;
+            REQUIRE(check_curve(curve, 0, fault) == Status::ok);
+            for (double const u : parameters(curve)) {
+                CurveBasis const basis = curve_basis(curve, u, max_degree);
+                CHECK(basis.order == degree + 1);
+                for (int k = 0; k < basis.order; ++k) CHECK(basis.value[0][k] >= 0);
+                CHECK(value_sum(basis, 0) == doctest::Approx(1).epsilon(1e-14));
+                for (int d = 1; d <= max_degree; ++d) {
+                    double size = 1;
+                    for (int k = 0; k < basis.order; ++k) size += std::fabs(basis.value[d][k]);
+                    CHECK(std::fabs(value_sum(basis, d)) <= 1e-12 * size);
+                }
+            }
+        }
+}
+
+TEST_CASE("at a clamped end the curve is at its control point, exactly") {
+    for (int degree = 1; degree <= 5; ++degree)
+        for (Spline const& spline : {fixtures::clamped(degree, 9, 4), with_weights(fixtures::clamped(degree, 9, 5))}) {
+            Curve const curve = spline.curve();
+            CurveBasis const first = curve_basis(curve, curve.begin(), 0);
+            CurveBasis const last = curve_basis(curve, curve.end(), 0);
+            CHECK((first.control[0] == 0 && first.value[0][0] == 1));
+            CHECK((last.control[degree] == 8 && last.value[0][degree] == 1));
+            CHECK(curve_point(curve, curve.end()).x == spline.control[16]);
+            CHECK(curve_point(curve, curve.end()).y == spline.control[17]);
+            CHECK((curve_point(curve, curve.end() + 1).x == spline.control[16]));  // outside: the nearer end
+        }
+}
+
+TEST_CASE("derivatives agree with central differences") {
+    double const step = 1e-5;
+    for (int degree = 2; degree <= 5; ++degree)
+        for (Spline const& spline : {fixtures::clamped(degree, 10, 6), with_weights(fixtures::clamped(degree, 10, 7))}) {
+            Curve const curve = spline.curve();
+            for (int span = degree; span < curve.n_indices; ++span) {
+                double const u = 0.5 * (curve.knots[span] + curve.knots[span + 1]);
+                Vec2 here[max_order], before[max_order], after[max_order];
+                curve_point(curve, u, 5, here);
+                curve_point(curve, u - step, 5, before);
+                curve_point(curve, u + step, 5, after);
+                for (int d = 0; d < degree; ++d) {
+                    Vec2 const difference = (0.5 / step) * (after[d] - before[d]);
+                    CHECK(length(difference - here[d + 1]) <= 1e-6 * (1 + length(here[d + 1])));
+                }
+            }
+        }
+}
+
+TEST_CASE("without inner knots the curve is the Bezier curve") {
+    Spline spline;
+    spline.degree = 3;
+    spline.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+    spline.control = {0, 0, 1, 2, 3, -1, 4, 1};
+    for (int k = 0; k <= 10; ++k) {
+        double const u = k / 10.0, v = 1 - u;
+        CurveBasis const basis = curve_basis(spline.curve(), u, 1);
+        double const exact[] = {v * v * v, 3 * u * v * v, 3 * u * u * v, u * u * u};
+        double const slope[] = {-3 * v * v, 3 * v * v - 6 * u * v, 6 * u * v - 3 * u * u, 3 * u * u};
+        for (int i = 0; i < 4; ++i) {
+            CHECK(basis.value[0][i] == doctest::Approx(exact[i]).epsilon(1e-15));
+            CHECK(std::fabs(basis.value[1][i] - slope[i]) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("a rational quadratic curve is a circle") {
+    Spline circle;  // P&T example 7.1: the first control point again at the end
+    circle.degree = 2;
+    circle.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+    circle.control = {1, 0, 1, 1, 0, 1, -1, 1, -1, 0, -1, -1, 0, -1, 1, -1};
+    double const s = std::sqrt(0.5);
+    circle.weights = {1, s, 1, s, 1, s, 1, s};
+    circle.indices = {0, 1, 2, 3, 4, 5, 6, 7, 0};
+    Fault fault;
+    REQUIRE(check_curve(circle.curve(), 0, fault) == Status::ok);
+    for (int k = 0; k <= 400; ++k) {
+        Vec2 c[3];
+        curve_point(circle.curve(), k / 100.0, 2, c);
+        CHECK(length(c[0]) == doctest::Approx(1).epsilon(1e-15));
+        CHECK(std::fabs(dot(c[0], c[1])) < 1e-14);                       // the tangent
+        CHECK(std::fabs(dot(c[0], c[2]) + square(c[1])) < 1e-13 * 10);  // d/du of that
+    }
+}
+
+TEST_CASE("a knot of multiplicity m leaves degree - m continuous derivatives") {
+    for (int degree = 2; degree <= 5; ++degree)
+        for (int fold = 1; fold <= degree; ++fold) {
+            Spline spline = fixtures::clamped(degree, degree + 1 + fold, 8);
+            for (int k = 0; k < fold; ++k) spline.knots[static_cast<std::size_t>(degree + 1 + k)] = 0.5;
+            Curve const curve = spline.curve();
+            Fault fault;
+            REQUIRE(check_curve(curve, 0, fault) == Status::ok);
+            Vec2 left[max_order], right[max_order];
+            curve_point_in(curve, degree, 0.5, 5, left);
+            curve_point_in(curve, degree + fold, 0.5, 5, right);
+            for (int d = 0; d <= degree - fold; ++d) CHECK(length(right[d] - left[d]) <= 1e-11 * (1 + length(left[d])));
+            CHECK(length(right[degree - fold + 1] - left[degree - fold + 1]) > 1e-3);
+            CHECK(knot_span(curve, 0.5) == degree + fold);
+        }
+}
+
+TEST_CASE("a periodic curve is smooth at its seam") {
+    for (int degree = 1; degree <= 5; ++degree) {
+        Spline const spline = fixtures::periodic(degree, 8, 0.5, 9);
+        Curve const curve = spline.curve();
+        Vec2 begin[max_order], end[max_order];
+        curve_point(curve, curve.begin(), 5, begin);
+        curve_point(curve, curve.end(), 5, end);
+        for (int d = 0; d < degree; ++d) CHECK(length(end[d] - begin[d]) < 1e-12 * (1 + length(begin[d])));
+    }
+}
+
+TEST_CASE("what is wrong with a curve is said, and where") {
+    double const nan = std::numeric_limits<double>::quiet_NaN();
+    Spline const good = fixtures::clamped(3, 8, 10);
+    Fault fault;
+    Spline bad = good;
+    bad.degree = 6;
+    CHECK(refusal(bad, "degree #") == Status::bad_curve);
+    bad = good;
+    bad.knots.resize(7);
+    CHECK(refusal(bad, "more than the degree") == Status::bad_curve);
+    bad = good;
+    bad.knots[5] = nan;
+    CHECK(refusal(bad, "not finite", &fault) == Status::bad_curve);
+    CHECK(fault.item == 5);
+    bad = good;
+    bad.knots[6] = bad.knots[5] - 0.1;
+    CHECK(refusal(bad, "smaller", &fault) == Status::bad_curve);
+    CHECK(fault.item == 6);
+    bad = good;
+    bad.knots.assign(12, 2);
+    CHECK(refusal(bad, "no length") == Status::bad_curve);
+    bad = good;
+    for (std::size_t k = 4; k < 8; ++k) bad.knots[k] = 2;
+    CHECK(refusal(bad, "repeated", &fault) == Status::bad_curve);
+    CHECK(fault.item == 7);
+    bad = good;
+    bad.indices = {0, 1, 2, 3, 4, 5, 8, 7};
+    CHECK(refusal(bad, "index #", &fault) == Status::bad_curve);
+    CHECK((fault.item == 6 && fault.value == 8));
+    bad.indices[6] = std::numeric_limits<std::int32_t>::min();
+    CHECK(refusal(bad, "index #") == Status::bad_curve);
+    bad = good;
+    bad.control.resize(14);
+    CHECK(refusal(bad, "fewer") == Status::bad_curve);
+    bad = good;
+    bad.control[9] = nan;
+    CHECK(refusal(bad, "control point #", &fault) == Status::bad_curve);
+    CHECK((fault.item == 4 && fault.counts == Counts::curves));
+    for (double const weight : {0.0, -1.0, nan, 1e308 * 10}) {
+        bad = with_weights(good);
+        bad.weights[3] = weight;
+        CHECK(refusal(bad, "weight", &fault) == Status::bad_curve);
+        CHECK((fault.item == 3 && fault.counts == Counts::curves));
+    }
+}

@@ -1,0 +1,370 @@
+// The conventions of the C header: struct sizes, NULL, numbering, error texts, options.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+#include <set>
+
+using namespace fixtures;
+
+namespace {
+
+std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
+    std::vector<double> out, one(n_points);
+    for (std::int32_t i = 0; i < n_functions; ++i) {
+        REQUIRE(hm_basis_values(basis, i, one.data(), nullptr) == HM_OK);
+        out.insert(out.end(), one.begin(), one.end());
+    }
+    return out;
+}
+
+bool says(hm_error const& error, const char* word) { return std::string(error.text).find(word) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("versions and names") {
+    CHECK(hm_abi_version() == HM_ABI);
+    CHECK(std::string(hm_version()) == HM_VERSION);
+    CHECK(sizeof(hm_error) == 128);
+    std::set<std::string> names;
+    for (hm_status status = -9; status <= 2; ++status) names.insert(hm_status_name(status));
+    CHECK(names.size() == 12);
+    CHECK(names.count("unknown status") == 0);
+    CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
+    CHECK(std::string(hm_status_name(3)) == "unknown status");
+    CHECK(std::string(hm_status_name(-10)) == "unknown status");
+}
+
+TEST_CASE("a struct of an older caller is shorter: what is missing has its default") {
+    Case its = tiny_case();
+    Solved const reference(its);
+    hm_mesh mesh = its.mesh.view();
+    mesh.struct_size = offsetof(hm_mesh, n_lists);   // no boundary lists yet
+    mesh.n_lists = 1000;                             // not looked at
+    hm_problem problem = its.problem(mesh);
+    problem.struct_size = offsetof(hm_problem, n_given);
+    problem.n_given = 1000;
+    hm_options options{};
+    options.struct_size = offsetof(hm_options, tolerance);
+    options.tolerance = 5;
+    Attempt const attempt(problem, &options);
+    INFO(attempt.error.text);
+    REQUIRE(attempt.status == HM_OK);
+    CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+}
+
+TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {
+    Case its = tiny_case();
+    Solved const reference(its);
+    struct {
+        hm_mesh mesh;
+        double more[4] = {1, 2, 3, 4};
+    } mesh;
+    mesh.mesh = its.mesh.view();
+    mesh.mesh.struct_size = sizeof mesh;
+    struct Longer {
+        hm_condition condition;
+        double more[3] = {1, 2, 3};
+    };
+    Longer conditions[2];   // an array whose elements are as long as the first one says
+    conditions[0].condition = {sizeof(Longer), body, HM_ON_CURVE, 0, 1};
+    conditions[1].condition = {sizeof(Longer), top, HM_FIXED, 0, 0};
+    hm_problem problem = its.problem(mesh.mesh);
+    problem.n_conditions = 2;
+    problem.conditions = &conditions[0].condition;
+    Attempt const attempt(problem);
+    INFO(attempt.error.text);
+    REQUIRE(attempt.status == HM_OK);
+    CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+
+    struct {
+        hm_basis_info info;
+        unsigned char more[64];
+    } info;
+    std::memset(static_cast<void*>(&info), 0x5A, sizeof info);
+    info.info.struct_size = sizeof info;
+    REQUIRE(hm_basis_info_get(attempt.basis, &info.info, nullptr) == HM_OK);
+    CHECK(info.info.points == 48);
+    CHECK(info.info.struct_size == sizeof info);   // stays the caller's
+    for (unsigned char const byte : info.more) CHECK(byte == 0x5A);
+}
+
+TEST_CASE("reports are filled as far as the caller's struct goes, for each of them") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    std::vector<double> const d(48, 0.0);
+    auto const shortened = [&](auto whole, auto call) {
+        using Report = decltype(whole);
+        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report); size += 4) {
+            Report report;
+            std::memset(static_cast<void*>(&report), 0x5A, sizeof report);
+            report.struct_size = size;
+            REQUIRE(call(&report) >= 0);
+            CHECK(report.struct_size == size);
+            const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(&report);
+            for (std::size_t k = size; k < sizeof report; ++k) CHECK(bytes[k] == 0x5A);
+        }
+    };
+    shortened(hm_mesh_report{}, [&](hm_mesh_report* r) { return hm_analysis_report(solved.analysis, r, nullptr); });
+    shortened(hm_basis_info{}, [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
+    shortened(hm_solve_report{}, [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
+    shortened(hm_step_report{}, [&](hm_step_report* r) {
+        return hm_admissible_step(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, r, nullptr);
+    });
+    shortened(hm_quality_report{}, [&](hm_quality_report* r) {
+        return hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, r, nullptr);
+    });
+}
+
+TEST_CASE("a struct_size that was never set is refused") {
+    Case its = tiny_case();
+    std::size_t bytes = 0;
+    for (std::uint64_t const size : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{1} << 40}) {
+        hm_problem problem = its.problem();
+        hm_options options{};
+        hm_error error{};
+        problem.struct_size = size;
+        CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "problem.struct_size"));
+        problem = its.problem();
+        options.struct_size = size;
+        CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "options.struct_size"));
+    }
+    CHECK(bytes == 0);
+}
+
+TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may always be NULL") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    hm_problem const problem = its.problem();
+    hm_mesh const mesh = its.mesh.view();
+    std::size_t bytes = 0;
+    std::vector<unsigned char> block(64);
+    hm_analysis* analysis = nullptr;
+    hm_plan* plan = nullptr;
+    hm_basis* basis = nullptr;
+    const hm_basis* attached = nullptr;
+    hm_mesh_report report{sizeof report, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    hm_basis_info info{};
+    hm_step_report step{};
+    hm_quality_report quality{};
+    hm_curves curves{};
+    hm_curve curve{};
+    info.struct_size = sizeof info;
+    step.struct_size = sizeof step;
+    quality.struct_size = sizeof quality;
+    curves.struct_size = sizeof curves;
+    std::int32_t const marker = body;
+    std::int32_t points[8], n = 0, is_loop = 0;
+    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(8, 0.0);
+    double error = 0;
+
+    hm_status const refused[] = {
+        hm_analysis_size(nullptr, nullptr, &bytes, nullptr),
+        hm_analysis_size(&problem, nullptr, nullptr, nullptr),
+        hm_analysis_init(nullptr, block.data(), 64, &problem, nullptr, nullptr),
+        hm_analysis_init(&analysis, nullptr, 64, &problem, nullptr, nullptr),
+        hm_analysis_init(&analysis, block.data(), 64, nullptr, nullptr, nullptr),
+        hm_analysis_report(nullptr, &report, nullptr),
+        hm_analysis_report(solved.analysis, nullptr, nullptr),
+        hm_analysis_boundary(nullptr, 1, &marker, 0, points, 8, &n, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 1, nullptr, 0, points, 8, &n, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 0, &marker, 0, points, 8, &n, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 1, &marker, 0, nullptr, 8, &n, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, -1, &n, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, nullptr, &is_loop, nullptr),
+        hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, &n, nullptr, nullptr),
+        hm_plan_size(nullptr, &bytes, nullptr),
+        hm_plan_size(solved.analysis, nullptr, nullptr),
+        hm_plan_init(nullptr, block.data(), 64, solved.analysis, nullptr),
+        hm_plan_init(&plan, nullptr, 64, solved.analysis, nullptr),
+        hm_plan_init(&plan, block.data(), 64, nullptr, nullptr),
+        hm_basis_size(nullptr, &bytes, nullptr),
+        hm_basis_size(solved.analysis, nullptr, nullptr),
+        hm_basis_init(nullptr, block.data(), 64, solved.analysis, nullptr),
+        hm_basis_init(&basis, nullptr, 64, solved.analysis, nullptr),
+        hm_basis_init(&basis, block.data(), 64, nullptr, nullptr),
+        hm_plan_factor(nullptr, nullptr, nullptr, 0, nullptr),
+        hm_plan_factor(solved.plan, x.data(), nullptr, 1, nullptr),
+        hm_plan_factor(solved.plan, nullptr, y.data(), 1, nullptr),
+        hm_plan_factor(solved.plan, x.data(), y.data(), -1, nullptr),
+        hm_plan_solve(nullptr, solved.basis, nullptr, nullptr),
+        hm_plan_solve(solved.plan, nullptr, nullptr, nullptr),
+        hm_basis_attach(nullptr, solved.basis, 64, nullptr, nullptr),
+        hm_basis_attach(&attached, nullptr, 64, nullptr, nullptr),
+        hm_basis_info_get(nullptr, &info, nullptr),
+        hm_basis_info_get(solved.basis, nullptr, nullptr),
+        hm_basis_curves(nullptr, &curves, &curve, 1, nullptr),
+        hm_basis_curves(solved.basis, nullptr, &curve, 1, nullptr),
+        hm_basis_curves(solved.basis, &curves, nullptr, 1, nullptr),
+        hm_basis_curves(solved.basis, &curves, &curve, 0, nullptr),
+        hm_basis_values(nullptr, 0, x.data(), nullptr),
+        hm_basis_values(solved.basis, 0, nullptr, nullptr),
+        hm_basis_values(solved.basis, -1, x.data(), nullptr),
+        hm_basis_values(solved.basis, 4, x.data(), nullptr),
+        hm_morph(nullptr, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
+        hm_morph(solved.basis, nullptr, x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), x.data(), nullptr, 1, x.data(), y.data(), 1, nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, nullptr, y.data(), 1, nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), nullptr, 1, nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), x.data(), y.data(), -1, x.data(), y.data(), 1, nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), -2, nullptr, nullptr),
+        hm_adjoint(nullptr, x.data(), y.data(), 1, move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, nullptr, y.data(), 1, move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, x.data(), nullptr, 1, move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, x.data(), y.data(), 1, nullptr, nullptr, nullptr),
+        hm_boundary_error(nullptr, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, nullptr, x.data(), y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, move.data(), nullptr, y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr,
+                          nullptr),
+        hm_admissible_step(nullptr, &mesh, x.data(), y.data(), 1, nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, nullptr, x.data(), y.data(), 1, nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, &mesh, nullptr, y.data(), 1, nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, &mesh, x.data(), y.data(), 1, nullptr, nullptr, nullptr),
+        hm_quality(nullptr, &mesh, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, nullptr, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, x.data(), nullptr, 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, x.data(), nullptr, 0, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, nullptr, nullptr),
+        hm_curves_check(nullptr, nullptr),
+        hm_fit_size(10, nullptr, nullptr, nullptr),
+    };
+    for (std::size_t k = 0; k < sizeof refused / sizeof refused[0]; ++k) {
+        INFO("call " << k);
+        CHECK(refused[k] == HM_BAD_ARGUMENT);
+    }
+    CHECK((analysis == nullptr && plan == nullptr && basis == nullptr && attached == nullptr && bytes == 0));
+    CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y) && same_bits(move, std::vector<double>(8, 0.0))));
+}
+
+TEST_CASE("success clears the error") {
+    Case its = tiny_case();
+    hm_problem problem = its.problem();
+    hm_error error{};
+    std::size_t bytes = 0;
+    CHECK(hm_analysis_size(nullptr, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+    CHECK((error.code == HM_BAD_ARGUMENT && error.item == -1 && error.text[0] != '\0'));
+    CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_OK);
+    CHECK((error.code == HM_OK && error.item == -1 && error.value == 0 && error.text[0] == '\0'));
+}
+
+TEST_CASE("reports and sentences count as the caller does") {
+    for (std::int32_t const base : {0, 1}) {
+        Case its = tiny_case();
+        its.index_base = base;
+        Solved const solved(its);
+        hm_mesh const mesh = its.mesh_view();
+        CHECK(solved.info().index_base == base);
+
+        std::int32_t const marker = body;
+        std::int32_t points[8], n = 0, is_loop = 0;
+        REQUIRE(hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, &n, &is_loop, nullptr) == HM_OK);
+        CHECK((n == 8 && is_loop == 1));
+        std::set<std::int32_t> const expected = {16 + base, 17 + base, 18 + base, 23 + base,
+                                                 24 + base, 29 + base, 30 + base, 31 + base};
+        CHECK(std::set<std::int32_t>(points, points + 8) == expected);
+
+        // The lower left corner's only cell gives way first.
+        std::vector<double> d(48, 0.0);
+        d[0] = 1;
+        hm_step_report step{};
+        step.struct_size = sizeof step;
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, &step, nullptr) == HM_OK);
+        CHECK((step.cell == base && step.point == base && step.admissible == doctest::Approx(0.5)));
+
+        std::vector<double> x = its.mesh.x;
+        x[8] = -1;
+        hm_quality_report quality{};
+        quality.struct_size = sizeof quality;
+        REQUIRE(hm_quality(solved.basis, &mesh, x.data(), mesh.y, 1, nullptr, nullptr, 0, nullptr, &quality, nullptr) ==
+                HM_OK);
+        CHECK((quality.first_inverted == base && quality.min_quality_cell == base && quality.crossing_points[0] == -1));
+
+        hm_error error{};
+        CHECK(hm_plan_factor(solved.plan, x.data(), mesh.y, 1, &error) == HM_BAD_MESH);
+        CHECK(error.item == base);
+        CHECK(says(error, base == 0 ? "cell 0 " : "cell 1 "));
+
+        // Control points have a base of their own.
+        its.curves.control[5] = std::nan("");
+        CHECK(Attempt(its.problem()).error.item == 2);
+        its.curves.index_base = 1;
+        for (std::int32_t& index : its.curves.shapes[0].indices) ++index;
+        Attempt const attempt(its.problem());
+        CHECK((attempt.status == HM_BAD_CURVE && attempt.error.item == 3 && says(attempt.error, "control point 3")));
+    }
+}
+
+TEST_CASE("functions belong to control points whatever those are counted from") {
+    Case from_zero = tiny_case(), from_one = from_zero;
+    from_one.curves.index_base = 1;
+    for (std::int32_t& index : from_one.curves.shapes[0].indices) ++index;
+    Solved const a(from_zero), b(from_one);
+    CHECK(same_bits(a.all_values(), b.all_values()));
+}
+
+TEST_CASE("options that do not exist are refused before anything else is done") {
+    Case its = tiny_case();
+    hm_problem const problem = its.problem();
+    std::size_t bytes = 0;
+    hm_options good{};
+    good.struct_size = sizeof good;
+    for (std::int32_t hm_options::*option :
+         {&hm_options::operator_kind, &hm_options::scheme, &hm_options::engine, &hm_options::kernel}) {
+        hm_options bad = good;
+        bad.*option = 77;
+        CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_UNSUPPORTED);
+    }
+    for (double const tolerance : {-1e-10, 1.0, std::nan("")}) {
+        hm_options bad = good;
+        bad.tolerance = tolerance;
+        CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    }
+    for (std::int32_t const threads : {0, -1, 257}) {
+        hm_executor const executor{sizeof executor, nullptr, nullptr, threads, 0};
+        hm_options bad = good;
+        bad.executor = &executor;
+        CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    }
+    hm_executor const unset{0, nullptr, nullptr, 1, 0};
+    hm_options bad = good;
+    bad.executor = &unset;
+    CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(bytes == 0);
+}
+
+TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
+    Case its = tiny_case();
+    hm_problem problem = its.problem();
+    problem.curves = nullptr;
+    Attempt attempt;
+    REQUIRE(attempt.analyse(problem));
+    std::int32_t const sides[] = {bottom, right, top, left}, two[] = {bottom, top};
+    std::int32_t points[24], n = -1, is_loop = -1;
+    hm_error error{};
+    auto const get = [&](std::int32_t n_markers, const std::int32_t* markers, std::int32_t piece, std::int32_t capacity) {
+        return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity, &n, &is_loop, &error);
+    };
+    REQUIRE(get(4, sides, 0, 24) == HM_OK);
+    CHECK((n == 24 && is_loop == 1));
+    REQUIRE(get(1, sides, 0, 24) == HM_OK);
+    CHECK((n == 7 && is_loop == 0 && points[0] == 0 && points[6] == 6));   // the mesh on the left
+    CHECK(get(1, sides, 1, 24) == HM_BAD_CONDITION);
+    std::set<std::int32_t> starts;
+    for (std::int32_t const piece : {0, 1}) {
+        REQUIRE(get(2, two, piece, 24) == HM_OK);
+        CHECK((n == 7 && is_loop == 0));
+        starts.insert(points[0]);
+    }
+    CHECK(starts == std::set<std::int32_t>{0, 47});
+    CHECK(get(2, two, 2, 24) == HM_BAD_CONDITION);
+    CHECK(get(2, two, -1, 24) == HM_BAD_CONDITION);
+    points[3] = -9;
+    CHECK(get(1, sides, 0, 3) == HM_BAD_ARGUMENT);   // too small, but tells how many
+    CHECK((n == 7 && points[2] == 2 && points[3] == -9));
+    CHECK(get(1, sides, 0, 0) == HM_BAD_ARGUMENT);
+    CHECK(n == 7);
+}

@@ -1,0 +1,96 @@
+// What every point is: the strongest condition of its markers, or inside.
+#include <doctest/doctest.h>
+
+#include <fixtures/c_mesh.hpp>
+#include <fixtures/core.hpp>
+
+using namespace fixtures;
+using harmorph::PointKind;
+
+namespace {
+
+int count(Analysed const& seen, PointKind kind) {
+    return static_cast<int>(std::count(seen->kinds.begin(), seen->kinds.end(), kind));
+}
+
+}  // namespace
+
+TEST_CASE("markers without a condition are fixed; everything else is inside") {
+    Case its = tiny_case();
+    its.mesh.add_point({3, 3});   // used by no cell
+    Analysed const seen(its);
+    CHECK(count(seen, PointKind::on_curve) == 8);
+    CHECK(count(seen, PointKind::fixed) == 24);
+    CHECK(count(seen, PointKind::inside) == 16);
+    CHECK(count(seen, PointKind::free) == 0);
+    CHECK(seen->kinds[48] == PointKind::unused);
+    CHECK(seen->graph.n == 16);
+}
+
+TEST_CASE("a point on several markers: on a curve before fixed before free") {
+    Case its;
+    its.mesh = square(6);
+    its.curves = polyline({{0, 0}, {1, 0}, {1, -1}, {0, -1}});
+    its.put_on_curves(bottom);
+    its.set_free(right);
+    its.set_free(top);
+    for (int order = 0; order < 2; ++order) {   // whichever is named first
+        Analysed const seen(its);
+        CHECK(seen->kinds[0] == PointKind::on_curve);    // bottom and left, which is fixed
+        CHECK(seen->kinds[6] == PointKind::on_curve);    // bottom and right, which is free
+        CHECK(seen->kinds[42] == PointKind::fixed);      // left and top
+        CHECK(seen->kinds[48] == PointKind::free);       // right and top
+        CHECK(seen->kinds[7] == PointKind::fixed);
+        CHECK(seen->kinds[13] == PointKind::free);
+        CHECK(count(seen, PointKind::on_curve) == 7);
+        CHECK(count(seen, PointKind::fixed) == 6);
+        CHECK(count(seen, PointKind::free) == 11);
+        CHECK(seen->graph.n == 25 + 11);
+        std::reverse(its.conditions.begin(), its.conditions.end());
+    }
+}
+
+TEST_CASE("joined points are one: the other names count as unused") {
+    CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
+    Case its = airfoil_case(24, 12);
+    its.mesh = c.mesh;
+    Analysed const seen(its);
+    CHECK(count(seen, PointKind::unused) == c.n_wake + 1);
+    CHECK(count(seen, PointKind::on_curve) == 48);
+    CHECK(seen->kinds[c.n_wake] == PointKind::on_curve);   // the trailing edge
+    CHECK(seen->kinds[1] == PointKind::inside);            // on the wake
+    CHECK(seen->kinds[0] == PointKind::fixed);             // where the wake meets the far field
+}
+
+TEST_CASE("the graph couples every pair of unknowns that share a cell, and no others") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case its = two_body_case(kind, 6, 4);
+        its.set_free(far_field);
+        renumber_points(its.mesh, 3);
+        Analysed const seen(its);
+        harmorph::Graph const& graph = seen->graph;
+        std::vector<std::pair<int, int>> expected, found;
+        std::vector<char> near_wall(static_cast<std::size_t>(graph.n), 0);
+        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        for (harmorph::Index i = 0; i < mesh.n_cells; ++i) {
+            harmorph::Cell const cell = mesh.cell(i);
+            for (int a = 0; a < cell.n; ++a)
+                for (int b = 0; b < cell.n; ++b) {
+                    harmorph::Index const u = graph.unknown[cell.point[a]], v = graph.unknown[cell.point[b]];
+                    if (u != harmorph::none && v != harmorph::none && u != v) expected.push_back({u, v});
+                    if (u != harmorph::none && seen->kinds[cell.point[b]] == PointKind::on_curve)
+                        near_wall[static_cast<std::size_t>(u)] = 1;
+                }
+        }
+        std::sort(expected.begin(), expected.end());
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+        for (harmorph::Index u = 0; u < graph.n; ++u) {
+            for (harmorph::Index const v : graph.of(u)) found.push_back({u, v});
+            CHECK(graph.unknown[graph.point[u]] == u);
+            if (u > 0) CHECK(graph.point[u] > graph.point[u - 1]);
+            CHECK(graph.beside_curve[u] == near_wall[static_cast<std::size_t>(u)]);
+        }
+        std::sort(found.begin(), found.end());
+        CHECK(found == expected);
+    }
+}

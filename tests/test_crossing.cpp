@@ -1,0 +1,168 @@
+// Crossings of the boundary, against testing all pairs of faces.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+#include <harmorph/crossing.hpp>
+
+using namespace fixtures;
+using harmorph::Crossing;
+
+namespace {
+
+// Closed polygons over points in one array.
+struct Polygons {
+    std::vector<double> x, y;
+    std::vector<std::int32_t> point, loop_start{0};
+
+    void add(std::vector<Point> const& corners) {
+        for (Point const p : corners) {
+            point.push_back(static_cast<std::int32_t>(x.size()));
+            x.push_back(p.x);
+            y.push_back(p.y);
+        }
+        loop_start.push_back(static_cast<std::int32_t>(point.size()));
+    }
+    Crossing find() const { return find_crossing(span(point), span(loop_start), {x.data(), y.data(), 1}); }
+
+    Point at(std::int32_t k) const { return {x[static_cast<std::size_t>(k)], y[static_cast<std::size_t>(k)]}; }
+    bool crosses(const harmorph::Index* first, const harmorph::Index* second) const {
+        Point const a = at(first[0]), b = at(first[1]), c = at(second[0]), d = at(second[1]);
+        auto const sides = [](double s, double t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
+        return sides(twice_area(a, b, c), twice_area(a, b, d)) && sides(twice_area(c, d, a), twice_area(c, d, b));
+    }
+    bool any_crossing() const {
+        std::vector<std::array<harmorph::Index, 2>> faces;
+        for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
+            for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k)
+                faces.push_back({point[static_cast<std::size_t>(k)],
+                                 point[static_cast<std::size_t>(k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1)]});
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (crosses(faces[i].data(), faces[j].data())) return true;
+        return false;
+    }
+    bool has_face(const harmorph::Index* face) const {
+        for (std::size_t loop = 0; loop + 1 < loop_start.size(); ++loop)
+            for (std::int32_t k = loop_start[loop]; k < loop_start[loop + 1]; ++k) {
+                std::int32_t const next = k + 1 == loop_start[loop + 1] ? loop_start[loop] : k + 1;
+                if (point[static_cast<std::size_t>(k)] == face[0] && point[static_cast<std::size_t>(next)] == face[1])
+                    return true;
+            }
+        return false;
+    }
+};
+
+// A part of a circle, closed by a chord.
+std::vector<Point> circle(int n, double r, Point centre, double wobble = 0, unsigned seed = 1, double part = 1) {
+    std::mt19937 random(seed);
+    std::vector<Point> out;
+    for (int k = 0; k < n; ++k) {
+        double const angle = 2 * std::acos(-1.0) * part * k / n, its = r * (1 + wobble * (2 * uniform(random) - 1));
+        out.push_back({centre.x + its * std::cos(angle), centre.y + its * std::sin(angle)});
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("random polygons: found if and only if any pair of faces crosses, and the pair that is named does") {
+    int crossed = 0, clear = 0;
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        Polygons polygons;
+        int const loops = 1 + static_cast<int>(random() % 4);
+        for (int loop = 0; loop < loops; ++loop) {
+            int const n = 3 + static_cast<int>(random() % 40);
+            double const wobble = trial % 2 == 0 ? 0.3 : 0, part = random() % 2 == 0 ? 1 : 0.5;
+            Point const centre{4 * uniform(random), 4 * uniform(random)};
+            std::vector<Point> its = circle(n, 0.5, centre, wobble, static_cast<unsigned>(trial), part);
+            if (random() % 8 == 0) {   // one point far out of place, or nearly
+                Point& moved = its[random() % its.size()];
+                moved.x += 0.7 * (2 * uniform(random) - 1);
+                moved.y += 0.7 * (2 * uniform(random) - 1);
+            }
+            polygons.add(its);
+        }
+        Crossing const found = polygons.find();
+        bool const expected = polygons.any_crossing();
+        CHECK(found.found == expected);
+        if (found.found) {
+            CHECK(polygons.crosses(found.first, found.second));
+            CHECK((polygons.has_face(found.first) && polygons.has_face(found.second)));
+        } else {
+            CHECK((found.first[0] == -1 && found.second[1] == -1));
+        }
+        ++(expected ? crossed : clear);
+    }
+    CHECK(crossed > 300);
+    CHECK(clear > 300);
+}
+
+TEST_CASE("faces that close a loop take part") {
+    for (int const n : {4, 9, 16, 17, 33}) {
+        Polygons polygons;
+        polygons.add(circle(n, 1, {0, 0}));
+        CHECK(!polygons.find().found);
+        // A needle through the last face, from outside to inside.
+        Point const a = polygons.at(n - 1), b = polygons.at(0);
+        Point const middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+        double const t = 0.05;
+        polygons.add({{(1 + t) * middle.x, (1 + t) * middle.y},
+                      {(1 - t) * middle.x, (1 - t) * middle.y},
+                      {1.2 * middle.x, 1.2 * middle.y - 0.01}});
+        Crossing const found = polygons.find();
+        REQUIRE(found.found);
+        bool const names_it =
+            (found.first[0] == n - 1 && found.first[1] == 0) || (found.second[0] == n - 1 && found.second[1] == 0);
+        CHECK(names_it);
+    }
+}
+
+TEST_CASE("touching is not crossing") {
+    Polygons corner;   // corner on side, corner on corner, side along side
+    corner.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+    corner.add({{1, 0.5}, {2, 0}, {2, 1}});
+    corner.add({{0, 0}, {-1, 0}, {-1, -1}});
+    corner.add({{0.25, 1}, {0.75, 1}, {0.5, 2}});
+    CHECK(!corner.find().found);
+    Polygons twice;   // a bow-tie boundary passes its point twice
+    twice.x = {0, 1, 0, -1, -1};
+    twice.y = {0, 1, 1, 0, -1};
+    twice.point = {0, 1, 2, 0, 3, 4};
+    twice.loop_start = {0, 6};
+    CHECK(!twice.find().found);
+}
+
+TEST_CASE("a figure of eight, and a body that enters another") {
+    Polygons eight;
+    eight.add({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
+    CHECK(eight.find().found);
+    Polygons bodies;
+    bodies.add(circle(200, 1, {0, 0}));
+    bodies.add(circle(150, 1, {2.001, 0}));
+    CHECK(!bodies.find().found);
+    bodies.add(circle(100, 0.3, {0.2, 0.1}));   // inside the first: crosses nothing
+    CHECK(!bodies.find().found);
+    bodies.add(circle(100, 0.3, {0.8, 0.1}));
+    CHECK(bodies.find().found);
+}
+
+TEST_CASE("boundaries of valid meshes do not cross, not even thin trailing edges; a wall pushed through the other does") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case its = airfoil_case(40, 12, kind);
+        Solved const solved(its);
+        hm_mesh const mesh = its.mesh.view();
+        hm_quality_report report{};
+        report.struct_size = sizeof report;
+        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, &report, nullptr) == HM_OK);
+        CHECK(report.self_crossing == 0);
+        for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
+        Mesh crossed = its.mesh;
+        for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;   // on the upper side
+        REQUIRE(hm_quality(solved.basis, &mesh, crossed.x.data(), crossed.y.data(), 1, nullptr, nullptr, 0, nullptr, &report,
+                           nullptr) == HM_OK);
+        CHECK(report.self_crossing == 1);
+        for (std::int32_t const point : report.crossing_points) CHECK((point >= 0 && point < 80));
+    }
+}

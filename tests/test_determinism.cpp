@@ -1,0 +1,142 @@
+// Same input, same bits: again, in any order of calls, and whatever lay in the memory before.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+#include <fixtures/executors.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+std::vector<unsigned char> bytes_of(const hm_basis* basis) {
+    hm_basis_info info{};
+    info.struct_size = sizeof info;
+    REQUIRE(hm_basis_info_get(basis, &info, nullptr) == HM_OK);
+    const unsigned char* const begin = reinterpret_cast<const unsigned char*>(basis);
+    return {begin, begin + info.bytes};
+}
+
+}  // namespace
+
+TEST_CASE("a basis solved twice is the same block, byte by byte, even between its arrays") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case its = airfoil_case(40, 12, kind);
+        Solved const a(its), b(its);
+        CHECK(bytes_of(a.basis) == bytes_of(b.basis));
+        CHECK((a.report.residual == b.report.residual && a.report.boundary_error == b.report.boundary_error));
+    }
+}
+
+TEST_CASE("what lay in the blocks before does not matter") {
+    Case its = two_body_case();
+    Solved const reference(its);
+    hm_problem const problem = its.problem();
+    for (int const garbage : {0x00, 0xFF, 0x7F, 0x3F}) {
+        std::vector<unsigned char> blocks[3];
+        std::size_t bytes = 0;
+        hm_analysis* analysis = nullptr;
+        hm_plan* plan = nullptr;
+        hm_basis* basis = nullptr;
+        auto const block = [&](int which) {
+            blocks[which].assign(bytes, static_cast<unsigned char>(garbage));
+            return blocks[which].data();
+        };
+        REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_analysis_init(&analysis, block(0), bytes, &problem, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_plan_size(analysis, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_plan_init(&plan, block(1), bytes, analysis, nullptr) == HM_OK);
+        REQUIRE(hm_basis_size(analysis, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_basis_init(&basis, block(2), bytes, analysis, nullptr) == HM_OK);
+        std::fill(blocks[0].begin(), blocks[0].end(), static_cast<unsigned char>(~garbage));   // the analysis is given back
+        REQUIRE(hm_plan_factor(plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        REQUIRE(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK);
+        CHECK(bytes_of(basis) == bytes_of(reference.basis));
+    }
+}
+
+TEST_CASE("two plans step by step in turn do not disturb each other") {
+    Case first = airfoil_case(), second = two_body_case();
+    Solved const a(first), b(second);
+    Attempt c, d;
+    REQUIRE(c.analyse(first.problem()));
+    REQUIRE(d.analyse(second.problem()));
+    REQUIRE(c.prepare());
+    REQUIRE(d.prepare());
+    REQUIRE(hm_plan_factor(c.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(d.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(c.plan, c.basis, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(d.plan, d.basis, nullptr, nullptr) == HM_OK);
+    CHECK(bytes_of(c.basis) == bytes_of(a.basis));
+    CHECK(bytes_of(d.basis) == bytes_of(b.basis));
+}
+
+TEST_CASE("factoring and solving again, also after other coordinates, gives the same bits") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    std::vector<unsigned char> const expected = bytes_of(solved.basis);
+    REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
+    CHECK(bytes_of(solved.basis) == expected);
+    Mesh moved = its.mesh;
+    perturb(moved, 0.1, 3);
+    REQUIRE(hm_plan_factor(solved.plan, moved.x.data(), moved.y.data(), 1, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
+    CHECK(bytes_of(solved.basis) != expected);
+    REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
+    CHECK(bytes_of(solved.basis) == expected);
+}
+
+TEST_CASE("kernels agree to rounding, each with itself to the bit") {
+    Case its = airfoil_case();
+    Solved const reference(its);
+    std::vector<double> const expected = reference.all_values();
+    int tried = 0;
+    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512}) {
+        hm_options options{};
+        options.struct_size = sizeof options;
+        options.kernel = kernel;
+        Attempt const first(its.problem(), &options);
+        if (first.status == HM_UNSUPPORTED) continue;
+        ++tried;
+        Solved const a(its.problem(), &options), b(its.problem(), &options);
+        CHECK(bytes_of(a.basis) == bytes_of(b.basis));
+        CHECK(largest_difference(a.all_values(), expected) < 1e-11);
+    }
+    CHECK(tried >= 1);
+}
+
+TEST_CASE("any number of threads, in any order of their tasks: the same bits, in all that takes an executor") {
+    Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);   // large enough to be shared out
+    perturb(its.mesh, 0.2, 5);
+    hm_mesh const mesh = its.mesh.view();
+    std::vector<double> const move = some_move(20, 0.02, 6), g = some_move(its.mesh.n_points(), 1, 7);
+    std::size_t const n = its.mesh.x.size();
+    std::vector<unsigned char> expected;
+    std::vector<double> products;
+    for (std::int32_t const threads : {1, 2, 3, 8, 256}) {
+        Backwards order;
+        hm_executor const executor = order.executor(threads);
+        hm_options options{};
+        options.struct_size = sizeof options;
+        options.executor = &executor;
+        Solved const solved(its.problem(mesh), &options);
+        CHECK((threads > 1) == (order.calls > 0));
+        if (expected.empty()) expected = bytes_of(solved.basis);
+        CHECK(bytes_of(solved.basis) == expected);
+
+        std::vector<double> found(2 * n), gradient(40);
+        hm_step_report step{};
+        step.struct_size = sizeof step;
+        hm_quality_report quality{};
+        quality.struct_size = sizeof quality;
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, &found[0], &found[n], 1, &executor, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), &executor, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, &found[0], &found[n], 1, &executor, &step, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, &executor, &quality, nullptr) == HM_OK);
+        found.insert(found.end(), gradient.begin(), gradient.end());
+        found.insert(found.end(), {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
+                                   quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});
+        if (products.empty()) products = found;
+        CHECK(same_bits(found, products));
+    }
+}

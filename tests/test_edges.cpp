@@ -1,0 +1,98 @@
+// Every edge once, with the cells at its two sides.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+#include <set>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+struct Edges {
+    std::vector<Index> representative;
+    harmorph::Edges edges;
+    harmorph::Status status;
+    harmorph::Fault fault;
+
+    explicit Edges(Mesh const& mesh) : representative(mesh.x.size()) {
+        for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = static_cast<Index>(k);
+        harmorph::Mesh const view = core_mesh(mesh);
+        harmorph::Arena counting;
+        edges.lay_out(counting, view);
+        block_ = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block_->data(), block_->size());
+        edges.lay_out(placing, view);
+        status = edges.build(view, span(representative), fault);
+        CHECK(block_->guards_intact());
+    }
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+}  // namespace
+
+TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, kind);
+        renumber_points(mesh, 2);
+        reverse_some(mesh, 3);
+        std::map<Edge, std::set<std::pair<Index, bool>>> expected;   // cell, and whether it runs from the larger point
+        harmorph::Mesh const view = core_mesh(mesh);
+        for (Index c = 0; c < view.n_cells; ++c) {
+            harmorph::Cell const cell = view.cell(c);
+            for (Index k = 0; k < cell.n; ++k) {
+                Index const a = cell.point[k], b = cell.next(k);
+                expected[{std::min(a, b), std::max(a, b)}].insert({c, a > b});
+            }
+        }
+        Edges const found(mesh);
+        REQUIRE(found.status == harmorph::Status::ok);
+        CHECK(static_cast<std::size_t>(found.edges.count()) == expected.size());
+        Index last = -1, wrong = 0;
+        found.edges.for_each([&](Index edge, Index low, Index high) {
+            CHECK(edge == ++last);
+            CHECK(low < high);
+            std::set<std::pair<Index, bool>> cells;
+            for (Index const code : {found.edges.first[edge].code, found.edges.second[edge]})
+                if (code >= 0) cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
+            wrong += cells != expected[{low, high}];
+            CHECK(found.edges.is_boundary(edge) == (cells.size() == 1));
+            CHECK(found.edges.find(low, high) == edge);
+            CHECK(found.edges.find(high, low) == edge);
+        });
+        CHECK(wrong == 0);
+        for (Index a = 0; a < 40; ++a)
+            for (Index b = 0; b < 40; ++b)
+                CHECK((found.edges.find(a, b) == harmorph::none) == (expected.count({std::min(a, b), std::max(a, b)}) == 0));
+    }
+}
+
+TEST_CASE("fans: a point of hundreds of edges") {
+    int const n = 500;
+    Mesh mesh;
+    mesh.add_point({0, 0});
+    for (int k = 0; k < n; ++k)
+        mesh.add_point({std::cos(2 * std::acos(-1.0) * k / n), std::sin(2 * std::acos(-1.0) * k / n)});
+    for (int k = 0; k < n; ++k) mesh.add_cell({0, 1 + k, 1 + (k + 1) % n});
+    shuffle_cells(mesh, 4);
+    Edges const found(mesh);
+    CHECK(found.edges.count() == 2 * n);
+    CHECK(found.edges.start[1] == n);
+    for (Index edge = 0; edge < n; ++edge) CHECK(found.edges.first[edge].end == edge + 1);
+}
+
+TEST_CASE("an edge of three cells is refused, and named") {
+    Mesh mesh = square(3);
+    mesh.add_point({-1, -1});
+    mesh.add_cell({5, 6, 16});
+    Edges const found(mesh);
+    CHECK(found.status == harmorph::Status::bad_mesh);
+    CHECK((found.fault.item == 5 && found.fault.other == 6));
+    Mesh twice = square(3);
+    twice.add_cell({0, 1, 5, 4});   // a cell given twice
+    twice.add_cell({0, 1, 5, 4});
+    CHECK(Edges(twice).status == harmorph::Status::bad_mesh);
+}

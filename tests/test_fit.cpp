@@ -1,0 +1,237 @@
+#include <doctest/doctest.h>
+
+#include <harmorph/projection.hpp>
+
+#include <fixtures/spline.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+using namespace harmorph;
+using fixtures::FitRun;
+using fixtures::Naca4;
+
+namespace {
+
+std::vector<Vec2> naca(Naca4 const& shape, int n_side, double clustering = 0.8, int n_base = 4) {
+    return fixtures::vectors(fixtures::naca4(shape, n_side, clustering, n_base));
+}
+
+double max_error(std::vector<Vec2> const& points, FitOptions const& options = {}, bool is_loop = true) {
+    FitRun const run(points, options, is_loop);
+    REQUIRE_MESSAGE(run.status == Status::ok, run.fault.sentence);
+    Fault fault;
+    for (Index c = 0; c < run.fit.n_curves; ++c) CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
+    return run.report.max_error;
+}
+
+FitOptions options(Index degree, Index n_control, Closure closure = Closure::automatic) {
+    return {degree, n_control, closure};
+}
+
+// Largest distance between the control points of two fits, those of the second listed backwards where `reversed`.
+double difference(FitRun const& a, FitRun const& b, int n, int shift, bool reversed) {
+    double out = 0;
+    for (int i = 0; i < n; ++i) out = std::fmax(out, length(a.control(i) - b.control(reversed ? (n - i + shift) % n : i)));
+    return out;
+}
+
+std::vector<Vec2> sampled(fixtures::Spline const& spline, int n, bool with_end) {
+    Curve const curve = spline.curve();
+    std::vector<Vec2> out;
+    for (int k = 0; k < n; ++k)
+        out.push_back(curve_point(curve, curve.begin() + (curve.end() - curve.begin()) * k / (with_end ? n - 1.0 : n)));
+    return out;
+}
+
+void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_loop, std::string const& word, Index item) {
+    FitRun const run(points, wish, is_loop);
+    CHECK(run.status == Status::bad_curve);
+    CHECK_MESSAGE(std::string(run.fault.sentence).find(word) != std::string::npos, run.fault.sentence);
+    CHECK(run.fault.item == item);
+}
+
+}  // namespace
+
+TEST_CASE("airfoils with 20 control points: sharp, blunt, rounded, cambered; few points and many") {
+    for (int const n : {15, 20, 50, 100, 1000})
+        for (double const clustering : {0.8, 1.0})
+            for (double const camber : {0.0, 0.04}) {
+                CHECK(max_error(naca({camber, 0.4, 0.12, false}, n, clustering)) < 1e-4);
+                CHECK(max_error(naca({camber, 0.4, 0.12, true}, n, clustering)) < 1e-4);
+                CHECK(max_error(naca({camber, 0.3, 0.06, true}, n, clustering, 1)) < 2e-4);
+            }
+    CHECK(max_error(naca({0, 0.4, 0.12, false}, 2500)) < 3e-5);
+    for (double const radius : {5e-4, 2e-3, 5e-3}) CHECK(max_error(fixtures::rounded_edge(100, radius, 12)) < 2e-4);
+    CHECK(max_error(fixtures::vectors(fixtures::joukowski(0.1, 0.05, 60))) < 1e-4);
+    CHECK(max_error(fixtures::ellipse(100, 1)) < 1e-5);
+    CHECK(max_error(fixtures::rounded_to(naca({0.02, 0.4, 0.12, true}, 1000), 6)) < 1e-4);
+}
+
+TEST_CASE("what is reported is what was made") {
+    std::vector<Vec2> const points = naca({0.02, 0.4, 0.12, true}, 60, 0.8, 5);
+    FitRun const run(points, {});
+    REQUIRE(run.status == Status::ok);
+    CHECK((run.report.closure == Closure::open && run.report.first_point == 5 && run.report.base_points == 6));
+    REQUIRE(run.fit.n_curves == 2);
+    Curve const& wing = run.fit.curve[0];
+    Curve const& base = run.fit.curve[1];
+    CHECK((base.degree == 1 && base.n_indices == 2));
+    CHECK(base.control_point(0) == wing.control_point(wing.n_indices - 1));
+    CHECK(base.control_point(1) == wing.control_point(0));
+    CHECK((wing.begin() == 0 && wing.end() == 1));
+    CHECK((curve_point(wing, 0).x == points[5].x && curve_point(wing, 0).y == points[5].y));
+    CHECK((curve_point(wing, 1).x == points[0].x && curve_point(wing, 1).y == points[0].y));
+    double largest = 0, sum = 0;
+    for (Vec2 const p : points) {
+        double const distance = std::fmin(project(wing, p).distance, project(base, p).distance);
+        largest = std::fmax(largest, distance);
+        sum += distance * distance;
+    }
+    CHECK(run.report.max_error == largest);
+    CHECK(run.report.rms_error == doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
+    CHECK(std::fmin(project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance, 1) == largest);
+}
+
+TEST_CASE("a tied curve begins and ends in one control point; a periodic one repeats as many as its degree") {
+    for (Index degree = 1; degree <= 5; ++degree) {
+        std::vector<Vec2> const points = naca({}, 60);
+        FitRun const tied(points, options(degree, 16));
+        REQUIRE(tied.status == Status::ok);
+        Curve const& sharp = tied.fit.curve[0];
+        CHECK((tied.report.closure == Closure::tied && sharp.n_indices == 17 && sharp.control_point(16) == 0));
+        CHECK((tied.control(0).x == points[0].x && tied.control(0).y == points[0].y));
+        FitRun const smooth(points, options(degree, 16, Closure::periodic));
+        REQUIRE(smooth.status == Status::ok);
+        Curve const& ring = smooth.fit.curve[0];
+        CHECK(ring.n_indices == 16 + degree);
+        for (Index k = 0; k < degree; ++k) CHECK(ring.control_point(16 + k) == k);
+        if (degree > 1) CHECK(is_periodic(ring));
+    }
+}
+
+TEST_CASE("corners on the way are kept: polygons are reproduced") {
+    for (Index degree = 1; degree <= 5; ++degree) {
+        CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20), options(degree, 24)) < 1e-13);
+        CHECK(max_error(fixtures::polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 15), options(degree, 22)) < 1e-12);
+    }
+    std::vector<Vec2> bend;
+    for (int k = 0; k <= 40; ++k) bend.push_back({k < 20 ? k : 20.0, k < 20 ? 0 : k - 20.0});
+    CHECK(max_error(bend, options(3, 12), false) < 1e-11);
+}
+
+TEST_CASE("straight lines are reproduced to rounding") {
+    for (Index degree = 1; degree <= 5; ++degree)
+        for (Index const n_control : {degree + 1, degree + 4, 20}) {
+            std::vector<Vec2> line;
+            for (int k = 0; k < 30; ++k) line.push_back({1 + 0.1 * k * k, 5 - 0.03 * k * k});
+            CHECK(max_error(line, options(degree, n_control), false) < 1e-11);  // the line is 88 long
+        }
+}
+
+TEST_CASE("points of a B-spline are fitted by it") {
+    for (Index degree = 2; degree <= 5; ++degree) {
+        fixtures::Spline bezier = fixtures::clamped(degree, degree + 1, 1);
+        CHECK(max_error(sampled(bezier, 60, true), options(degree, degree + 1), false) < (degree < 4 ? 1e-9 : 1e-3));
+        FitRun const run(sampled(bezier, 60, true), options(degree, degree + 1), false);
+        CHECK(run.report.closure == Closure::open);
+    }
+    // Knots are found, too, but only nearly.
+    CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 10), false) < 0.05);
+    CHECK(max_error(sampled(fixtures::clamped(3, 10, 2), 200, true), options(3, 20), false) < 0.005);
+}
+
+TEST_CASE("as many control points as points: interpolation") {
+    for (Index degree = 1; degree <= 5; ++degree) {
+        std::vector<Vec2> const points = naca({0.02, 0.4, 0.15, false}, 12);
+        CHECK(max_error(points, options(degree, 24)) < 1e-6);
+        CHECK(max_error(points, options(degree, 24, Closure::open)) < 1e-6);
+    }
+}
+
+TEST_CASE("the error falls with the number of control points") {
+    std::vector<Vec2> const points = naca({0.02, 0.4, 0.12, false}, 200);
+    double before = 1;
+    for (Index const n_control : {6, 10, 20, 40, 80}) {
+        double const error = max_error(points, options(3, n_control));
+        CHECK(error < 0.5 * before);
+        before = error;
+    }
+    CHECK(before < 3e-7);
+}
+
+TEST_CASE("the fit turns, moves and grows with the points") {
+    for (std::vector<Vec2> const& points :
+         {naca({0.03, 0.4, 0.12, false}, 60), naca({0, 0.4, 0.12, true}, 61), fixtures::rounded_edge(60, 2e-3, 8),
+          fixtures::vectors(fixtures::joukowski(0.1, 0.1, 40))}) {
+        FitRun const plain(points, {});
+        REQUIRE(plain.status == Status::ok);
+        for (double const scale : {1e-3, 1.0, 1e4}) {
+            Vec2 const by{3 * scale, -2 * scale};
+            FitRun const moved(fixtures::placed(points, 0.7, scale, by), {});
+            REQUIRE(moved.status == Status::ok);
+            CHECK(moved.report.first_point == plain.report.first_point);
+            CHECK(moved.report.max_error == doctest::Approx(plain.report.max_error * scale).epsilon(1e-5));
+            std::vector<Vec2> expected;
+            for (int i = 0; i < 20; ++i) expected.push_back(plain.control(i));
+            expected = fixtures::placed(expected, 0.7, scale, by);
+            for (int i = 0; i < 20; ++i)
+                CHECK(length(moved.control(i) - expected[static_cast<std::size_t>(i)]) < 1e-8 * scale);
+        }
+    }
+}
+
+TEST_CASE("the fit does not depend on the direction of the points, nor on where a loop begins") {
+    std::vector<Vec2> const points = naca({0.03, 0.4, 0.12, false}, 60);
+    FitRun const plain(points, {});
+    std::vector<Vec2> turned = points;
+    std::reverse(turned.begin(), turned.end());
+    FitRun const reversed(turned, {});
+    CHECK(reversed.report.first_point == 119);
+    CHECK(difference(plain, reversed, 20, 0, true) < 1e-8);
+    std::rotate(turned.begin(), turned.begin() + 77, turned.end());
+    FitRun const begun_elsewhere(turned, {});
+    CHECK(difference(reversed, begun_elsewhere, 20, 0, false) < 1e-8);
+    std::vector<Vec2> const blunt = naca({0.03, 0.4, 0.12, true}, 60);
+    std::vector<Vec2> mirrored = blunt;
+    std::reverse(mirrored.begin(), mirrored.end());
+    FitRun const a(blunt, {}), b(mirrored, {});
+    CHECK((a.fit.n_curves == 2 && b.fit.n_curves == 2));
+    CHECK(difference(a, b, 20, 19, true) < 1e-8);
+}
+
+TEST_CASE("the same input gives the same bits") {
+    std::vector<Vec2> const points = naca({0.03, 0.4, 0.12, true}, 80);
+    FitRun const a(points, {}), b(points, {});
+    CHECK(std::equal(a.fit.control.begin(), a.fit.control.end(), b.fit.control.begin()));
+}
+
+TEST_CASE("what cannot be fitted is refused, and why") {
+    std::vector<Vec2> const points = naca({}, 30);
+    refused(points, options(0, 20), true, "degree", 0);
+    refused(points, options(6, 20), true, "degree", 6);
+    refused(points, options(3, 3), true, "more than the degree", 3);
+    refused(points, options(3, 61), true, "do not determine", 60);
+    refused(naca({0, 0.4, 0.12, true}, 12, 0.8, 6), options(3, 28), true, "base", 25);
+    refused(points, options(3, 20, Closure::tied), false, "loop", none);
+    refused(points, options(3, 20, Closure::periodic), false, "loop", none);
+    refused(std::vector<Vec2>(30, Vec2{2, 3}), {}, true, "one place", none);
+
+    std::vector<Vec2> bad = points;
+    bad[17].y = std::numeric_limits<double>::quiet_NaN();
+    refused(bad, {}, true, "not finite", 17);
+    bad[17].y = infinity;
+    refused(bad, {}, true, "not finite", 17);
+    bad = points;
+    bad[18] = bad[17];
+    refused(bad, {}, true, "coincide", 17);
+    bad = points;
+    bad.back() = bad.front();
+    refused(bad, {}, true, "coincide", 59);
+    CHECK(FitRun(bad, {}, false).status == Status::ok);  // an open list may end where it began
+    bad = points;
+    bad[3].x = 1e308;
+    bad[4].x = -1e308;
+    refused(bad, {}, true, "too far apart", none);
+}

@@ -1,0 +1,105 @@
+// The symbolic pass against brute force.
+#include <doctest/doctest.h>
+
+#include <fixtures/graphs.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::Offset;
+
+namespace {
+
+// Which later positions each column of the factor has entries in: elimination with sets.
+std::vector<std::set<Index>> eliminate(HandMadeGraph const& graph, Dissected const& cut) {
+    std::vector<Index> const position = cut.position();
+    std::vector<std::set<Index>> column(cut.order.size());
+    for (std::size_t k = 0; k < cut.order.size(); ++k)
+        for (std::int32_t const v : graph.near[static_cast<std::size_t>(cut.order[k])]) {
+            Index const p = position[static_cast<std::size_t>(v)];
+            if (p > static_cast<Index>(k)) column[k].insert(p);
+        }
+    for (std::size_t k = 0; k < column.size(); ++k) {
+        if (column[k].empty()) continue;
+        Index const parent = *column[k].begin();
+        std::set<Index>& to = column[static_cast<std::size_t>(parent)];
+        to.insert(std::next(column[k].begin()), column[k].end());
+    }
+    return column;
+}
+
+}  // namespace
+
+TEST_CASE("borders are what elimination fills, and nothing that no pivot of the subtree touches") {
+    for (HandMadeGraph& graph : nasty_graphs()) {
+        Dissected const cut(graph);
+        Symbolic const found(graph, cut);
+        std::vector<std::set<Index>> const column = eliminate(graph, cut);
+        INFO(graph.n() << " unknowns");
+        Offset entries = 0;
+        Index largest_front = 0, largest_border = 0;
+        for (Index t = 0; t < cut.tree.count; ++t) {
+            auto const& node = cut.tree.nodes[t];
+            std::set<Index> filled, allowed;
+            for (Index k = node.begin; k < node.end; ++k) {
+                std::set<Index> const& its = column[static_cast<std::size_t>(k)];
+                filled.insert(its.lower_bound(node.end), its.end());
+            }
+            // Dense fronts: what a child's border leaves behind belongs to the parent's, pivot or not.
+            allowed = filled;
+            for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
+                std::set<Index> const its = found.of(child);
+                allowed.insert(its.lower_bound(node.end), its.end());
+            }
+            std::set<Index> const border = found.of(t);
+            CHECK(std::includes(border.begin(), border.end(), filled.begin(), filled.end()));
+            CHECK(border == allowed);
+            // Given in increasing order, each once.
+            CHECK(border.size() == static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
+                                                            found.start[static_cast<std::size_t>(t)]));
+            CHECK(std::is_sorted(found.border.begin() + found.start[static_cast<std::size_t>(t)],
+                                 found.border.begin() + found.start[static_cast<std::size_t>(t) + 1]));
+            Index const size = static_cast<Index>(border.size());
+            entries += size;
+            largest_border = std::max(largest_border, size);
+            largest_front = std::max(largest_front, size + node.pivots());
+        }
+        CHECK(found.sizes.border_entries == entries);
+        CHECK(found.sizes.largest_border == largest_border);
+        CHECK(found.sizes.largest_front == largest_front);
+        CHECK(found.of(cut.tree.count - 1).empty());   // nothing comes after the root
+    }
+}
+
+TEST_CASE("panels have room for every entry on and above the diagonal, and for hardly more") {
+    using harmorph::dense::Panel;
+    for (Index const pivots : {1, 31, 32, 33, 127, 128, 129, 256, 300, 1000})
+        for (Index const border : {0, 1, 17, 500}) {
+            Index const front = pivots + border;
+            Offset const entries = Panel::entries(pivots, front);
+            std::vector<double> data(static_cast<std::size_t>(entries), 0.0);
+            Panel const panel{data.data(), pivots, front};
+            for (Index k = 0; k < pivots; ++k)
+                for (Index c = k; c < front; ++c) panel.row(k)[c] += 1;
+            CHECK(std::count_if(data.begin(), data.end(), [](double times) { return times > 1; }) ==
+                  0);   // no two in one place
+            CHECK(panel.row(pivots - 1) + front == data.data() + entries);
+            CHECK(entries <= Offset{pivots} * front);
+        }
+}
+
+TEST_CASE("update matrices have a place of its own for every entry of the upper triangle, rows padded to whole vectors") {
+    using harmorph::dense::UpdateMatrix;
+    for (Index const n : {0, 1, 7, 8, 9, 127, 128, 129, 256, 300, 1000}) {
+        Offset const entries = UpdateMatrix::entries(n);
+        std::vector<double> data(static_cast<std::size_t>(entries), 0.0);
+        UpdateMatrix const matrix{data.data(), n};
+        for (Index r = 0; r < n; ++r)
+            for (Index c = r; c < n; ++c) {
+                REQUIRE(matrix.row(r) + c < data.data() + entries);
+                matrix.row(r)[c] += 1;
+            }
+        CHECK(std::count_if(data.begin(), data.end(), [](double times) { return times > 1; }) == 0);
+        CHECK(entries <= Offset{n} * (n + 7));
+        if (n >= 1000) CHECK(entries < Offset{n} * n * 6 / 10);   // not much more than the triangle
+    }
+}

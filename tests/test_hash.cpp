@@ -1,0 +1,33 @@
+// Fingerprints of blocks.
+#include <doctest/doctest.h>
+
+#include <harmorph/hash.hpp>
+
+#include <set>
+#include <vector>
+
+TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
+    auto const hash = [](std::vector<std::uint64_t> const& words) {
+        return harmorph::hash_of_block(words.data(), 8 * words.size());
+    };
+    std::set<std::uint64_t> seen;
+    std::size_t n = 0;
+    for (std::size_t length = 0; length < 20; ++length, ++n) seen.insert(hash(std::vector<std::uint64_t>(length, 0)));
+    std::vector<std::uint64_t> words = {1, 2, 3, 4, 5, 6, 7, 8, 9};
+    CHECK(hash(words) == hash(words));
+    for (std::size_t k = 0; k < words.size(); ++k)
+        for (int bit = 0; bit < 64; ++bit, ++n) {
+            words[k] ^= std::uint64_t{1} << bit;
+            seen.insert(hash(words));
+            words[k] ^= std::uint64_t{1} << bit;
+        }
+    for (std::size_t k = 0; k + 1 < words.size(); ++k)
+        for (std::size_t j = k + 1; j < words.size(); ++j, ++n) {
+            std::swap(words[k], words[j]);
+            seen.insert(hash(words));
+            std::swap(words[k], words[j]);
+        }
+    CHECK(seen.size() == n);
+    std::vector<double> const plus = {0.0}, minus = {-0.0};
+    CHECK(harmorph::hash_of_block(plus.data(), 8) != harmorph::hash_of_block(minus.data(), 8));
+}

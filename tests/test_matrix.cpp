@@ -1,0 +1,89 @@
+// The sparse pattern holds every pair that shares a cell, and adds up what it is given.
+#include <doctest/doctest.h>
+
+#include <fixtures/matrices.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+
+TEST_CASE("conductances between the points of any cell arrive where a dense matrix has them") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case its = two_body_case(kind, 6, 4);
+        its.set_free(far_field);
+        Analysed const seen(its);
+        AssembledMatrix sparse(*seen.operator->());
+        harmorph::Analysis const& a = *seen.operator->();
+        std::size_t const n = static_cast<std::size_t>(its.mesh.n_points());
+        DenseMatrix dense(n);   // by points
+        std::mt19937 random(5);
+        auto const add = [&](Index p, Index q) {
+            double const conductance = uniform(random);
+            sparse.matrix.add(p, q, conductance);
+            std::size_t const i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
+            dense.at(i, i) += conductance;
+            dense.at(j, j) += conductance;
+            dense.at(i, j) -= conductance;
+            dense.at(j, i) -= conductance;
+        };
+        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        for (Index c = 0; c < mesh.n_cells; ++c) {
+            harmorph::Cell const cell = mesh.cell(c);
+            for (Index i = 0; i < cell.n; ++i)
+                for (Index j = 0; j < i; ++j)
+                    i % 2 == 0 ? add(cell.point[i], cell.point[j]) : add(cell.point[j], cell.point[i]);
+        }
+        DenseMatrix const found = sparse.unknowns();
+        double worst = 0;
+        for (std::size_t i = 0; i < sparse.size(); ++i)
+            for (std::size_t j = 0; j < sparse.size(); ++j) {
+                std::size_t const p = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
+                std::size_t const q = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(j)));
+                worst = std::fmax(worst, std::fabs(found.at(i, j) - dense.at(p, q)));
+            }
+        CHECK(worst < 1e-14);
+        for (Index slot = 0; slot < a.wall.count; ++slot) {
+            std::vector<double> const column = sparse.couplings_times([&](Index s) { return s == slot ? 1.0 : 0.0; });
+            for (std::size_t i = 0; i < column.size(); ++i) {
+                std::size_t const p = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
+                worst = std::fmax(worst, std::fabs(column[i] - dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
+            }
+        }
+        CHECK(worst < 1e-14);
+    }
+}
+
+TEST_CASE("rows are in order, hold later columns only, and each once; their number is what was counted") {
+    Case its = two_body_case(Cells::hybrid, 6, 4);
+    Analysed const seen(its);
+    AssembledMatrix const sparse(*seen.operator->());
+    harmorph::Matrix const& m = sparse.matrix;
+    CHECK(m.start[m.n] == seen->matrix.entries);
+    for (Index row = 0; row < m.n; ++row)
+        for (harmorph::Offset k = m.start[row]; k < m.start[row + 1]; ++k) {
+            CHECK((m.column[k] > row && m.column[k] < m.n));
+            if (k > m.start[row]) CHECK(m.column[k] > m.column[k - 1]);
+        }
+    CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
+}
+
+TEST_CASE("places tell unknowns, wall points, and points whose value is 0") {
+    Case its = two_body_case(Cells::hybrid, 6, 4);
+    its.mesh.add_point({0.5, 0.5});   // used by no cell
+    Analysed const seen(its);
+    AssembledMatrix const sparse(*seen.operator->());
+    Index unknowns = 0, on_wall = 0, zero = 0;
+    for (Index point = 0; point < its.mesh.n_points(); ++point) {
+        Index const place = sparse.matrix.place[point];
+        if (place >= 0) {
+            CHECK(sparse.point_at(place) == point);
+            ++unknowns;
+        } else if (harmorph::Matrix::is_wall(place)) {
+            CHECK(seen->wall.point[harmorph::Matrix::wall(place)] == point);
+            ++on_wall;
+        } else {
+            CHECK(place == harmorph::none);
+            ++zero;
+        }
+    }
+    CHECK((unknowns == seen->graph.n && on_wall == 48 && zero == 24 + 12 + 1));   // 36 points of the rectangle's sides
+}

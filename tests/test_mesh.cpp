@@ -1,0 +1,167 @@
+// The same cells come out of every layout; what is wrong is refused, and the first offender is named.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+#include <limits>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::Status;
+
+namespace {
+
+bool same_cell(harmorph::Cell const& a, harmorph::Cell const& b) {
+    return a.n == b.n && std::equal(a.point, a.point + a.n, b.point);
+}
+
+void check_same(hm_mesh const& first, hm_mesh const& second) {
+    harmorph::Mesh const a = core_mesh(first), b = core_mesh(second);
+    harmorph::Fault fault;
+    CHECK(check_mesh(a, fault) == Status::ok);
+    CHECK(check_mesh(b, fault) == Status::ok);
+    REQUIRE(a.n_cells == b.n_cells);
+    Index different = 0;
+    for (Index i = 0; i < a.n_cells; ++i) different += !same_cell(a.cell(i), b.cell(i));
+    CHECK(different == 0);
+    CHECK(topology_print(a) == topology_print(b));
+}
+
+harmorph::Fault refusal(harmorph::Mesh const& mesh) {
+    harmorph::Fault fault;
+    CHECK(failed(check_mesh(mesh, fault)));
+    return fault;
+}
+
+}  // namespace
+
+TEST_CASE("rows, triangles, quads and blocks: the same cells") {
+    for (std::int32_t const base : {0, 1}) {
+        Case triangles, quads, hybrid;
+        triangles.mesh = square(6, Cells::triangles);
+        quads.mesh = square(6, Cells::quads);
+        hybrid.mesh = square(6, Cells::hybrid, 2, 2);
+        for (Case* its : {&triangles, &quads, &hybrid}) its->index_base = base;
+
+        hm_mesh fixed = triangles.mesh_view();
+        fixed.cell_layout = HM_CELLS_TRIANGLES;
+        fixed.cell_start = nullptr;
+        check_same(fixed, triangles.mesh.view());
+        fixed = quads.mesh_view();
+        fixed.cell_layout = HM_CELLS_QUADS;
+        fixed.cell_start = nullptr;
+        check_same(fixed, quads.mesh.view());
+
+        for (Case* its : {&triangles, &hybrid}) {   // width 4, the last point of a triangle repeated
+            std::vector<std::int32_t> wide = quads_of(its->mesh);
+            for (std::int32_t& point : wide) point += base;
+            hm_mesh view = its->mesh_view();
+            view.cell_layout = HM_CELLS_QUADS;
+            view.cell_start = nullptr;
+            view.cell_points = wide.data();
+            check_same(view, its->mesh.view());
+            // Rows may hold such triangles, too.
+            std::vector<std::int32_t> starts;
+            for (std::int32_t k = 0; k <= its->mesh.n_cells(); ++k) starts.push_back(4 * k + base);
+            view.cell_layout = HM_CELLS_ROWS;
+            view.cell_start = starts.data();
+            check_same(view, its->mesh.view());
+        }
+
+        hm_mesh block = quads.mesh_view();
+        block.cell_layout = HM_CELLS_STRUCTURED;
+        block.cell_start = block.cell_points = nullptr;
+        block.ni = block.nj = 7;
+        check_same(block, quads.mesh.view());
+        block.n_cells = 0;   // may be left out
+        check_same(block, quads.mesh.view());
+    }
+}
+
+TEST_CASE("blocks that are not square: i is fastest") {
+    hm_mesh view{};
+    std::vector<double> const zero(15, 0.0);
+    view.struct_size = sizeof view;
+    view.cell_layout = HM_CELLS_STRUCTURED;
+    view.n_points = 15;
+    view.ni = 5;
+    view.nj = 3;
+    view.x = view.y = zero.data();
+    harmorph::Mesh const mesh = core_mesh(view);
+    CHECK(mesh.n_cells == 8);
+    for (Index j = 0; j < 2; ++j)
+        for (Index i = 0; i < 4; ++i) {
+            Index const a = i + 5 * j;
+            CHECK(same_cell(mesh.cell(i + 4 * j), {4, {a, a + 1, a + 6, a + 5}}));
+        }
+}
+
+TEST_CASE("coordinates with any stride, and 0 for 1") {
+    Mesh const mesh = square(6, Cells::hybrid, 2, 2);
+    std::vector<double> structs;
+    for (std::size_t k = 0; k < mesh.x.size(); ++k) structs.insert(structs.end(), {-1, mesh.y[k], -2, mesh.x[k]});
+    hm_mesh view = mesh.view();
+    view.x = structs.data() + 3;
+    view.y = structs.data() + 1;
+    view.stride = 4;
+    harmorph::Mesh const strided = core_mesh(view);
+    for (Index k = 0; k < mesh.n_points(); ++k)
+        CHECK((strided.points[k].x == mesh.point(k).x && strided.points[k].y == mesh.point(k).y));
+    CHECK(coordinates_print(strided.points, mesh.n_points()) == coordinates_print(core_mesh(mesh).points, mesh.n_points()));
+    view = mesh.view();
+    view.stride = 0;
+    CHECK(core_mesh(view).points.stride == 1);
+}
+
+TEST_CASE("the first of several offenders is named") {
+    Mesh mesh = square(6, Cells::hybrid, 2, 2);
+    Mesh const good = mesh;
+    mesh.cells[5] = 99;
+    mesh.cells[11] = -3;
+    harmorph::Fault fault = refusal(core_mesh(mesh));
+    CHECK((fault.status == Status::bad_mesh && fault.item == 1 && fault.other == 99 &&
+           fault.counts == harmorph::Counts::mesh));
+    mesh = good;
+    mesh.cells[13] = mesh.cells[12];
+    mesh.cells[30] = mesh.cells[28];
+    fault = refusal(core_mesh(mesh));
+    CHECK((fault.item == 3 && fault.other == mesh.cells[12]));
+    mesh = good;
+    mesh.y[40] = mesh.x[22] = std::numeric_limits<double>::infinity();
+    fault = refusal(core_mesh(mesh));
+    CHECK(fault.item == 22);
+    mesh = good;
+    mesh.faces[9] = 48;
+    mesh.faces[20] = 48;
+    fault = refusal(core_mesh(mesh));
+    CHECK((fault.item == 4 && fault.other == 48));
+    mesh = good;
+    mesh.cell_start[4] = 18;   // cell 3 has 6 points
+    fault = refusal(core_mesh(mesh));
+    CHECK((fault.item == 3 && fault.value == 6));
+    mesh.cell_start[4] = mesh.cell_start[3];
+    fault = refusal(core_mesh(mesh));
+    CHECK((fault.item == 3 && fault.value == 0));
+}
+
+TEST_CASE("areas: of cells and of their corners, in both senses") {
+    double const xy[] = {0, 0, 2, 0, 3, 2, 0, 1};
+    harmorph::Points const points{xy, xy + 1, 2};
+    harmorph::Cell const quad{4, {0, 1, 2, 3}}, triangle{3, {0, 1, 2}}, backwards{4, {3, 2, 1, 0}};
+    CHECK(cell_area(triangle, points) == 2);
+    CHECK(cell_area(quad, points) == 3.5);   // shoelace
+    CHECK(cell_area(backwards, points) == -3.5);
+    harmorph::CornerAreas const corners = corner_areas(quad, points, false);
+    CHECK(corners.n == 4);
+    CHECK((corners.area[0] == 1 && corners.area[1] == 2 && corners.area[2] == 2.5 && corners.area[3] == 1.5));
+    CHECK(corners.smallest() == 1);
+    CHECK(corner_areas(backwards, points, true).smallest() == 1);
+    CHECK(corner_areas(backwards, points, false).smallest() == -2.5);
+    CHECK(corner_areas(triangle, points, false).n == 1);
+    harmorph::CornerAreas nan;
+    nan.n = 4;
+    for (int k = 0; k < 4; ++k) {   // never positive, wherever it is
+        for (int j = 0; j < 4; ++j) nan.area[j] = j == k ? std::nan("") : 1;
+        CHECK(!(nan.smallest() > 0));
+    }
+}

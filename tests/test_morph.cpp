@@ -1,0 +1,240 @@
+// A morph is linear, exact on the curve, and transposed by its adjoint.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+struct Moved {
+    Numbers x, y;
+};
+
+Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
+    Moved out{Numbers(mesh.x.size()), Numbers(mesh.x.size())};
+    REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, out.x.data(), out.y.data(), 1, nullptr,
+                     nullptr) == HM_OK);
+    return out;
+}
+
+// Without a starting position: displacements, or velocities.
+Moved displacement(Solved const& solved, Numbers const& move) {
+    std::size_t const n = static_cast<std::size_t>(solved.info().points);
+    Moved out{Numbers(n, 7.0), Numbers(n, 7.0)};
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, out.x.data(), out.y.data(), 1, nullptr, nullptr) ==
+            HM_OK);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("the displacement is the sum of functions times movements") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    std::int32_t const n = its.curves.n_control();
+    Numbers const move = some_move(n, 0.01, 1);
+    Moved const found = displacement(solved, move);
+    Numbers mx, my;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+        mx.push_back(move[2 * i]);
+        my.push_back(move[2 * i + 1]);
+    }
+    CHECK(largest_difference(found.x, solved.combined(mx)) < 1e-16);
+    CHECK(largest_difference(found.y, solved.combined(my)) < 1e-16);
+}
+
+TEST_CASE("a morph is linear in the movement, also for more functions than one block of them") {
+    // 150 functions: the product is blocked by 128. 3 functions: less than a vector.
+    for (int const n : {150, 3}) {
+        Case its = ring_case(5, 300, 0.5, 2, Cells::hybrid, 2, n);
+        Solved const solved(its);
+        Numbers const a = some_move(n, 1, 2), b = some_move(n, 1, 3);
+        Numbers both;
+        for (std::size_t k = 0; k < a.size(); ++k) both.push_back(a[k] - 2.5 * b[k]);
+        Moved const of_a = displacement(solved, a), of_b = displacement(solved, b), of_both = displacement(solved, both);
+        Numbers expected;
+        for (std::size_t k = 0; k < of_a.y.size(); ++k) expected.push_back(of_a.y[k] - 2.5 * of_b.y[k]);
+        CHECK(largest_difference(of_both.y, expected) < 1e-14);
+
+        Numbers twice;
+        for (double const m : a) twice.push_back(2 * m);
+        Moved const of_twice = displacement(solved, twice);
+        for (double& x : expected) x = 0;
+        for (std::size_t k = 0; k < expected.size(); ++k) expected[k] = 2 * of_a.x[k];
+        CHECK(same_bits(of_twice.x, expected));
+    }
+}
+
+TEST_CASE("a translation moves the wall as a whole, and the far field not at all") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Numbers move;
+    for (std::int32_t i = 0; i < its.curves.n_control(); ++i) move.insert(move.end(), {0.25, -0.5});
+    Moved const found = displacement(solved, move);
+    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
+        std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
+        bool const far = its.mesh.face_markers[face] == far_field;
+        CHECK(std::fabs(found.x[point] - (far ? 0 : 0.25)) < 1e-15);
+        CHECK(std::fabs(found.y[point] - (far ? 0 : -0.5)) < 1e-15);
+    }
+}
+
+TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
+    for (int const n : {4, 9, 150}) {
+        Case its = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3, n);   // 6300 points: more than one block of them
+        Solved const solved(its);
+        Numbers const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
+        Moved const found = displacement(solved, move);
+        Numbers gradient(2 * static_cast<std::size_t>(n), -1.0);
+        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        double here = 0, there = 0, size = 0;
+        for (std::size_t k = 0; k < found.x.size(); ++k) {
+            here += g[2 * k] * found.x[k] + g[2 * k + 1] * found.y[k];
+            size += std::fabs(g[2 * k] * found.x[k]) + std::fabs(g[2 * k + 1] * found.y[k]);
+        }
+        for (std::size_t k = 0; k < move.size(); ++k) there += gradient[k] * move[k];
+        CHECK(std::fabs(here - there) <= 1e-14 * size);
+        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(6300.0));   // the test could have failed
+    }
+}
+
+TEST_CASE("one component of the adjoint is one function against the gradient") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Numbers const f = solved.values(5);
+    Numbers gx(f.size(), 0.0), gy(f.size(), 0.0), gradient(2 * static_cast<std::size_t>(its.curves.n_control()));
+    gx[77] = 2;
+    gy[91] = -1;
+    REQUIRE(hm_adjoint(solved.basis, gx.data(), gy.data(), 0, gradient.data(), nullptr, nullptr) == HM_OK);
+    CHECK(gradient[10] == 2 * f[77]);
+    CHECK(gradient[11] == -f[91]);
+}
+
+TEST_CASE("zero movement keeps every bit, of negative zeros too") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Mesh mesh = its.mesh;
+    for (std::size_t k = 0; k < mesh.x.size(); k += 3) {
+        mesh.x[k] = -0.0;
+        mesh.y[(k + 1) % mesh.y.size()] = -0.0;
+    }
+    for (double const zero : {0.0, -0.0}) {
+        Numbers const move(2 * static_cast<std::size_t>(its.curves.n_control()), zero);
+        Moved const found = morphed(solved, mesh, move);
+        CHECK(same_bits(found.x, mesh.x));
+        CHECK(same_bits(found.y, mesh.y));
+    }
+    // Points that no function reaches keep theirs under any movement.
+    Moved const found = morphed(solved, mesh, some_move(its.curves.n_control(), 1, 6));
+    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
+        if (its.mesh.face_markers[face] != far_field) continue;
+        std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
+        CHECK((found.x[point] == mesh.x[point] && std::signbit(found.x[point]) == std::signbit(mesh.x[point])));
+    }
+}
+
+TEST_CASE("in place and to another array, in any layout: the same bits") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    std::size_t const n = its.mesh.x.size();
+    Numbers const move = some_move(its.curves.n_control(), 0.01, 7);
+    Moved const expected = morphed(solved, its.mesh, move);
+    struct Layout {
+        std::size_t x, y, stride, size;   // where x and y begin
+    };
+    Layout const layouts[] = {{0, n, 1, 2 * n}, {0, 1, 2, 2 * n}, {1, 4, 5, 5 * n}, {2, 0, 3, 3 * n}};
+    for (Layout const& from : layouts) {
+        Numbers old(from.size, -77.0);
+        for (std::size_t k = 0; k < n; ++k) {
+            old[from.x + k * from.stride] = its.mesh.x[k];
+            old[from.y + k * from.stride] = its.mesh.y[k];
+        }
+        auto const compare = [&](Numbers const& all, Layout const& layout) {
+            std::size_t wrong = 0, others = 0;
+            for (std::size_t k = 0; k < n; ++k) {
+                wrong += all[layout.x + k * layout.stride] != expected.x[k];
+                wrong += all[layout.y + k * layout.stride] != expected.y[k];
+            }
+            for (double const value : all) others += value == -77.0;
+            CHECK(wrong == 0);
+            CHECK(others == layout.size - 2 * n);   // nothing else is written
+        };
+        for (Layout const& to : layouts) {
+            Numbers made(to.size, -77.0);
+            REQUIRE(hm_morph(solved.basis, move.data(), &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride),
+                             &made[to.x], &made[to.y], static_cast<std::int64_t>(to.stride), nullptr, nullptr) == HM_OK);
+            compare(made, to);
+        }
+        REQUIRE(hm_morph(solved.basis, move.data(), &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride),
+                         &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride), nullptr, nullptr) == HM_OK);
+        compare(old, from);
+    }
+}
+
+TEST_CASE("displacements added to the mesh are the morphed mesh") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Numbers const move = some_move(its.curves.n_control(), 0.01, 8);
+    Moved const by = displacement(solved, move), to = morphed(solved, its.mesh, move);
+    Numbers expected;
+    for (std::size_t k = 0; k < by.x.size(); ++k) expected.push_back(by.x[k] == 0 ? its.mesh.x[k] : its.mesh.x[k] + by.x[k]);
+    CHECK(same_bits(to.x, expected));
+}
+
+TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
+    for (bool const weighted : {false, true}) {
+        Case its = two_body_case();
+        if (weighted)
+            for (int k = 0; k < 20; ++k) its.curves.weights.push_back(1 + 0.1 * k);
+        Solved const solved(its);
+        Numbers const move = some_move(20, 0.3, 9);
+        Moved const by = displacement(solved, move);
+        CurveSet moved = its.curves;
+        for (std::size_t k = 0; k < move.size(); ++k) moved.control[k] += move[k];
+        hm_basis_info const info = solved.info();
+        CHECK(info.curve_points == 96);
+        double largest = 0;
+        for (std::int32_t k = 0; k < info.curve_points; ++k) {
+            double before[2], after[2];
+            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, before, nullptr) == HM_OK);
+            REQUIRE(hm_curve_point(&moved.view(), info.point_curve[k], info.point_u[k], 0, after, nullptr) == HM_OK);
+            std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
+            largest = std::fmax(largest, std::fabs(by.x[point] - (after[0] - before[0])));
+            largest = std::fmax(largest, std::fabs(by.y[point] - (after[1] - before[1])));
+        }
+        CHECK(largest < 1e-12);
+
+        Moved const to = morphed(solved, its.mesh, move);
+        double error = -1;
+        std::int32_t worst = -5;
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, to.x.data(),
+                                  to.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        CHECK((error >= 0 && error < 1e-12));
+        // It sees a point that is elsewhere, and says which.
+        Moved wrong = to;
+        std::size_t const shifted = static_cast<std::size_t>(info.curve_point[17]);
+        wrong.y[shifted] += 1e-3;
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, wrong.x.data(),
+                                  wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
+        CHECK(worst == info.curve_point[17]);
+    }
+}
+
+TEST_CASE("a movement that is not finite is refused, and nothing is written") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Numbers move(2 * static_cast<std::size_t>(its.curves.n_control()), 0.1);
+    for (double const bad : {std::nan(""), HUGE_VAL}) {
+        move[9] = bad;
+        Mesh mesh = its.mesh;
+        hm_error error{};
+        CHECK(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1, nullptr,
+                       &error) == HM_BAD_ARGUMENT);
+        CHECK(error.item == 4);
+        CHECK(same_bits(mesh.x, its.mesh.x));
+    }
+}

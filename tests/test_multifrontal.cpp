@@ -1,0 +1,110 @@
+// The direct engine against dense Cholesky, and its residual on meshes of every kind.
+#include <doctest/doctest.h>
+
+#include <fixtures/matrices.hpp>
+
+#include <limits>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+// Solutions with a dense matrix, function by function: A F = -couplings N.
+void check_against_dense(Case& its, double tolerance) {
+    Solved const solved(its);
+    harmorph::Analysis const& analysis = inside(solved.analysis);
+    AssembledMatrix laplace(analysis);
+    laplace.assemble();
+    DenseMatrix a = laplace.unknowns();
+    REQUIRE(a.factor());
+    double worst = 0;
+    for (Index i = 0; i < solved.report.functions; ++i) {
+        std::vector<double> const found = solved.values(i);
+        auto const on_wall = [&](Index slot) { return found[static_cast<std::size_t>(analysis.wall.point[slot])]; };
+        std::vector<double> b = laplace.couplings_times(on_wall);
+        for (double& value : b) value = -value;
+        std::vector<double> const expected = a.solve(b);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+            double const error =
+                std::fabs(found[static_cast<std::size_t>(laplace.point_at(static_cast<Index>(k)))] - expected[k]);
+            if (!(error <= worst)) worst = error;
+        }
+    }
+    INFO(a.n << " unknowns");
+    CHECK(worst < tolerance);
+    CHECK(solved.report.unknowns == static_cast<Index>(a.n));
+}
+
+}  // namespace
+
+TEST_CASE("small meshes of every kind: the same as dense Cholesky") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case tiny = tiny_case();
+        check_against_dense(tiny, 1e-14);
+        for (int const n_r : {2, 3, 7, 12}) {   // from a single leaf to several levels of separators
+            Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
+            check_against_dense(its, 1e-13);
+        }
+        Case two = two_body_case(kind, 8, 5);
+        check_against_dense(two, 1e-13);
+        Case with_free = ring_case(7, 30, 0.5, 2, kind);
+        with_free.set_free(far_field);   // then every sum of functions is 1
+        perturb(with_free.mesh, 0.3, 2);
+        Solved const solved(with_free);
+        // nothing is fixed: constants are known from the wall alone
+        for (double const sum : solved.sum()) CHECK(std::fabs(sum - 1) < 1e-12);
+        check_against_dense(with_free, 1e-12);
+    }
+}
+
+TEST_CASE("any number of right-hand sides: 2 to 40, and more than a block of them") {
+    for (int const n : {2, 3, 7, 8, 9, 16, 17, 31, 40, 130}) {
+        Case its = ring_case(6, n > 40 ? 150 : 48, 0.5, 2, Cells::hybrid, 1, n);
+        Solved const solved(its);
+        CHECK(solved.report.functions == n);
+        CHECK(solved.report.residual < 1e-13);
+        CHECK(solved.report.partition_defect < 1e-15);
+        CHECK(largest_difference(solved.sum(), Solved(its).sum()) == 0);
+    }
+}
+
+TEST_CASE("residuals stay at rounding on viscous meshes, with sharp and with blunt trailing edges") {
+    for (double const first : {1e-3, 1e-5})
+        for (bool const blunt : {false, true}) {
+            Naca4 naca;
+            naca.blunt = blunt;
+            HybridOptions options;
+            options.first = first;
+            options.layers = first < 1e-4 ? 30 : 12;
+            options.fan = blunt ? 0 : 2;
+            Case its = airfoil_case();
+            its.mesh = hybrid_mesh(naca4(naca, 60), options);
+            Solved const solved(its);
+            INFO(its.mesh.n_points() << " points, residual " << solved.report.residual);
+            CHECK(solved.report.residual < 1e-12);
+            CHECK(solved.report.factor_entries > solved.report.unknowns);
+        }
+}
+
+TEST_CASE("two parts that are not joined are solved side by side") {
+    Case its = tiny_case(), alone = its;
+    std::int32_t const first = its.mesh.n_points();
+    for (std::int32_t k = 0; k < first; ++k) its.mesh.add_point({its.mesh.point(k).x + 20, its.mesh.point(k).y});
+    for (std::size_t k = 0, n = its.mesh.cells.size(); k < n; ++k) its.mesh.cells.push_back(its.mesh.cells[k] + first);
+    for (std::size_t k = 1, n = its.mesh.cell_start.size(); k < n; ++k)
+        its.mesh.cell_start.push_back(its.mesh.cell_start[n - 1] + its.mesh.cell_start[k]);
+    for (std::size_t k = 0, n = its.mesh.face_markers.size(); k < n; ++k)
+        its.mesh.add_face(its.mesh.faces[2 * k] + first, its.mesh.faces[2 * k + 1] + first,
+                          its.mesh.face_markers[k] == body ? second_body : far_field);
+    its.curves.add(polyline({{22, 2}, {24, 2}, {24, 4}, {22, 4}}));
+    its.put_on_curves(second_body, 1);
+    Solved const both(its), one(alone);
+    for (std::int32_t i = 0; i < 4; ++i) {
+        std::vector<double> const f = both.values(i), g = both.values(4 + i), expected = one.values(i);
+        std::size_t const n = static_cast<std::size_t>(first);
+        CHECK(largest_difference({f.begin(), f.begin() + first}, expected) < 1e-14);
+        CHECK(largest_difference({g.begin() + first, g.end()}, expected) < 1e-14);
+        for (std::size_t k = 0; k < n; ++k) CHECK((f[n + k] == 0 && g[k] == 0));
+    }
+}

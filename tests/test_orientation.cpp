@@ -1,0 +1,103 @@
+// Cells are turned as their neighbours ask for, and the larger area is right.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
+    return {seen->reversed.begin(), seen->reversed.end()};
+}
+std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
+    return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()), static_cast<std::uint8_t>(value));
+}
+
+// A strip of quads between two rings of points, closed with or without a twist. Its place in the plane is of no matter.
+Mesh strip(int n, bool twisted) {
+    Mesh mesh;
+    for (int k = 0; k < 2 * n; ++k) {
+        double const angle = 2 * std::acos(-1.0) * (k / 2) / n, r = k % 2 == 0 ? 1 : 2;
+        mesh.add_point({r * std::cos(angle), r * std::sin(angle)});
+    }
+    for (int k = 0; k < n; ++k) {
+        bool const cross = twisted && k == n - 1;
+        std::int32_t const a = 2 * k, b = a + 1, c = k + 1 < n ? a + 2 : (cross ? 1 : 0),
+                           d = k + 1 < n ? a + 3 : (cross ? 0 : 1);
+        mesh.add_cell({a, b, d, c});
+        mesh.add_face(a, c, body);
+        mesh.add_face(b, d, body);
+    }
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Mesh const right_way = two_bodies(8, 5, Ellipse{}, Ellipse{0.25, 0.06, 0.4}, kind);
+        CHECK(reversed_of(Analysed(right_way)) == all(right_way, 0));
+        Mesh mesh = right_way;
+        reverse_all(mesh);
+        CHECK(reversed_of(Analysed(mesh)) == all(mesh, 1));
+        mesh = right_way;
+        reverse_some(mesh, 5);
+        std::vector<std::uint8_t> const found = reversed_of(Analysed(mesh));
+        harmorph::Mesh const view = core_mesh(mesh);
+        int turned = 0;
+        for (Index i = 0; i < view.n_cells; ++i) {
+            CHECK((cell_area(view.cell(i), view.points) < 0) == (found[static_cast<std::size_t>(i)] != 0));
+            turned += found[static_cast<std::size_t>(i)];
+        }
+        CHECK((turned > mesh.n_cells() / 4 && turned < 3 * mesh.n_cells() / 4));
+    }
+}
+
+TEST_CASE("inverted cells do not turn: they agree with their neighbours, not with their own area") {
+    for (bool const clockwise : {false, true}) {
+        Mesh mesh = square(6, Cells::triangles);
+        mesh.x[8] = 10;   // point (1, 1) far out: cells round it fold over
+        if (clockwise) reverse_all(mesh);
+        Analysed const seen(mesh);
+        CHECK(reversed_of(seen) == all(mesh, clockwise ? 1 : 0));
+        hm_mesh_report report{};
+        report.struct_size = sizeof report;
+        REQUIRE(hm_analysis_report(seen.analysis, &report, nullptr) == HM_OK);
+        CHECK((report.inverted > 0 && report.inverted < 7));
+        CHECK(report.min_area < 0);
+    }
+}
+
+TEST_CASE("parts that are not joined settle their sense each for itself") {
+    Mesh mesh = square(3);
+    std::int32_t const n = mesh.n_points();
+    Mesh const other = square(4, Cells::triangles);
+    for (std::size_t k = 0; k < other.x.size(); ++k) mesh.add_point({other.x[k] + 5, other.y[k]});
+    std::int32_t const n_cells = mesh.n_cells();
+    for (std::size_t k = 0; k < other.cells.size(); k += 3)   // clockwise
+        mesh.add_cell({other.cells[k] + n, other.cells[k + 2] + n, other.cells[k + 1] + n});
+    for (std::size_t k = 0; k < other.faces.size(); k += 2) mesh.add_face(other.faces[k] + n, other.faces[k + 1] + n, 77);
+    Analysed const seen(mesh);
+    std::vector<std::uint8_t> const found = reversed_of(seen);
+    for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));
+    CHECK(seen->boundary.n_loops == 2);
+}
+
+TEST_CASE("a Moebius strip is refused; the same strip without the twist is not") {
+    for (int const n : {5, 8, 40}) {
+        Analysed const plain(strip(n, false));
+        CHECK(plain->boundary.n_loops == 2);
+        Mesh const moebius = strip(n, true);
+        hm_mesh const view = moebius.view();
+        hm_problem problem{};
+        problem.struct_size = sizeof problem;
+        problem.mesh = &view;
+        Attempt attempt;
+        CHECK(!attempt.analyse(problem));
+        CHECK(attempt.status == HM_BAD_MESH);
+        CHECK(std::string(attempt.error.text).find("one-sided") != std::string::npos);
+        CHECK(attempt.error.item >= 0);
+    }
+}

@@ -1,0 +1,169 @@
+// Progress and cancellation, and what calls out of order do: nothing is lost, nothing is solved by chance.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+struct Event {
+    std::int32_t phase;
+    double fraction;
+};
+
+// A callback that takes down what it is told, and stops at one event.
+struct Listener {
+    std::vector<Event> events;
+    std::size_t stop_at = std::numeric_limits<std::size_t>::max();
+
+    static std::int32_t call(void* user, std::int32_t phase, double fraction) {
+        Listener& self = *static_cast<Listener*>(user);
+        self.events.push_back({phase, fraction});
+        return self.events.size() - 1 == self.stop_at ? 42 : 0;
+    }
+    hm_options options() {
+        hm_options out{};
+        out.struct_size = sizeof out;
+        out.progress = call;
+        out.progress_user = this;
+        return out;
+    }
+};
+
+std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
+    std::vector<double> out, one(n_points);
+    for (std::int32_t i = 0; i < n_functions; ++i) {
+        REQUIRE(hm_basis_values(basis, i, one.data(), nullptr) == HM_OK);
+        out.insert(out.end(), one.begin(), one.end());
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("a tolerance below rounding is a warning, and the functions are there") {
+    Case its = airfoil_case();
+    hm_options options{};
+    options.struct_size = sizeof options;
+    options.tolerance = 1e-18;
+    Attempt const attempt(its.problem(), &options);
+    CHECK(attempt.status == HM_NOT_CONVERGED);
+    CHECK((attempt.error.code == HM_NOT_CONVERGED && attempt.error.value == attempt.report.residual));
+    CHECK((attempt.report.residual > 1e-18 && attempt.report.residual < 1e-12));
+    std::vector<double> values(its.mesh.x.size());
+    CHECK(hm_basis_values(attempt.basis, 0, values.data(), nullptr) == HM_OK);
+}
+
+TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
+    Case its = ring_case(60, 300, 0.5, 2);   // large enough for reports in between
+    Listener listener;
+    hm_options const options = listener.options();
+    Solved const solved(its, &options);
+    std::vector<Event> const& events = listener.events;
+    REQUIRE(events.size() > 14);
+    CHECK((events.front().phase == HM_PHASE_STRUCTURE && events.back().phase == HM_PHASE_RESIDUAL));
+    for (std::size_t k = 0; k < events.size(); ++k) {
+        CHECK((events[k].fraction >= 0 && events[k].fraction <= 1));
+        bool const starts = k == 0 || events[k].phase != events[k - 1].phase;
+        if (starts) {
+            CHECK(events[k].fraction == 0);
+            CHECK(events[k].phase == (k == 0 ? HM_PHASE_STRUCTURE : events[k - 1].phase + 1));
+            if (k > 0) CHECK(events[k - 1].fraction == 1);
+        } else {
+            CHECK(events[k].fraction >= events[k - 1].fraction);
+        }
+    }
+    CHECK(events.back().fraction == 1);
+}
+
+TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives the same bits") {
+    Case its = ring_case(40, 200, 0.5, 2, Cells::hybrid, 3, 10);
+    Listener listener;
+    hm_options options = listener.options();
+    hm_problem const problem = its.problem();
+    Solved const reference(problem, &options);
+    std::vector<double> const expected = reference.all_values();
+    std::vector<Event> const all = listener.events;
+
+    for (std::size_t stop = 0; stop < all.size(); ++stop) {
+        INFO("phase " << all[stop].phase << " at " << all[stop].fraction);
+        listener.events.clear();
+        listener.stop_at = stop;
+        Attempt attempt;
+        bool cancelled = false;
+        auto const again_if_cancelled = [&](bool done) {
+            if (done) return;
+            CHECK(attempt.status == HM_CANCELLED);
+            CHECK(attempt.error.code == HM_CANCELLED);
+            CHECK(listener.events.size() == stop + 1);   // nothing was reported after that
+            cancelled = true;
+        };
+        again_if_cancelled(attempt.analyse(problem, &options));
+        if (cancelled) {
+            CHECK(attempt.analysis == nullptr);
+            hm_status const status = hm_analysis_init(&attempt.analysis, attempt.analysis_block->data(),
+                                                      attempt.analysis_block->size(), &problem, &options, nullptr);
+            REQUIRE(status == HM_OK);   // in the same block
+        }
+        REQUIRE(attempt.prepare());
+        hm_status status = hm_plan_factor(attempt.plan, nullptr, nullptr, 0, &attempt.error);
+        if (status < 0) {
+            CHECK((status == HM_CANCELLED && !cancelled));
+            cancelled = true;
+            CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);   // there is no factor
+            REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        }
+        status = hm_plan_solve(attempt.plan, attempt.basis, nullptr, &attempt.error);
+        if (status < 0) {
+            CHECK((status == HM_CANCELLED && !cancelled));
+            cancelled = true;
+            std::vector<double> values(its.mesh.x.size());
+            CHECK(hm_basis_values(attempt.basis, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
+            REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) == HM_OK);   // the factor stays
+        }
+        CHECK(cancelled);
+        CHECK(same_bits(values_of(attempt.basis, 10, its.mesh.x.size()), expected));
+        CHECK(attempt.guards_intact());
+    }
+}
+
+TEST_CASE("what does not belong together is refused: no factor yet, another analysis's basis") {
+    Case its = tiny_case(), other = two_body_case();
+    Attempt attempt;
+    REQUIRE((attempt.analyse(its.problem()) && attempt.prepare()));
+    CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);
+    REQUIRE(attempt.solve());
+    Solved const foreign(other);
+    CHECK(hm_plan_solve(attempt.plan, foreign.basis, nullptr, nullptr) < 0);
+
+    hm_mesh const mesh = other.mesh.view();
+    std::vector<double> const d(its.mesh.x.size(), 0.0);
+    hm_step_report step{};
+    step.struct_size = sizeof step;
+    CHECK(hm_admissible_step(attempt.basis, &mesh, d.data(), d.data(), 1, nullptr, &step, nullptr) == HM_BAD_BASIS);
+    Attempt only_mesh;
+    hm_problem problem = its.problem();
+    problem.curves = nullptr;
+    REQUIRE(only_mesh.analyse(problem));
+    std::size_t bytes = 0;
+    CHECK(hm_plan_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_basis_size(only_mesh.analysis, &bytes, nullptr) == HM_BAD_ARGUMENT);
+}
+
+TEST_CASE("factor and solve again on moved coordinates: as if the moved mesh had been solved") {
+    Case its = ring_case(10, 60, 0.5, 2, Cells::hybrid);
+    Case moved = its;
+    perturb(moved.mesh, 0.2, 4);
+    Solved const first(its), expected(moved);
+    REQUIRE(hm_plan_factor(first.plan, moved.mesh.x.data(), moved.mesh.y.data(), 1, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(first.plan, first.basis, nullptr, nullptr) == HM_OK);
+    CHECK(largest_difference(first.all_values(), expected.all_values()) < 1e-12);
+    hm_mesh const on_moved = moved.mesh.view(), on_old = its.mesh.view();
+    const hm_basis* basis = nullptr;
+    std::size_t const bytes = static_cast<std::size_t>(first.info().bytes);
+    CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_moved, nullptr) == HM_OK);
+    CHECK(hm_basis_attach(&basis, first.basis, bytes, &on_old, nullptr) == HM_MOVED);
+}

@@ -1,0 +1,34 @@
+// Sorting, and the sums that turn counts into places.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+#include <harmorph/sort.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and random lists") {
+    std::mt19937 random(1);
+    for (int n = 0; n < 200; ++n)
+        for (int kind = 0; kind < 4; ++kind) {
+            std::vector<int> items;
+            for (int k = 0; k < n; ++k)
+                items.push_back(kind == 0 ? k : kind == 1 ? -k : static_cast<int>(random() % (kind == 2 ? 5 : 100000)));
+            std::vector<int> expected = items;
+            std::sort(expected.begin(), expected.end());
+            harmorph::sort(span(items), [](int a, int b) { return a < b; });
+            CHECK(items == expected);
+        }
+}
+
+TEST_CASE("counts become starts, filling becomes rewinding") {
+    std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};   // the last place is for the total
+    starts.back() = 0;
+    CHECK(harmorph::counts_to_starts(span(starts)) == 10);
+    CHECK(starts == std::vector<harmorph::Index>{0, 3, 3, 5, 10, 10});
+    std::vector<harmorph::Index> const expected = starts;
+    harmorph::Index const counts[] = {3, 0, 2, 5, 0};
+    for (std::size_t k = 0; k < 5; ++k) starts[k] += counts[k];
+    harmorph::rewind_starts(span(starts));
+    CHECK(starts == expected);
+}

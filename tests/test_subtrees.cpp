@@ -1,0 +1,111 @@
+// Subtrees are whole and apart, every lane gets some, and the memory laid out for them is what a walk through them needs.
+#include <doctest/doctest.h>
+
+#include <fixtures/graphs.hpp>
+
+#include <harmorph/subtrees.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::none;
+using harmorph::Offset;
+
+namespace {
+
+struct Chosen {
+    std::vector<harmorph::Subtree> memory;
+    harmorph::Subtrees subtrees;
+
+    Chosen(Dissected const& cut, Symbolic const& symbolic, Index lanes)
+        : memory(static_cast<std::size_t>(harmorph::Subtrees::most(lanes))) {
+        subtrees.lanes = lanes;
+        subtrees.all = span(memory);
+        subtrees.choose(cut.tree, span(symbolic.start));
+    }
+};
+
+// The factorisation's and the forward substitution's use of their stacks, node by node.
+struct Walk {
+    harmorph::AssemblyTree const& tree;
+    Symbolic const& symbolic;
+    harmorph::Subtrees const& subtrees;
+    Offset stack[2] = {}, rows[2] = {};   // the most: inside a subtree, above all of them
+
+    Index border(Index node) const {
+        return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] - symbolic.start[static_cast<std::size_t>(node)]);
+    }
+    Offset update(Index node) const { return harmorph::dense::UpdateMatrix::entries(border(node)); }
+    Offset front(Index node) const { return tree.nodes[node].pivots() + border(node); }
+
+    // `free` and `free_row`: where the node's children may be.
+    void go(Index node, bool above, Offset free, Offset free_row) {
+        stack[above] = std::max(stack[above], free);
+        rows[above] = std::max(rows[above], free_row);
+        for (Index child = tree.nodes[node].child; child != none; child = tree.nodes[child].sibling)
+            if (subtrees.find(child) == none) go(child, above, free + update(child), free_row + front(child));
+    }
+};
+
+bool is_below(harmorph::AssemblyTree const& tree, Index node, Index root) {
+    while (node != none && node < root) node = tree.nodes[node].parent;
+    return node == root;
+}
+
+}  // namespace
+
+TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
+    for (HandMadeGraph& graph : nasty_graphs()) {
+        Dissected const cut(graph);
+        Symbolic const symbolic(graph, cut);
+        for (Index const lanes : {1, 2, 3, 8, 256}) {
+            Chosen const chosen(cut, symbolic, lanes);
+            harmorph::Subtrees const& its = chosen.subtrees;
+            CHECK(its.count <= harmorph::Subtrees::most(lanes));
+            CHECK((its.count == 0) == (lanes == 1));
+            Offset kept = 0, kept_rows = 0;
+            Walk walk{cut.tree, symbolic, its};
+            for (Index k = 0; k < its.count; ++k) {
+                harmorph::Subtree const& subtree = its.all[k];
+                CHECK((subtree.lane >= 0 && subtree.lane < lanes));
+                CHECK(subtree.first <= subtree.root);
+                if (k > 0) CHECK(subtree.first > its.all[k - 1].root);
+                CHECK(its.find(subtree.root) == k);
+                for (Index node = 0; node < cut.tree.count; ++node) {
+                    bool const in_range = node >= subtree.first && node <= subtree.root;
+                    if (in_range != is_below(cut.tree, node, subtree.root)) CHECK(false);
+                    if (in_range && node != subtree.root) CHECK(its.find(node) == none);
+                }
+                CHECK((subtree.kept == kept && subtree.kept_rows == kept_rows));
+                kept += walk.update(subtree.root);
+                kept_rows += walk.front(subtree.root);
+                walk.go(subtree.root, false, 0, 0);
+            }
+            CHECK((its.kept_entries == kept && its.kept_rows == kept_rows));
+
+            Index const root = cut.tree.count - 1;
+            if (its.find(root) == none) walk.go(root, true, 0, walk.front(root));
+            CHECK(its.stack_entries >= walk.stack[0]);
+            CHECK(its.top_stack_entries >= walk.stack[1]);
+            CHECK(its.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
+            for (Index node = 0; node < cut.tree.count; ++node) CHECK(its.stack_rows >= walk.front(node));   // going back down
+            if (lanes == 1) CHECK(its.top_stack_entries == walk.stack[1]);   // and no more than that
+            CHECK(its.stack_entries == walk.stack[0]);
+        }
+    }
+}
+
+TEST_CASE("on a large mesh every lane has something to do, and no lane much more than another") {
+    HandMadeGraph graph = grid_graph(120, 110);
+    Dissected const cut(graph);
+    Symbolic const symbolic(graph, cut);
+    for (Index const lanes : {2, 4, 8, 16}) {
+        Chosen const chosen(cut, symbolic, lanes);
+        std::vector<double> load(static_cast<std::size_t>(lanes), 0.0);
+        for (Index k = 0; k < chosen.subtrees.count; ++k)
+            load[static_cast<std::size_t>(chosen.subtrees.all[k].lane)] += static_cast<double>(chosen.subtrees.all[k].work);
+        auto const [least, most] = std::minmax_element(load.begin(), load.end());
+        INFO(lanes << " lanes: " << *least << " to " << *most);
+        CHECK(*least > 0);
+        CHECK(*most < 1.6 * *least);
+    }
+}

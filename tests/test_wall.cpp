@@ -1,0 +1,186 @@
+// Every point of a curve's marker gets the right curve and parameter.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// Inner points of an annulus put onto a curve at given parameters.
+Case on_curve(Spline const& spline, int n_t) {
+    Case out = ring_case(6, n_t, 0.5, 2, Cells::quads, spline.degree);
+    out.curves = spline;
+    out.given_points.clear();
+    out.given_curves.clear();
+    out.given_u.clear();
+    return out;
+}
+
+std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const& solved) {
+    std::map<std::int32_t, std::pair<std::int32_t, double>> out;
+    hm_basis_info const info = solved.info();
+    for (std::int32_t k = 0; k < info.curve_points; ++k) out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
+    CHECK(out.size() == static_cast<std::size_t>(info.curve_points));   // every point once
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("parameters are found where the points lie on the curve, in either direction and from any start") {
+    for (int const degree : {2, 3, 5})
+        for (bool const against : {false, true}) {
+            Spline spline = ring(degree, 9, 0.55, 0.5, 0, 0, 0.3);
+            if (against)   // the curve runs against the boundary
+                for (std::size_t k = 1; k < spline.control.size(); k += 2) spline.control[k] *= -1;
+            int const n_t = 40;
+            Case its = on_curve(spline, n_t);
+            std::vector<double> expected;
+            for (int k = 0; k < n_t; ++k) {
+                double const u = std::fmod(9.0 * ((against ? n_t - k : k) + 0.3) / n_t, 9.0);
+                harmorph::Vec2 const p = curve_point(spline.curve(), u);
+                its.mesh.x[static_cast<std::size_t>(k)] = p.x;
+                its.mesh.y[static_cast<std::size_t>(k)] = p.y;
+                expected.push_back(u);
+            }
+            // Turn the rings behind it so that cells stay valid.
+            double const turn = std::atan2(its.mesh.y[0], its.mesh.x[0]);
+            for (std::size_t k = static_cast<std::size_t>(n_t); k < its.mesh.x.size(); ++k) {
+                double const x = its.mesh.x[k], y = its.mesh.y[k];
+                its.mesh.x[k] = 1.3 * (x * std::cos(turn) - y * std::sin(turn));
+                its.mesh.y[k] = 1.3 * (x * std::sin(turn) + y * std::cos(turn));
+            }
+            Solved const solved(its);
+            CHECK(solved.report.max_distance < 1e-13);
+            auto const found = parameters(solved);
+            REQUIRE(found.size() == 40);
+            for (int k = 0; k < n_t; ++k)
+                CHECK(std::fabs(found.at(k).second - expected[static_cast<std::size_t>(k)]) < 1e-10);
+        }
+}
+
+TEST_CASE("given parameters are taken as they are, the others are found") {
+    Case its = tiny_case();
+    its.give(16, 0.125);   // wrong on purpose
+    its.give(24, 1.75);
+    Solved const solved(its);
+    auto const found = parameters(solved);
+    CHECK(found.at(16).second == 0.125);
+    CHECK(found.at(24).second == 1.75);
+    CHECK(found.at(17).second == doctest::Approx(0.5));
+    CHECK(found.at(18).second == doctest::Approx(1));
+    CHECK(solved.values(0)[16] == 0.875);
+    CHECK(solved.report.max_distance == doctest::Approx(0.5));   // (4, 3) is said to be (4, 3.5)
+    CHECK(solved.report.max_distance_point == 24);
+}
+
+TEST_CASE("a tied curve: the point at the corner gets the corner's function, exactly 1") {
+    for (std::int32_t const start : {0, 1, 2, 3}) {   // the curve may begin at any corner
+        Case its = tiny_case();
+        std::vector<Point> const corners = {{2, 2}, {4, 2}, {4, 4}, {2, 4}};
+        std::vector<Point> turned;
+        for (std::int32_t k = 0; k < 4; ++k) turned.push_back(corners[static_cast<std::size_t>((k + start) % 4)]);
+        its.curves = polyline(turned);
+        Solved const solved(its);
+        std::size_t const ids[] = {16, 18, 31, 29};
+        for (std::int32_t k = 0; k < 4; ++k) {
+            std::vector<double> const f = solved.values(k);
+            for (std::int32_t j = 0; j < 4; ++j) CHECK(f[ids[j]] == (j == (k + start) % 4 ? 1 : 0));
+        }
+        CHECK(solved.report.max_distance < 1e-15);
+    }
+}
+
+TEST_CASE("a blunt base: points there are on the second curve, the ends belong to both") {
+    Naca4 naca;
+    naca.blunt = true;
+    Outline const outline = naca4(naca, 40);   // four edges on the base
+    hm_fit_options options{};
+    options.struct_size = sizeof options;
+    hm_fit_report report{};
+    report.struct_size = sizeof report;
+    std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+    std::size_t bytes = 0;
+    REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    const hm_curves* curves = nullptr;
+    REQUIRE(hm_fit(&curves, block.data(), bytes, &outline.points[0].x, &outline.points[0].y, 2, n, 1, &options, &report,
+                   nullptr) == HM_OK);
+    REQUIRE(curves->n_curves == 2);
+    REQUIRE(report.base_points == 5);
+
+    Case its;
+    its.mesh = o_mesh(outline, stretched(2e-3, 10, 25));
+    its.put_on_curves(body, 0, 2);
+    hm_mesh const mesh = its.mesh.view();
+    hm_problem problem = its.problem(mesh);
+    problem.curves = curves;
+    Solved const solved(problem);
+    auto const found = parameters(solved);
+    for (std::int32_t k = 0; k < n; ++k) {
+        bool const inside_base = k >= 1 && k <= 3, corner = k == 0 || k == 4;
+        INFO("point " << k);
+        if (!corner) CHECK(found.at(k).first == (inside_base ? 1 : 0));
+    }
+    CHECK(solved.report.max_distance == doctest::Approx(report.max_error).epsilon(0.05));
+    CHECK(solved.report.partition_defect < 1e-14);
+    // Each corner has the function of one control point alone, and the base is linear between the two.
+    std::vector<double> move(2 * static_cast<std::size_t>(curves->n_control), 0.0);
+    for (std::int32_t i = 0; i < curves->n_control; ++i) {
+        std::vector<double> const f = solved.values(i);
+        CHECK((f[0] == 0 || f[0] == 1));
+        CHECK((f[4] == 0 || f[4] == 1));
+        for (std::size_t k = 1; k <= 3; ++k)
+            CHECK(f[k] == doctest::Approx(f[0] + (f[4] - f[0]) * static_cast<double>(k) / 4).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("several bodies on one marker: each finds its curve") {
+    Case two = two_body_case(), one = two;
+    for (std::int32_t& marker : one.mesh.face_markers) marker = marker == second_body ? body : marker;
+    one.conditions.clear();
+    one.put_on_curves(body, 0, 2);
+    Solved const a(two), b(one);
+    CHECK(parameters(a) == parameters(b));
+    CHECK(same_bits(a.all_values(), b.all_values()));
+}
+
+TEST_CASE("one body over several markers, on one curve: as if it were one marker") {
+    Case whole = airfoil_case(), split = whole;
+    split_marker(split.mesh, body, 4, 31);
+    split.conditions.clear();
+    for (std::int32_t const marker : {33, 31, 34, 32}) split.put_on_curves(marker);
+    Solved const a(whole), b(split);
+    auto const expected = parameters(a), found = parameters(b);
+    REQUIRE(found.size() == expected.size());
+    for (auto const& [point, its] : expected) CHECK(std::fabs(found.at(point).second - its.second) < 1e-12);
+}
+
+TEST_CASE("markers with a curve each share their points: these belong to the control point of both") {
+    // The hole's lower side on one curve, the other three on another; the ends are common control points.
+    Case its = tiny_case();
+    for (std::size_t k = 0; k < its.mesh.face_markers.size(); ++k) {
+        bool const low = its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k])] == 2 &&
+                         its.mesh.y[static_cast<std::size_t>(its.mesh.faces[2 * k + 1])] == 2;
+        if (its.mesh.face_markers[k] == body && low) its.mesh.face_markers[k] = 40;
+    }
+    for (bool const first_low : {false, true}) {
+        its.curves = CurveSet{};
+        its.curves.control = {2, 2, 4, 2, 4, 4, 2, 4};
+        its.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+        its.curves.add_over(1, {1, 2, 3, 0}, {0, 0, 1, 2, 3, 3});
+        its.conditions.clear();
+        if (first_low) its.put_on_curves(40, 0);
+        its.put_on_curves(body, 1);
+        if (!first_low) its.put_on_curves(40, 0);
+        Solved const solved(its);
+        CHECK(solved.report.curve_points == 8);
+        auto const found = parameters(solved);
+        CHECK((found.at(17).first == 0 && found.at(17).second == doctest::Approx(0.5)));
+        CHECK((found.at(30).first == 1 && found.at(30).second == doctest::Approx(1.5)));
+        CHECK(solved.values(0)[16] == 1);
+        CHECK(solved.values(1)[18] == 1);
+        CHECK(solved.values(2)[31] == 1);
+        CHECK(solved.report.partition_defect < 1e-15);
+    }
+}
