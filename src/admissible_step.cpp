@@ -7,6 +7,7 @@ namespace {
 
 // Smallest s > 0 with c + b s + a s^2 = 0, where c > 0; infinite if there is none. The root is taken without cancellation.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept {
+    if (!is_finite(a + b)) return 0;  // a displacement that is not finite leaves nothing
     if (a >= 0 && b >= 0) return infinity;
     if (a == 0) return -c / b;
     Real const discriminant = b * b - 4 * a * c;

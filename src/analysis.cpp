@@ -1,5 +1,7 @@
 #include "harmorph/analysis.hpp"
 
+#include "harmorph/cell_shape.hpp"
+
 namespace harmorph {
 
 void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions,
@@ -11,8 +13,8 @@ void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_c
     edges.lay_out(arena, mesh);
     boundary.lay_out(arena, mesh);
     orientation_work.lay_out(arena, mesh);
-    if (n_curves == 0) return;
     arena.take(kinds, mesh.n_points);
+    if (n_curves == 0) return;
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
     graph.lay_out(arena, mesh);
@@ -46,20 +48,14 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     }
     HARMORPH_TRY(orient(mesh, edges, orientation_work, reversed, fault));
     HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
-    count_used_points();
+    classify(mesh, boundary, representative, conditions, kinds);
     return Status::ok;
 }
 
-void Analysis::count_used_points() noexcept {
-    Mesh const& mesh = problem.mesh;
-    Span<Index> const is_used = boundary.head;  // the boundary is in order: nobody needs its working space
-    fill(is_used, Index{0});
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        for (Index k = 0; k < cell.n; ++k) is_used[cell.point[k]] = 1;
-    }
-    used_points = 0;
-    for (Index const used : is_used) used_points += used;
+Index Analysis::count_used_points() const noexcept {
+    Index used = 0;
+    for (Index const its : representative) used += kinds[its] != PointKind::unused ? 1 : 0;
+    return used;
 }
 
 Status Analysis::analyse_unknowns(Fault& fault) noexcept {
@@ -68,16 +64,16 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     Index const inverted = first_inverted(mesh, mesh.points, reversed);
     if (inverted != none) {
-        Real const area = corner_areas(mesh.cell(inverted), mesh.points, reversed[inverted] != 0).smallest();
+        CellCorners const corners(CellShape(mesh.cell(inverted), mesh.points, reversed[inverted] != 0));
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
-                            inverted, none, area);
+                            inverted, none, 0.5 * corners.smallest());
     }
-    classify(mesh, boundary, representative, conditions, kinds);
     HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
     graph.build(mesh, edges, representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
-    matrix = Matrix::count(mesh, edges, representative, graph, wall_work.slot);
+    topology = topology_print(mesh);
+    matrix = Matrix::count(graph);
     return Status::ok;
 }
 
@@ -124,7 +120,8 @@ BasisCounts Analysis::basis_counts() const noexcept {
 
 Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept {
     for (Index i = 0; i < mesh.n_cells; ++i) {
-        if (!(corner_areas(mesh.cell(i), points, reversed[i] != 0).smallest() > 0)) return i;
+        CellCorners const corners(CellShape(mesh.cell(i), points, reversed[i] != 0));
+        if (!(corners.smallest() > 0)) return i;
     }
     return none;
 }

@@ -25,10 +25,23 @@ void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> repres
     }
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
+    fill(beside_curve, std::uint8_t{0});
+    couplings = 0;
+    auto const couple = [&](Index u, Index other) {
+        if (kinds[other] != PointKind::on_curve) return;
+        beside_curve[u] = 1;
+        ++couplings;
+    };
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (unknown[a] == none || unknown[b] == none) return;
-        ++starts[unknown[a]];
-        ++starts[unknown[b]];
+        Index const i = unknown[a], j = unknown[b];
+        if (i != none && j != none) {
+            ++starts[i];
+            ++starts[j];
+        } else if (i != none) {
+            couple(i, b);
+        } else if (j != none) {
+            couple(j, a);
+        }
     });
     counts_to_starts(starts);
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
@@ -38,12 +51,6 @@ void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> repres
         neighbour[starts[j]++] = i;
     });
     rewind_starts(starts);
-
-    fill(beside_curve, std::uint8_t{0});
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (unknown[a] != none && kinds[b] == PointKind::on_curve) beside_curve[unknown[a]] = 1;
-        if (unknown[b] != none && kinds[a] == PointKind::on_curve) beside_curve[unknown[b]] = 1;
-    });
 }
 
 Index Graph::first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative,

@@ -28,7 +28,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     method = analysis.problem.method;
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
-    topology = topology_print(mesh);
+    topology = analysis.topology;
     factored = false;
     for (Index k = 0; k < point_of.count(); ++k) point_of[k] = analysis.graph.point[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
@@ -47,11 +47,10 @@ void Plan::init(Analysis const& analysis) noexcept {
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    Index const inverted = first_inverted(mesh, points, reversed);
+    Index const inverted = assemble_laplace(mesh, points, reversed, matrix);
     if (inverted != none) {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
     }
-    assemble_laplace(mesh, points, matrix);
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.factorise(matrix, progress, fault);
@@ -159,7 +158,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     header.format = BasisHeader::current_format;
     header.byte_order = BasisHeader::native_order;
     header.bytes = Basis::bytes(counts);
-    header.topology = topology_print(analysis.problem.mesh);
+    header.topology = analysis.topology;
     header.index_base = analysis.problem.mesh.index_base;
     header.counts = counts;
     header.method = analysis.problem.method;

@@ -38,14 +38,6 @@ void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> r
 
 }  // namespace
 
-Matrix::Sizes Matrix::count(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                            Span<const Index> slot) noexcept {
-    Sizes sizes;
-    sizes.entries = graph.start[graph.n] / 2;
-    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index, Index) { ++sizes.couplings; });
-    return sizes;
-}
-
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
     n = unknowns;
     arena.take(place, n_points);

@@ -121,24 +121,6 @@ Status check_mesh(Mesh const& mesh, Fault& fault) noexcept {
     return check_coordinates(mesh, fault);
 }
 
-Real CornerAreas::smallest() const noexcept {
-    Real least = area[0];
-    for (Index corner = 1; corner < n; ++corner) {
-        if (least == least && !(area[corner] >= least)) least = area[corner];  // NaN stays
-    }
-    return least;
-}
-
-CornerAreas corner_areas(Cell const& cell, Points points, bool reversed) noexcept {
-    CornerAreas corners;
-    Real const sign = reversed ? -1 : 1;
-    corners.n = cell.n == 3 ? 1 : 4;  // the three corners of a triangle have one area
-    for (Index k = 0; k < corners.n; ++k) {
-        corners.area[k] = sign * triangle_area(points[cell.point[k]], points[cell.next(k)], points[cell.previous(k)]);
-    }
-    return corners;
-}
-
 Real cell_area(Cell const& cell, Points points) noexcept {
     Vec2 const a = points[cell.point[0]], b = points[cell.point[1]], c = points[cell.point[2]];
     if (cell.n == 3) return triangle_area(a, b, c);

@@ -6,13 +6,13 @@ types
 span scalar arena progress processor executor cell_ranges
 vec2 sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
-dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh bspline
+dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall
 graph places dissection fronts subtrees
 matrix laplace basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
-morph cell_shape quality admissible_step assessment crossing
+morph quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'

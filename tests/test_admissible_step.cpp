@@ -175,6 +175,18 @@ TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
     CHECK(flat.step().step == 0);
 }
 
+TEST_CASE("a displacement that is not a number allows no step") {
+    Mesh const mesh = square(6, Cells::hybrid, 2, 2);
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        Displaced its = random_displacement(mesh, 1e-3, 7);
+        its.dy[point] = std::nan("");
+        AdmissibleStep const found = its.step();
+        CHECK(found.step == 0);
+        harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
+        CHECK(std::count(cell.point, cell.point + cell.n, static_cast<std::int32_t>(point)) == 1);
+    }
+}
+
 TEST_CASE("a smaller displacement allows the larger step, to rounding; scaling by a power of two exactly") {
     Mesh const mesh = annulus(5, 24, 0.5, 2, Cells::hybrid);
     Displaced const its = random_displacement(mesh, 0.01, 6);

@@ -26,7 +26,8 @@ struct Both {
                std::memcmp(a.crossing_points, b.crossing_points, sizeof a.crossing_points) == 0;
     }
     bool same_as(Both const& other) const {
-        return std::memcmp(&step, &other.step, sizeof step) == 0 && std::memcmp(&quality, &other.quality, sizeof quality) == 0;
+        return std::memcmp(&step, &other.step, sizeof step) == 0 &&
+               std::memcmp(&quality, &other.quality, sizeof quality) == 0;
     }
 };
 
@@ -44,11 +45,13 @@ TEST_CASE("the same step and the same quality as one after the other, before the
                 std::size_t const n = its.mesh.x.size();
                 std::vector<double> const move = some_move(its.curves.n_control(), size, 5);
                 std::vector<double> dx(n), dy(n), x(n), y(n);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, dx.data(), dy.data(), 1, nullptr, nullptr) ==
+                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, dx.data(), dy.data(), 1, nullptr,
+                                 nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) ==
                         HM_OK);
-                REQUIRE(hm_morph(solved.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
                 Both apart, together;
-                REQUIRE(hm_admissible_step(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &apart.step, nullptr) == HM_OK);
+                REQUIRE(hm_admissible_step(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &apart.step, nullptr) ==
+                        HM_OK);
                 REQUIRE(hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, mesh.x, mesh.y, 1, nullptr, &apart.quality,
                                    nullptr) == HM_OK);
                 REQUIRE(hm_assess(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &together.step, &together.quality,
@@ -82,6 +85,7 @@ TEST_CASE("NULL and foreign meshes are refused") {
         hm_assess(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, &both.step, nullptr, nullptr),
     };
     for (hm_status const status : refused) CHECK(status == HM_BAD_ARGUMENT);
-    CHECK(hm_assess(solved.basis, &foreign, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_assess(solved.basis, &foreign, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr) ==
+          HM_BAD_BASIS);
     CHECK(both.same_as(Both()));
 }

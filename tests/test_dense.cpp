@@ -163,7 +163,8 @@ TEST_CASE("any number of threads, in any order: the same bits") {
                 for (std::size_t k = 0; k < a.n * 32; ++k) y[k] = std::sin(static_cast<double>(k));
                 dense::solve_forward(kernel, front.panel(), y.data(), 32, front.executor);
                 dense::solve_backward(kernel, front.panel(), y.data(), 32, front.executor);
-                for (std::vector<double>* array : {&front.data, &front.update}) array->resize(array->size() - dense::overread);
+                for (std::vector<double>* array : {&front.data, &front.update})
+                    array->resize(array->size() - dense::overread);
                 if (threads == 1) {
                     first[0] = front.data;
                     first[1] = front.update;

@@ -129,10 +129,12 @@ TEST_CASE("any number of threads, in any order of their tasks: the same bits, in
         step.struct_size = sizeof step;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, &found[0], &found[n], 1, &executor, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, &found[0], &found[n], 1, &executor, nullptr) ==
+                HM_OK);
         REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), &executor, nullptr) == HM_OK);
         REQUIRE(hm_admissible_step(solved.basis, &mesh, &found[0], &found[n], 1, &executor, &step, nullptr) == HM_OK);
-        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, &executor, &quality, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, &executor, &quality, nullptr) ==
+                HM_OK);
         found.insert(found.end(), gradient.begin(), gradient.end());
         found.insert(found.end(), {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
                                    quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});

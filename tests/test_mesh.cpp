@@ -144,24 +144,11 @@ TEST_CASE("the first of several offenders is named") {
     CHECK((fault.item == 3 && fault.value == 0));
 }
 
-TEST_CASE("areas: of cells and of their corners, in both senses") {
+TEST_CASE("areas of cells, in both senses") {
     double const xy[] = {0, 0, 2, 0, 3, 2, 0, 1};
     harmorph::Points const points{xy, xy + 1, 2};
     harmorph::Cell const quad{4, {0, 1, 2, 3}}, triangle{3, {0, 1, 2}}, backwards{4, {3, 2, 1, 0}};
     CHECK(cell_area(triangle, points) == 2);
     CHECK(cell_area(quad, points) == 3.5);   // shoelace
     CHECK(cell_area(backwards, points) == -3.5);
-    harmorph::CornerAreas const corners = corner_areas(quad, points, false);
-    CHECK(corners.n == 4);
-    CHECK((corners.area[0] == 1 && corners.area[1] == 2 && corners.area[2] == 2.5 && corners.area[3] == 1.5));
-    CHECK(corners.smallest() == 1);
-    CHECK(corner_areas(backwards, points, true).smallest() == 1);
-    CHECK(corner_areas(backwards, points, false).smallest() == -2.5);
-    CHECK(corner_areas(triangle, points, false).n == 1);
-    harmorph::CornerAreas nan;
-    nan.n = 4;
-    for (int k = 0; k < 4; ++k) {   // never positive, wherever it is
-        for (int j = 0; j < 4; ++j) nan.area[j] = j == k ? std::nan("") : 1;
-        CHECK(!(nan.smallest() > 0));
-    }
 }

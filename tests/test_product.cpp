@@ -76,7 +76,8 @@ TEST_CASE("any number of functions and points: right to rounding, and the same b
                 exact_transposed[static_cast<std::size_t>(k)] = static_cast<double>(x);
                 exact_transposed[static_cast<std::size_t>(functions + k)] = static_cast<double>(y);
             }
-            std::vector<double> const there = product.multiply(Kernel::baseline), back = product.transposed(Kernel::baseline);
+            std::vector<double> const there = product.multiply(Kernel::baseline),
+                                      back = product.transposed(Kernel::baseline);
             CHECK(largest_difference(there, exact) < 1e-15 * (1 + functions));
             CHECK(largest_difference(back, exact_transposed) < 1e-15 * (1 + points));
             for (Kernel const kernel : {Kernel::avx2, Kernel::avx512}) {

@@ -158,7 +158,8 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
             CHECK((plan == nullptr && less.untouched()));
             hm_analysis* analysis = nullptr;
             Guarded small(attempt.analysis_block->size() - 1, shift);
-            CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options, nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options, nullptr) ==
+                  HM_BLOCK_TOO_SMALL);
             CHECK((analysis == nullptr && small.untouched()));
         }
     }

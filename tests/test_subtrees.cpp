@@ -32,7 +32,8 @@ struct Walk {
     Offset stack[2] = {}, rows[2] = {};   // the most: inside a subtree, above all of them
 
     Index border(Index node) const {
-        return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] - symbolic.start[static_cast<std::size_t>(node)]);
+        return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] -
+                                  symbolic.start[static_cast<std::size_t>(node)]);
     }
     Offset update(Index node) const { return harmorph::dense::UpdateMatrix::entries(border(node)); }
     Offset front(Index node) const { return tree.nodes[node].pivots() + border(node); }
@@ -87,7 +88,8 @@ TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
             CHECK(its.stack_entries >= walk.stack[0]);
             CHECK(its.top_stack_entries >= walk.stack[1]);
             CHECK(its.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
-            for (Index node = 0; node < cut.tree.count; ++node) CHECK(its.stack_rows >= walk.front(node));   // going back down
+            for (Index node = 0; node < cut.tree.count; ++node)
+                CHECK(its.stack_rows >= walk.front(node));                   // going back down
             if (lanes == 1) CHECK(its.top_stack_entries == walk.stack[1]);   // and no more than that
             CHECK(its.stack_entries == walk.stack[0]);
         }
@@ -103,7 +105,7 @@ TEST_CASE("on a large mesh every lane has something to do, and no lane much more
         std::vector<double> load(static_cast<std::size_t>(lanes), 0.0);
         for (Index k = 0; k < chosen.subtrees.count; ++k)
             load[static_cast<std::size_t>(chosen.subtrees.all[k].lane)] += static_cast<double>(chosen.subtrees.all[k].work);
-        auto const [least, most] = std::minmax_element(load.begin(), load.end());
+        auto const least = std::min_element(load.begin(), load.end()), most = std::max_element(load.begin(), load.end());
         INFO(lanes << " lanes: " << *least << " to " << *most);
         CHECK(*least > 0);
         CHECK(*most < 1.6 * *least);

@@ -30,8 +30,8 @@ struct Analysis {
     Span<std::uint8_t> reversed;  // [n_cells]
     Edges edges;
     Boundary boundary;
-    Index used_points = 0;        // points of cells
-    Span<PointKind> kinds;        // [n_points]
+    std::uint64_t topology = 0;   // fingerprint of the mesh
+    Span<PointKind> kinds;        // [n_points] without curves: what is used by cells and what is not
     Wall wall;
     Graph graph;
     Span<Index> order;            // [n] unknown at each position
@@ -54,10 +54,10 @@ struct Analysis {
     bool has_curves() const noexcept { return !curves.empty(); }
     Index n_functions() const noexcept { return curves[0].n_control; }
     BasisCounts basis_counts() const noexcept;
+    Index count_used_points() const noexcept;
 
 private:
     Status analyse_mesh(Fault& fault) noexcept;
-    void count_used_points() noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_parts(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;

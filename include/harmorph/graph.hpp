@@ -20,6 +20,7 @@ void for_each_pair(Mesh const& mesh, Edges const& edges, Span<const Index> repre
 
 struct Graph {
     Index n = 0;             // unknowns
+    Index couplings = 0;     // pairs of an unknown and a point on a curve
     Span<Index> point;       // [n] mesh point of each unknown, increasing
     Span<Index> unknown;     // [n_points] unknown of each point, or none
     Span<Offset> start;      // [n + 1]

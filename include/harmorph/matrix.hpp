@@ -27,8 +27,7 @@ struct Matrix {
     static constexpr Index wall(Index slot) noexcept { return -2 - slot; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                       Span<const Index> slot) noexcept;
+    static Sizes count(Graph const& graph) noexcept { return {graph.start[graph.n] / 2, graph.couplings}; }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown.
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,

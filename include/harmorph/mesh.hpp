@@ -15,6 +15,13 @@ struct Cell {
 
     Index next(Index corner) const noexcept { return point[corner + 1 == n ? 0 : corner + 1]; }
     Index previous(Index corner) const noexcept { return point[corner == 0 ? n - 1 : corner - 1]; }
+    void reverse() noexcept {
+        for (Index k = 0; k < n / 2; ++k) {
+            Index const its = point[k];
+            point[k] = point[n - 1 - k];
+            point[n - 1 - k] = its;
+        }
+    }
 };
 
 // The caller's number counted from 0. Whatever the caller gives, this does not overflow: the smallest number of all becomes
@@ -57,14 +64,6 @@ struct Mesh {
     template <class Visit>
     bool for_each_face(Visit visit) const noexcept;
 };
-
-// The n corner triangles of a cell; with all areas positive a triangle runs counter-clockwise and a quad is convex.
-struct CornerAreas {
-    Index n = 0;
-    Real area[4] = {};
-    Real smallest() const noexcept;
-};
-CornerAreas corner_areas(Cell const& cell, Points points, bool reversed) noexcept;
 
 // Counter-clockwise area (half the cross product of the diagonals, for a quad).
 Real cell_area(Cell const& cell, Points points) noexcept;

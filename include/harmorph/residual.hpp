@@ -8,7 +8,7 @@ namespace harmorph {
 
 // Residuals of a few functions at a time, in whole rows.
 struct Residual {
-    static constexpr Index width = 4;
+    static constexpr Index width = 6;
 
     Span<Real> value;  // [n x width] rows by position: b - A F
 

@@ -1,0 +1,103 @@
+/* The C side of layout.f90: size and places of all fields of each struct, and the values of the constants. */
+#include <harmorph.h>
+
+int32_t layout_of(int32_t number, int64_t *numbers);
+
+#define PUT(value) numbers[n++] = (int64_t)(value)
+#define AT(field) PUT(offsetof(TYPE, field))
+
+int32_t layout_of(int32_t number, int64_t *numbers) {
+    int32_t n = 0;
+    switch (number) {
+#define TYPE hm_error
+    case 1: PUT(sizeof(TYPE)); AT(code); AT(item); AT(value); AT(text); break;
+#undef TYPE
+#define TYPE hm_executor
+    case 2: PUT(sizeof(TYPE)); AT(struct_size); AT(run); AT(user); AT(n_threads); AT(reserved); break;
+#undef TYPE
+#define TYPE hm_mesh
+    case 3:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(x); AT(y); AT(stride); AT(cell_layout);
+        AT(n_cells); AT(cell_start); AT(cell_points); AT(ni); AT(nj); AT(n_faces); AT(face_points); AT(face_markers);
+        AT(n_lists); AT(list_start); AT(list_points); AT(list_markers);
+        break;
+#undef TYPE
+#define TYPE hm_curve
+    case 4: PUT(sizeof(TYPE)); AT(struct_size); AT(degree); AT(n_indices); AT(indices); AT(knots); break;
+#undef TYPE
+#define TYPE hm_curves
+    case 5:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_control); AT(control); AT(weights); AT(n_curves); AT(curve);
+        break;
+#undef TYPE
+#define TYPE hm_fit_options
+    case 6: PUT(sizeof(TYPE)); AT(struct_size); AT(degree); AT(n_control); AT(closed); break;
+#undef TYPE
+#define TYPE hm_fit_report
+    case 7:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(max_error); AT(rms_error); AT(max_error_point); AT(closed); AT(first_point);
+        AT(base_points);
+        break;
+#undef TYPE
+#define TYPE hm_condition
+    case 8: PUT(sizeof(TYPE)); AT(struct_size); AT(marker); AT(kind); AT(first_curve); AT(n_curves); break;
+#undef TYPE
+#define TYPE hm_problem
+    case 9:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(mesh); AT(curves); AT(n_conditions); AT(conditions); AT(n_given);
+        AT(given_points); AT(given_curves); AT(given_u);
+        break;
+#undef TYPE
+#define TYPE hm_options
+    case 10:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(operator_kind); AT(scheme); AT(engine); AT(kernel); AT(tolerance);
+        AT(progress); AT(progress_user); AT(executor);
+        break;
+#undef TYPE
+#define TYPE hm_mesh_report
+    case 11:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(points); AT(used_points); AT(cells); AT(triangles); AT(quads); AT(edges);
+        AT(boundary_edges); AT(boundary_loops); AT(inverted); AT(first_inverted); AT(min_area); AT(min_quality);
+        AT(mean_quality);
+        break;
+#undef TYPE
+#define TYPE hm_solve_report
+    case 12:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(unknowns); AT(functions); AT(residual); AT(residual_function);
+        AT(boundary_error_point); AT(boundary_error); AT(partition_defect); AT(min_value); AT(max_value); AT(max_distance);
+        AT(max_distance_point); AT(curve_points); AT(refinements); AT(reserved); AT(factor_entries);
+        break;
+#undef TYPE
+#define TYPE hm_basis_info
+    case 13:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(bytes); AT(solved); AT(points); AT(cells); AT(functions); AT(curves);
+        AT(curve_points); AT(numbers_per_value); AT(operator_kind); AT(scheme); AT(engine); AT(index_base);
+        AT(curve_point); AT(point_curve); AT(point_u);
+        break;
+#undef TYPE
+#define TYPE hm_step_report
+    case 14: PUT(sizeof(TYPE)); AT(struct_size); AT(admissible); AT(cell); AT(point); break;
+#undef TYPE
+#define TYPE hm_quality_report
+    case 15:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(inverted); AT(first_inverted); AT(min_area); AT(min_quality);
+        AT(mean_quality); AT(min_quality_cell); AT(self_crossing); AT(crossing_points);
+        break;
+#undef TYPE
+    case 16:
+        PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_CANCELLED); PUT(HM_BAD_ARGUMENT);
+        PUT(HM_BAD_MESH); PUT(HM_BAD_CURVE); PUT(HM_BAD_CONDITION); PUT(HM_BAD_BASIS); PUT(HM_BLOCK_TOO_SMALL);
+        PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED);
+        break;
+    case 17:
+        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED);
+        PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_ON_CURVE); PUT(HM_FIXED); PUT(HM_FREE);
+        PUT(HM_LAPLACE); PUT(HM_COMPACT); PUT(HM_DIRECT);
+        PUT(HM_KERNEL_AUTO); PUT(HM_KERNEL_BASELINE); PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512);
+        PUT(HM_PHASE_STRUCTURE); PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY);
+        PUT(HM_PHASE_FACTOR); PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL);
+        break;
+    default: break;
+    }
+    return n;
+}

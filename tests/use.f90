@@ -1,0 +1,863 @@
+! Every procedure of the Fortran module, with assertions. With an argument: does what must stop the program (see
+! fortran.sh): refused, assign_mesh, assign_plan, assign_basis.
+module use_meshes
+    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
+    use harmorph
+    implicit none
+    integer, parameter :: dp = c_double
+    integer, parameter :: around = 96, rings = 33, n_points = around * rings, n_cells = around * (rings - 1)
+    integer, parameter :: body = 7, far_field = 9, n_control = 14
+    integer :: passed = 0, failed = 0
+    integer :: phases_seen = 0, cancel_in = -1, tasks_seen = 0
+
+contains
+
+    subroutine check(holds, what)
+        logical, intent(in) :: holds
+        character(len=*), intent(in) :: what
+        if (holds) then
+            passed = passed + 1
+        else
+            failed = failed + 1
+            print "(2a)", "use: ", what
+        end if
+    end subroutine
+
+    ! Round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind.
+    subroutine place(column, ring, x, y)
+        integer, intent(in) :: column, ring
+        real(dp), intent(out) :: x, y
+        complex(dp) :: z
+        z = 1.2_dp * 1.12_dp**ring * exp(cmplx(0, 6.283185307179586_dp * modulo(column, around) / around, dp)) - 0.08_dp
+        z = 0.25_dp * (z + 1 / z)
+        x = real(z, dp)
+        y = aimag(z)
+    end subroutine
+
+    subroutine make_points(x, y)
+        real(dp), intent(out) :: x(n_points), y(n_points)
+        integer :: i, j
+        do j = 0, rings - 1
+            do i = 0, around - 1
+                call place(i, j, x(1 + i + around * j), y(1 + i + around * j))
+            end do
+        end do
+    end subroutine
+
+    subroutine make_cells(cells, faces, markers)
+        integer(c_int32_t), intent(out) :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
+        integer :: i, j, next
+        do i = 0, around - 1
+            next = modulo(i + 1, around)
+            do j = 0, rings - 2
+                cells(:, 1 + i + around * j) = 1 + [i + around * j, i + around * (j + 1), next + around * (j + 1), &
+                    next + around * j]
+            end do
+            faces(:, 1 + i) = 1 + [i, next]
+            faces(:, 1 + around + i) = 1 + around * (rings - 1) + [i, next]
+        end do
+        markers(:around) = body
+        markers(around + 1:) = far_field
+    end subroutine
+
+    ! A smooth, repeatable movement.
+    function some_move() result(move)
+        real(dp) :: move(2, n_control)
+        integer :: k
+        do k = 1, n_control
+            move(:, k) = 0.01_dp * [sin(1.7_dp * k), cos(2.9_dp * k)]
+        end do
+    end function
+
+    subroutine solve(mesh, basis, first)
+        type(hm_mesh), intent(in) :: mesh
+        type(hm_basis), intent(inout) :: basis
+        integer, intent(in), optional :: first                  ! what the mesh counts from
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        integer, allocatable :: wall(:)
+        real(dp), target :: x(n_points), y(n_points)
+        logical :: loop
+        call make_points(x, y)
+        call plan%analyse(mesh)
+        call plan%boundary([body], wall, loop)
+        if (present(first)) wall = wall - first + 1
+        call curves%fit(x(wall), y(wall), loop, n_control=n_control)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call basis%free()
+        call plan%solve(basis)
+    end subroutine
+
+    subroutine watch(phase, fraction, cancel)
+        integer, intent(in) :: phase
+        real(c_double), intent(in) :: fraction
+        logical, intent(inout) :: cancel
+        phases_seen = ibset(phases_seen, phase)
+        if (fraction < 0 .or. fraction > 1) phases_seen = ibset(phases_seen, 20)
+        cancel = phase == cancel_in
+    end subroutine
+
+    subroutine run_backwards(n_threads, n_tasks, tasks)
+        integer, intent(in) :: n_threads, n_tasks
+        type(hm_tasks), intent(in) :: tasks
+        integer :: k
+        do k = n_tasks, 1, -1
+            call tasks%run(k)
+        end do
+        tasks_seen = tasks_seen + n_tasks * min(n_threads, 1)
+    end subroutine
+end module
+
+program use
+    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
+    use harmorph
+    use use_meshes
+    implicit none
+    real(dp), target :: x(n_points), y(n_points), xy(2, n_points), by_column(n_points, 2)
+    integer(c_int32_t), target :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
+    type(hm_mesh), target :: mesh
+    type(hm_basis), target :: basis
+    type(hm_error) :: err
+    integer :: stat
+    character(len=32) :: mode
+
+    call make_points(x, y)
+    call make_cells(cells, faces, markers)
+    xy(1, :) = x
+    xy(2, :) = y
+    by_column(:, 1) = x
+    by_column(:, 2) = y
+    call mesh%points(x, y)
+    call mesh%cells(cells)
+    call mesh%faces(faces, markers)
+    call get_command_argument(1, mode)
+    if (mode /= "") call stop_by(trim(mode))
+
+    call versions()
+    call curves_by_hand()
+    call fits()
+    call analysis_and_plan()
+    call morphs()
+    call layouts()
+    call structured_blocks()
+    call default_reals()
+    call long_integers()
+    call files()
+    call own_memory()
+    call threads()
+    call refusals()
+
+    print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
+    if (failed > 0) error stop
+
+contains
+
+    subroutine versions()
+        call check(hm_abi_version() == hm_abi, "module and library fit")
+        call check(hm_version() == hm_header_version, "version")
+        call check(hm_status_name(hm_moved) == "HM_MOVED", "name of a status")
+        call check(hm_status_name(99) == "unknown status", "name of an unknown status")
+    end subroutine
+
+    ! A half circle as a rational curve of degree 2, and two straight lines that share its ends.
+    subroutine curves_by_hand()
+        type(hm_curves) :: curves, copy
+        real(dp) :: xy_u(2, 0:1), values(3, 0:2), u, distance
+        real(dp), parameter :: s = sqrt(0.5_dp)
+        integer, allocatable :: control(:)
+        call curves%set(reshape([1, 0, 1, 1, 0, 1, -1, 1, -1, 0] * 1._dp, [2, 5]), [1._dp, s, 1._dp, s, 1._dp])
+        call curves%add(2, [0, 0, 0, 1, 1, 2, 2, 2] * 1._dp)
+        call curves%add(1, [0, 0, 1, 1] * 1._dp, [5_c_int32_t, 1_c_int32_t])
+        call curves%add(1, [0, 0, 1, 1] * 1._dp, [5_c_int64_t, 3_c_int64_t])
+        call curves%check(stat, err)
+        call check(stat == hm_ok .and. size(curves%curve) == 3, "curves by hand: " // err%text)
+        call curves%point(1, 0.5_dp, xy_u)
+        call check(all(abs(xy_u(:, 0) - s) < 1e-15_dp), "half of a quarter of a circle")
+        call check(abs(dot_product(xy_u(:, 0), xy_u(:, 1))) < 1e-14_dp, "its tangent")
+        call curves%basis(1, 0.5_dp, control, values)
+        call check(all(control == [1, 2, 3]), "control points of the first segment")
+        call check(abs(sum(values(:, 0)) - 1) < 1e-15_dp .and. abs(sum(values(:, 1))) < 1e-14_dp, "partition of unity")
+        call curves%basis(3, 0.25_dp, control, values)
+        call check(all(control == [5, 3]) .and. abs(values(2, 0) - 0.25_dp) < 1e-15_dp, "a straight line by indices")
+        call curves%project(1, 0._dp, 3._dp, u, distance)
+        call check(abs(u - 1) < 1e-9_dp .and. abs(distance - 2) < 1e-14_dp, "projection")
+
+        copy = curves
+        copy%curve(1)%knots(4) = 3
+        call copy%check(stat, err)
+        call check(stat == hm_bad_curve, "knots that decrease: " // err%text)
+        call curves%check(stat)
+        call check(stat == hm_ok, "curves are plain data: a copy is another one")
+        call curves%point(4, 0._dp, xy_u, stat)
+        call check(stat == hm_bad_argument, "there is no fourth curve")
+        call curves%point(1, 9._dp, xy_u, stat)
+        call check(stat == hm_bad_argument, "a parameter outside")
+        copy = hm_curves()
+        call copy%check(stat)
+        call check(stat == hm_bad_argument, "no curves at all")
+    end subroutine
+
+    subroutine fits()
+        type(hm_curves) :: curves, again
+        type(hm_fit_report) :: report
+        real(dp), allocatable, target :: work(:)
+        integer(c_int64_t) :: words
+        call curves%fit(x(:around), y(:around), .true., degree=3, n_control=n_control, report=report)
+        call check(report%closed == hm_periodic .and. report%max_error < 2e-3_dp, "the fit of a smooth body")
+        call check(report%max_error_point >= 1 .and. report%max_error_point <= around, "where it is worst")
+        call check(report%first_point >= 1 .and. report%base_points == 0, "where it begins")
+        call check(size(curves%control, 2) == n_control, "number of control points")
+        call check(minval(curves%curve(1)%indices) == 1 .and. maxval(curves%curve(1)%indices) == n_control, &
+            "indices count from 1")
+        call hm_fit_words(around, words, n_control=n_control)
+        allocate(work(words))
+        call again%fit(x(:around), y(:around), .true., n_control=n_control, closed=hm_periodic, work=work)
+        call check(all(curves%control <= again%control .and. curves%control >= again%control), "the same in own memory")
+        call again%fit(x(:around), y(:around), .true., n_control=n_control, work=work(2:), stat=stat, err=err)
+        call check(stat == hm_block_too_small .and. err%value > 0, "8 bytes less are refused")
+        call again%fit(real(x(:around), c_float), real(y(:around), c_float), .true., n_control=n_control)
+        call check(maxval(abs(again%control - curves%control)) < 1e-4_dp, "fit of default reals")
+        call again%fit(x(:around), y(2:around), .true., stat=stat)
+        call check(stat == hm_bad_argument, "x and y of different lengths")
+        call hm_fit_words(3, words, degree=3, stat=stat)
+        call check(stat < 0, "a fit of three points")
+    end subroutine
+
+    subroutine analysis_and_plan()
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves, same
+        type(hm_mesh_report) :: report
+        type(hm_solve_report) :: solved
+        type(hm_basis_info) :: info
+        type(hm_options) :: options
+        type(hm_basis) :: moved
+        integer, allocatable :: wall(:)
+        integer :: k
+        real(dp) :: one(n_points), total(n_points), u, distance
+        real(dp), target :: x_moved(n_points), y_moved(n_points)
+        logical :: loop
+
+        call plan%analyse(mesh)
+        call plan%report(report)
+        call check(report%points == n_points .and. report%quads == n_cells .and. report%inverted == 0, "report of the mesh")
+        call plan%boundary([body], wall, loop, piece=1)
+        call check(size(wall) == around .and. loop .and. minval(wall) == 1 .and. maxval(wall) == around, "its boundary")
+        call plan%boundary([body], wall, piece=2, stat=stat)
+        call check(stat == hm_bad_condition .and. .not. allocated(wall), "the body has one piece")
+        call plan%factor(stat=stat, err=err)
+        call check(stat == hm_bad_argument, "nothing to factor without curves: " // err%text)
+        call plan%boundary([body], wall, loop)
+        call curves%fit(x(wall), y(wall), loop, n_control=n_control)
+
+        options%progress => watch
+        options%tolerance = 1e-9_dp
+        phases_seen = 0
+        cancel_in = hm_phase_solve
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed)], options=options)
+        call check(plan%plan_words() > 0, "size of the plan")
+        call check(plan%basis_words() > 0, "size of the basis")
+        call plan%prepare()
+        call plan%factor()
+        call basis%free()
+        call plan%solve(basis, stat=stat)
+        call check(stat == hm_cancelled, "the callback cancels the solution")
+        cancel_in = -1
+        call plan%solve(basis, solved)
+        call check(phases_seen == 127, "all seven phases are reported")
+        call check(solved%residual < 1e-12_dp .and. solved%functions == n_control, "the solution")
+        call check(solved%residual_function >= 1 .and. solved%residual_function <= n_control, "its worst function")
+        call basis%info(info)
+        call check(info%solved .and. info%points == n_points .and. info%index_base == 1, "info of the basis")
+        call check(all(sort(info%curve_point) == [(k, k = 1, around)]) .and. all(info%point_curve == 1), "its curve points")
+        call check(info%bytes == basis%bytes(), "its length")
+        call basis%curves(same)
+        call check(all(same%curve(1)%indices == curves%curve(1)%indices), "its curves")
+        call same%project(1, x(info%curve_point(1)), y(info%curve_point(1)), u, distance)
+        call check(abs(u - info%point_u(1)) < 1e-9_dp, "its parameters")
+        total = 0
+        do k = 1, n_control
+            call basis%values(k, one)
+            total = total + one
+        end do
+        call check(maxval(abs(total(:around) - 1)) < 1e-12_dp .and. maxval(abs(total(n_points - around + 1:))) <= 0, &
+            "the functions' sum on the boundaries")
+
+        call plan%drop_analysis()
+        call plan%report(report, stat)
+        call check(stat == hm_bad_argument, "no report without an analysis")
+        x_moved = 2 * x
+        y_moved = 2 * y
+        call plan%factor(x_moved, y_moved)
+        call plan%solve(basis)
+        call basis%values(1, total)
+        call plan%factor(real(x_moved, c_float), real(y_moved, c_float))
+        call check(maxval(abs(total - values_of(1))) < 1e-13_dp, "twice as large: the same functions")
+        call plan%factor(x_moved(2:), y_moved(2:), stat)
+        call check(stat == hm_bad_argument, "a point too few")
+        call plan%solve(moved, stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a basis needs the analysis: " // err%text)
+        call plan%free()
+
+        ! Where the points of a curve are given, they are used.
+        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=info%curve_point, &
+            given_curves=info%point_curve, given_u=info%point_u)
+        call plan%factor()
+        call plan%solve(basis, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "a basis of another analysis: " // err%text)
+        call basis%free()
+        call plan%solve(basis)
+        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], stat=stat)
+        call check(stat < 0, "a given curve that does not exist")
+        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], stat=stat)
+        call check(stat == hm_bad_argument, "given points without parameters")
+    end subroutine
+
+    function values_of(number) result(values)
+        integer, intent(in) :: number
+        real(dp) :: values(n_points)
+        call basis%values(number, values)
+    end function
+
+    function sort(numbers) result(sorted)
+        integer, intent(in) :: numbers(:)
+        integer :: sorted(size(numbers)), k, least
+        sorted = numbers
+        do k = 1, size(sorted) - 1
+            least = k - 1 + minloc(sorted(k:), 1)
+            sorted([k, least]) = sorted([least, k])
+        end do
+    end function
+
+    subroutine morphs()
+        real(dp) :: move(2, n_control), gradient(2, n_control), error, here, there
+        real(dp), dimension(n_points) :: x_new, y_new, dx, dy, gx, gy
+        type(hm_step_report) :: step
+        type(hm_quality_report) :: quality
+        integer :: point, k
+        move = 0
+        call basis%morph_to(move, x, y, x_new, y_new)
+        call check(same(x, x_new) .and. same(y, y_new), "a movement of nothing keeps all bits")
+        move = some_move()
+        call basis%displacement(move, dx, dy)
+        call basis%admissible_step(mesh, dx, dy, step)
+        call check(step%admissible > 0 .and. step%cell >= 1 .and. step%cell <= n_cells .and. step%point >= 1, &
+            "somewhere a cell sets the limit")
+        move = min(1._dp, 0.5_dp * step%admissible) * move
+        call basis%morph_to(move, x, y, x_new, y_new)
+        call basis%boundary_error(move, x, y, x_new, y_new, error, point)
+        call check(error < 1e-12_dp .and. point >= 1 .and. point <= n_points, "the wall moves as the B-spline does")
+        call basis%quality(mesh, x_new, y_new, quality, x, y)
+        call check(quality%inverted == 0 .and. quality%min_area > 0 .and. quality%self_crossing == 0, "quality")
+        call basis%quality(mesh, x_new, y_new, quality)
+        call check(quality%min_quality > 0 .and. quality%min_quality <= quality%mean_quality, "quality without reference")
+        dx = x
+        dy = y
+        call basis%morph(move, dx, dy)
+        call check(same(dx, x_new) .and. same(dy, y_new), "in place: the same")
+        call basis%velocity(move, dx, dy)
+        call check(maxval(abs(x + dx - x_new)) < 1e-15_dp, "velocities are the same product")
+        do k = 1, n_points
+            gx(k) = sin(real(k, dp))
+            gy(k) = cos(3 * real(k, dp))
+        end do
+        call basis%adjoint(gx, gy, gradient)
+        here = sum(gx * dx + gy * dy)
+        there = sum(gradient * move)
+        call check(abs(here - there) < 1e-12_dp, "the adjoint is the transpose")
+    end subroutine
+
+    logical function same(a, b)
+        real(dp), intent(in) :: a(:), b(:)
+        same = all(a >= b .and. a <= b)
+    end function
+
+    ! The same morph from every layout that needs no copy.
+    subroutine layouts()
+        real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
+        real(dp), dimension(n_points) :: x_new, y_new, dx, dy
+        real(dp), target, save :: state(4, n_points)
+        integer(c_int32_t), target, save :: triangles(3, 2 * n_cells), rows(4 * n_cells), start(n_cells + 1)
+        integer(c_int32_t), target :: shifted(4, n_cells)
+        integer(c_int32_t), target :: list(2 * around + 2), list_start(3), list_markers(2)
+        type(hm_mesh) :: other
+        type(hm_basis) :: its
+        type(hm_step_report) :: step, its_step
+        integer :: k
+        move = some_move()
+        call solve(mesh, basis)
+        call basis%morph_to(move, x, y, x_new, y_new)
+        call basis%displacement(move, dx, dy)
+        call basis%adjoint(dx, dy, expected)
+        call basis%admissible_step(mesh, dx, dy, step)
+
+        state = -1
+        state(2, :) = x
+        state(3, :) = y
+        call basis%morph(move, state(2, :), state(3, :))
+        call check(same(state(2, :), x_new) .and. same(state(3, :), y_new), "q(2,:), q(3,:) in place")
+        call check(all(abs(state([1, 4], :) + 1) <= 0), "what lies between stays")
+        call basis%morph_to(move, by_column(:, 1), by_column(:, 2), state(1, :), state(2, :))
+        call check(same(state(1, :), x_new) .and. same(state(2, :), y_new), "xy(:,1), xy(:,2) to another array")
+        call basis%displacement(move, state(1, :), state(2, :))
+        call basis%adjoint(state(1, :), state(2, :), gradient)
+        call check(maxval(abs(gradient - expected)) <= 0, "adjoint of xy(1,:), xy(2,:)")
+        call basis%morph(move, x_new(n_points:1:-1), y_new(n_points:1:-1), stat=stat, err=err)
+        call check(stat == hm_bad_argument, "arrays that run backwards: " // err%text)
+
+        ! Meshes of interleaved points; of triangles; of rows; of lists; from 0.
+        call other%points(xy(1, :), xy(2, :))
+        call other%cells(cells)
+        call other%faces(faces, markers)
+        call solve(other, its)
+        call its%displacement(move, x_new, y_new)
+        call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of xy(2,:)")
+        call its%admissible_step(other, x_new, y_new, its_step)
+        call check(same([its_step%admissible], [step%admissible]) .and. its_step%cell == step%cell, "its step")
+
+        start = 1 + 4 * [(k, k = 0, n_cells)]
+        rows = reshape(cells, shape(rows))
+        call other%cells(rows, start)
+        list = [[(k, k = 1, around), 1], [(k, k = n_points - around + 1, n_points), n_points - around + 1]]
+        list_start = [1, around + 2, 2 * around + 3]
+        list_markers = [body, far_field]
+        call other%free()
+        call other%points(by_column(:, 1), by_column(:, 2))
+        call other%cells(rows, start)
+        call other%lists(list, list_start, list_markers)
+        call solve(other, its)
+        call its%displacement(move, x_new, y_new)
+        call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of rows and lists")
+
+        call other%free()
+        call other%count_from(0)
+        call other%points(x, y)
+        shifted = cells - 1
+        call other%cells(shifted)
+        list = list - 1
+        list_start = list_start - 1
+        call other%lists(list, list_start, list_markers)
+        call solve(other, its, first=0)
+        call its%displacement(move, x_new, y_new)
+        call check(same(x_new, dx) .and. same(y_new, dy), "a mesh counted from 0")
+        call its%admissible_step(other, x_new, y_new, its_step)
+        call check(its_step%cell == step%cell - 1, "and reports as well")
+
+        do k = 1, n_cells
+            triangles(:, 2 * k - 1) = cells([1, 2, 3], k)
+            triangles(:, 2 * k) = cells([1, 3, 4], k)
+        end do
+        call other%free()
+        call other%points(x, y)
+        call other%cells(triangles)
+        call other%faces(faces, markers)
+        call solve(other, its)
+        call its%displacement(move, x_new, y_new)
+        call check(maxval(abs(x_new - dx)) < 1e-2_dp .and. maxval(abs(x_new - dx)) > 0, "a mesh of triangles")
+    end subroutine
+
+    ! An O-mesh as a block: the first and the last column are the same points.
+    subroutine structured_blocks()
+        integer, parameter :: ni = around + 1, nj = rings
+        real(dp), target :: xs(ni, nj), ys(ni, nj), padded(2, 0:ni + 1, 0:nj + 1), flat(ni * nj), flat_y(ni * nj)
+        real(dp) :: x_new(ni, nj), y_new(ni, nj), move(2, n_control), gradient(2, n_control), expected(2, n_control), error
+        real(dp) :: dx(ni, nj), dy(ni, nj), value(ni, nj), one(ni * nj)
+        type(hm_mesh) :: block, inner
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        type(hm_basis) :: its, again
+        type(hm_step_report) :: step, same_step
+        type(hm_quality_report) :: quality
+        integer :: i, j
+        do j = 1, nj
+            do i = 1, ni
+                call place(i - 1, j - 1, xs(i, j), ys(i, j))
+            end do
+        end do
+        call block%points(xs, ys)
+        call block%line(body, 1, ni, 1, 1)
+        call block%line(far_field, ni, 1, nj, nj)
+        call block%line(far_field, 1, 2, 1, 2, stat)
+        call check(stat == hm_bad_argument, "a line that is none")
+        call block%line(far_field, 1, ni + 1, 1, 1, stat)
+        call check(stat == hm_bad_argument, "a line that leaves the block")
+        call curves%fit(xs(:ni - 1, 1), ys(:ni - 1, 1), .true., n_control=n_control)
+        call plan%analyse(block, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(its)
+        move = some_move()
+        call its%morph_to(move, xs, ys, x_new, y_new)
+        call check(same(x_new(1, :), x_new(ni, :)) .and. same(y_new(1, :), y_new(ni, :)), "the cut stays closed")
+        call its%boundary_error(move, xs, ys, x_new, y_new, error)
+        call check(error < 1e-12_dp, "its wall moves as the B-spline does")
+        call its%displacement(move, dx, dy)
+        call its%adjoint(dx, dy, expected)
+        call its%admissible_step(block, dx, dy, step)
+        call its%quality(block, x_new, y_new, quality, xs, ys)
+        call check(quality%inverted == 0 .and. step%admissible > 1, "step and quality of a block")
+        call its%values(2, value)
+        call its%values(2, one)
+        call check(same(reshape(value, [ni * nj]), one), "values of a block")
+
+        ! The same inside ghost layers, interleaved: converted, and written back.
+        padded = -7
+        padded(1, 1:ni, 1:nj) = xs
+        padded(2, 1:ni, 1:nj) = ys
+        call inner%points(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
+        call inner%line(body, 1, ni, 1, 1)
+        call inner%line(far_field, 1, ni, nj, nj)
+        call plan%analyse(inner, curves, [hm_condition(body)])
+        call plan%factor(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
+        call plan%solve(again)
+        call again%morph(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
+        call check(all(abs(padded(1, 1:ni, 1:nj) - x_new) <= 0) .and. all(abs(padded(:, 0, :) + 7) <= 0), "ghost layers")
+        call again%displacement(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
+        call again%adjoint(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj), gradient)
+        call check(maxval(abs(gradient - expected)) <= 0, "their adjoint")
+        call again%admissible_step(inner, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj), same_step)
+        call check(same([step%admissible], [same_step%admissible]), "their admissible step")
+        call again%morph(move, xs, ys)
+        call check(all(abs(xs - x_new) <= 0), "a block in place")
+        call inner%free()
+
+        ! The same as one row of points.
+        do j = 1, nj
+            do i = 1, ni
+                call place(i - 1, j - 1, flat(i + ni * (j - 1)), flat_y(i + ni * (j - 1)))
+            end do
+        end do
+        call inner%structured(ni, nj)
+        call inner%points(flat, flat_y)
+        call inner%line(body, 1, ni, 1, 1)
+        call inner%line(far_field, 1, ni, nj, nj)
+        call plan%analyse(inner, curves, [hm_condition(body)])
+        call plan%factor()
+        call again%free()
+        call plan%solve(again)
+        call again%morph(move, flat, flat_y)
+        call check(same(flat, reshape(x_new, [ni * nj])), "a block in one row")
+        call inner%points(flat, flat_y(2:), stat)
+        call check(stat == hm_bad_argument, "x and y of different lengths")
+        call inner%points(xs, ys(:, 2:), stat)
+        call check(stat == hm_bad_argument, "x and y of different shapes")
+    end subroutine
+
+    subroutine default_reals()
+        real(c_float) :: x4(n_points), y4(n_points), dx4(n_points), dy4(n_points), x_new4(n_points), y_new4(n_points)
+        real(c_float) :: block_x(around, rings), block_y(around, rings), block_dx(around, rings), block_dy(around, rings)
+        real(c_float) :: move4(2, n_control), gradient4(2, n_control), values4(n_points), block_values(around, rings)
+        real(dp) :: dx(n_points), dy(n_points), gradient(2, n_control), error
+        type(hm_mesh) :: mesh4
+        type(hm_basis) :: its
+        type(hm_step_report) :: step
+        type(hm_quality_report) :: quality
+        x4 = real(x, c_float)
+        y4 = real(y, c_float)
+        move4 = real(some_move(), c_float)
+        call mesh4%points(x4, y4)
+        call mesh4%cells(cells)
+        call mesh4%faces(faces, markers)
+        call solve(mesh4, its)
+        call its%displacement(real(move4, dp), dx, dy)
+        call its%adjoint(dx, dy, gradient)
+        call its%displacement(move4, dx4, dy4)
+        call check(maxval(abs(dx4 - dx)) < 1e-8_dp .and. maxval(abs(dy4 - dy)) < 1e-8_dp, "displacement in default reals")
+        call its%velocity(move4, dx4, dy4)
+        call its%adjoint(dx4, dy4, gradient4)
+        call check(maxval(abs(gradient4 - gradient)) < 1e-5_dp * maxval(abs(gradient)), "adjoint in default reals")
+        call its%morph_to(move4, x4, y4, x_new4, y_new4)
+        call its%boundary_error(move4, x4, y4, x_new4, y_new4, error)
+        call check(error < 1e-6_dp, "boundary in default reals")
+        call its%admissible_step(mesh4, dx4, dy4, step)
+        call check(step%admissible > 0, "step in default reals")
+        call its%quality(mesh4, x_new4, y_new4, quality, x4, y4)
+        call check(quality%inverted == 0, "quality in default reals")
+        call its%values(3, values4)
+        block_x = reshape(x4, shape(block_x))
+        block_y = reshape(y4, shape(block_y))
+        call its%morph(move4, x4, y4)
+        call check(all(abs(x4 - x_new4) <= 0) .and. all(abs(y4 - y_new4) <= 0), "morph in default reals")
+
+        ! Any rank 2 array of so many points will do for the products.
+        call its%displacement(move4, block_dx, block_dy)
+        call check(all(abs(reshape(block_dx, shape(dx4)) - dx4) <= 0), "displacement of a block in default reals")
+        call its%adjoint(block_dx, block_dy, gradient4)
+        call check(maxval(abs(gradient4 - gradient)) < 1e-5_dp * maxval(abs(gradient)), "its adjoint")
+        call its%admissible_step(mesh4, block_dx, block_dy, step)
+        call its%values(3, block_values)
+        call check(all(abs(reshape(block_values, shape(values4)) - values4) <= 0), "values of a block in default reals")
+        block_dx = block_x
+        block_dy = block_y
+        call its%morph(move4, block_dx, block_dy)
+        call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "morph of a block in default reals")
+        call its%boundary_error(move4, block_x, block_y, block_dx, block_dy, error)
+        call check(error < 1e-6_dp, "its boundary")
+        call its%quality(mesh4, block_dx, block_dy, quality, block_x, block_y)
+        call check(quality%inverted == 0, "its quality")
+        call its%morph_to(move4, block_x, block_y, block_dx, block_dy)
+        call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "to another array")
+        call mesh4%points(block_x, block_y)
+    end subroutine
+
+    subroutine long_integers()
+        integer(c_int64_t), save :: cells8(4, n_cells), faces8(2, 2 * around), markers8(2 * around)
+        integer(c_int64_t), save :: rows8(4 * n_cells), start8(n_cells + 1), lists8(2 * around), list_start8(3), list_markers8(2)
+        type(hm_mesh) :: mesh8
+        type(hm_plan) :: plan
+        type(hm_mesh_report) :: report
+        type(hm_basis) :: its
+        real(dp) :: a(n_points), b(n_points)
+        integer :: k
+        cells8 = cells
+        faces8 = faces
+        markers8 = markers
+        call mesh8%points(x, y)
+        call mesh8%cells(cells8)
+        call mesh8%faces(faces8, markers8)
+        call solve(mesh8, its)
+        call its%values(1, a)
+        call solve(mesh, its)
+        call its%values(1, b)
+        call check(same(a, b), "8-byte integers")
+        rows8 = reshape(cells8, shape(rows8))
+        start8 = 1 + 4 * [(int(k, c_int64_t), k = 0, n_cells)]
+        call mesh8%cells(rows8, start8)
+        call plan%analyse(mesh8)
+        call plan%report(report)
+        call check(report%quads == n_cells, "rows of 8-byte integers")
+        lists8 = [[(int(k, c_int64_t), k = 1, around)], [(int(k, c_int64_t), k = n_points - around + 1, n_points)]]
+        list_start8 = [1, around + 1, 2 * around + 1]
+        list_markers8 = [body, far_field]
+        call mesh8%lists(lists8, list_start8, list_markers8)
+        call plan%analyse(mesh8)
+        call check(.true., "lists and faces together")
+        cells8(2, 5) = 2_c_int64_t**40
+        call mesh8%cells(cells8)
+        call plan%analyse(mesh8, stat=stat, err=err)
+        call check(stat == hm_bad_mesh .and. err%item == 5, "a point number beyond 4 bytes is refused: " // err%text)
+    end subroutine
+
+    subroutine files()
+        type(hm_basis) :: copy, second
+        real(dp) :: a(n_points), b(n_points)
+        real(dp), allocatable, target :: block(:)
+        real(dp), target :: x_moved(n_points)
+        type(hm_mesh) :: other
+        integer(c_int64_t) :: length
+        integer(c_int32_t) :: mark
+        integer :: unit
+        character(len=*), parameter :: name = "use_basis.tmp"
+        call basis%save(name)
+        call copy%load(name, mesh)
+        call basis%values(5, a)
+        call copy%values(5, b)
+        call check(same(a, b), "saved and loaded: the same")
+
+        ! Two of them in one stream, with something round them.
+        open(newunit=unit, file=name, access="stream", form="unformatted", status="replace", action="readwrite")
+        write(unit) 17_c_int32_t
+        call basis%write(unit)
+        length = basis%bytes()
+        write(unit) length
+        call basis%write(unit)
+        rewind(unit)
+        read(unit) mark
+        call copy%read(unit, mesh, bytes=length)
+        read(unit) length
+        call second%read(unit)
+        call copy%values(5, a)
+        call second%values(5, b)
+        call check(same(a, b), "two in one stream")
+        call check(length == second%bytes(), "their length")
+        call second%read(unit, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "nothing left to read: " // err%text)
+        rewind(unit)
+        call second%read(unit, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "not a basis: " // err%text)
+        close(unit, status="delete")
+        call copy%load("no/such/file", stat=stat, err=err)
+        call check(stat == hm_bad_basis .and. err%text /= "", "no such file: " // err%text)
+        call basis%save("no/such/file", stat=stat)
+        call check(stat == hm_bad_basis, "a file that cannot be written")
+
+        ! A basis as an array of numbers: attached where it lies.
+        allocate(block((basis%bytes() + 7) / 8))
+        call basis%save(name)
+        open(newunit=unit, file=name, access="stream", form="unformatted", action="read")
+        read(unit) block(:basis%bytes() / 8)
+        close(unit, status="delete")
+        if (modulo(basis%bytes(), 8_c_int64_t) == 0) then
+            call copy%attach(block, mesh)
+            call copy%values(5, b)
+            call check(same(a, b), "attached")
+            x_moved = 2 * x
+            call other%points(x_moved, y)
+            call other%cells(cells)
+            call other%faces(faces, markers)
+            call copy%attach(block, other, stat)
+            call check(stat == hm_moved, "the same mesh with other coordinates")
+            call copy%attach(block(:10), stat=stat)
+            call check(stat == hm_bad_basis, "cut short")
+        end if
+        call copy%free()
+        call copy%values(1, a, stat)
+        call check(stat == hm_bad_argument, "nothing is left of it")
+    end subroutine
+
+    subroutine own_memory()
+        real(dp), allocatable, target :: analysis(:), plan_block(:), basis_block(:)
+        integer(c_int64_t) :: words
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_basis) :: its
+        real(dp) :: a(n_points), b(n_points)
+        call basis%curves(curves)
+        call hm_analysis_words(words, mesh, curves, [hm_condition(body)])
+        allocate(analysis(words))
+        call plan%analyse(mesh, curves, [hm_condition(body)], work=analysis(2:), stat=stat, err=err)
+        call check(stat == hm_block_too_small .and. err%value > 0, "work of the analysis 8 bytes too small")
+        call plan%analyse(mesh, curves, [hm_condition(body)], work=analysis(::2), stat=stat)
+        call check(stat == hm_bad_argument, "work that is not contiguous")
+        call plan%analyse(mesh, curves, [hm_condition(body)], work=analysis)
+        allocate(plan_block(plan%plan_words()), basis_block(plan%basis_words()))
+        call plan%prepare(plan_block(2:), stat)
+        call check(stat == hm_block_too_small, "work of the plan too small")
+        call plan%prepare(plan_block)
+        call its%init(plan, basis_block(2:), stat)
+        call check(stat == hm_block_too_small, "work of the basis too small")
+        call its%init(plan, basis_block)
+        call plan%drop_analysis()
+        analysis = -1
+        call plan%factor()
+        call plan%solve(its)
+        call plan%free()
+        plan_block = -1
+        call its%values(4, a)
+        call basis%values(4, b)
+        call check(same(a, b), "the same functions in own memory")
+        call its%free()
+        basis_block = -1
+        call check(same(basis_block(:1), [-1._dp]), "own memory is not freed")
+    end subroutine
+
+    subroutine threads()
+        type(hm_executor) :: four
+        type(hm_options) :: options
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_basis) :: its
+        type(hm_step_report) :: step
+        type(hm_quality_report) :: quality
+        real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
+        real(dp), dimension(n_points) :: a, b, dx, dy
+        call basis%curves(curves)
+        four%run => run_backwards
+        four%n_threads = 4
+        options%executor = four
+        tasks_seen = 0
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
+        call plan%solve(its)
+        call its%values(2, a)
+        call basis%values(2, b)
+        call check(same(a, b), "four threads, whose tasks run backwards: the same bits")
+        call check(tasks_seen > 0, "there were tasks")
+        move = some_move()
+        call basis%displacement(move, a, b)
+        call basis%adjoint(a, b, expected)
+        tasks_seen = 0
+        call its%displacement(move, dx, dy, executor=four)
+        call check(same(dx, a) .and. same(dy, b), "displacement on threads")
+        call its%adjoint(dx, dy, gradient, executor=four)
+        call check(maxval(abs(gradient - expected)) <= 0 .and. tasks_seen > 0, "adjoint on threads")
+        call its%admissible_step(mesh, dx, dy, step, executor=four)
+        call its%quality(mesh, x, y, quality, executor=four)
+        call check(step%admissible > 0 .and. quality%inverted == 0, "step and quality on threads")
+        call its%morph_to(move, x, y, a, b, executor=hm_openmp(2))
+        call check(maxval(abs(a - x - dx)) < 1e-15_dp, "threads of OpenMP, if it is there")
+        four%n_threads = 300
+        call its%displacement(move, dx, dy, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "300 threads")
+    end subroutine
+
+    subroutine refusals()
+        type(hm_basis) :: empty
+        type(hm_plan) :: plan
+        real(dp) :: move(2, n_control), a(n_points), b(n_points), gradient(2, n_control), error
+        type(hm_quality_report) :: quality
+        type(hm_mesh) :: bad
+        type(hm_curves) :: curves
+        integer(c_int32_t), target :: five(5, 2)
+        type(hm_solve_report) :: report
+        type(hm_options) :: options
+        move = 0
+        five = 1
+        call empty%morph(move, a, b, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. err%code == stat, "an empty basis: " // err%text)
+        call basis%morph(move(:, 2:), x, y, stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a control point too few: " // err%text)
+        call basis%morph(move, x(2:), y(2:), stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a mesh point too few: " // err%text)
+        move(1, 1) = transfer(9218868437227405312_c_int64_t, move(1, 1))        ! infinite
+        a = x
+        b = y
+        call basis%morph(move, a, b, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. same(a, x), "a movement that is not finite: " // err%text)
+        call basis%adjoint(a, b(2:), gradient, stat=stat)
+        call check(stat == hm_bad_argument, "a gradient of different lengths")
+        call basis%boundary_error(some_move(), x, y, a(2:), b(2:), error, stat=stat)
+        call check(stat == hm_bad_argument, "another length")
+        call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a reference of another length")
+        call basis%values(0, a, stat)
+        call check(stat == hm_bad_argument, "there is no function 0")
+        call basis%values(1, a(2:), stat)
+        call check(stat == hm_bad_argument, "too little room for values")
+        call plan%solve(empty, report, stat)
+        call check(stat == hm_bad_argument, "an empty plan")
+        call bad%cells(five, stat)
+        call check(stat == hm_bad_argument, "cells of five points")
+        call bad%cells(cells(:, ::2), stat)
+        call check(stat == hm_bad_argument, "cells that are not contiguous")
+        call bad%faces(faces, markers(2:), stat)
+        call check(stat == hm_bad_argument, "faces and markers do not fit")
+        call bad%lists(faces(:, 1), markers(:2), markers(:2), stat)
+        call check(stat == hm_bad_argument, "lists and markers do not fit")
+        call bad%points(x(:0), y(:0), stat)
+        call check(stat == hm_bad_argument, "no points")
+        call plan%analyse(bad, stat=stat, err=err)
+        call check(stat == hm_bad_argument .or. stat == hm_bad_mesh, "an empty mesh: " // err%text)
+        call basis%curves(curves)
+        call plan%analyse(mesh, curves, [hm_condition(1234)], stat=stat, err=err)
+        call check(stat == hm_bad_condition, "a marker that no face has: " // err%text)
+        call plan%analyse(mesh, curves, [hm_condition(body, first_curve=2)], stat=stat, err=err)
+        call check(stat == hm_bad_condition, "a curve that does not exist: " // err%text)
+        call plan%analyse(mesh, curves, stat=stat)
+        call check(stat == hm_bad_condition, "no condition")
+        options%engine = 77
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
+        call check(stat == hm_unsupported, "an engine to come")
+        deallocate(curves%curve(1)%knots)
+        call plan%analyse(mesh, curves, [hm_condition(body)], stat=stat)
+        call check(stat == hm_bad_argument, "a curve without knots")
+    end subroutine
+
+    ! What must stop the program with the reason.
+    subroutine stop_by(what)
+        character(len=*), intent(in) :: what
+        type(hm_mesh) :: another_mesh
+        type(hm_plan) :: plan, another_plan
+        type(hm_basis) :: another_basis
+        select case (what)
+        case ("refused")
+            call basis%save("nothing", err=err)
+        case ("assign_mesh")
+            another_mesh = mesh
+        case ("assign_plan")
+            another_plan = plan
+        case ("assign_basis")
+            another_basis = basis
+        end select
+        print "(a)", "went on"
+    end subroutine
+end program
