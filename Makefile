@@ -6,7 +6,7 @@
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
-#   make install          header, library, program, Fortran source, harmorph.pc, CMake config
+#   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
 #   make clean
 #
@@ -96,14 +96,15 @@ demo: all
 	@ls $(BUILD)/demo/*.svg
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph include/harmorph.h lib/libharmorph.a lib/pkgconfig/harmorph.pc \
+INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h \
+	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90
 
 install: all
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
 	mkdir -p "$$to/bin" "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp $(PROGRAM) "$$to/bin/"; \
-	cp c_api/harmorph.h "$$to/include/"; \
+	cp c_api/harmorph*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
 	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`; \
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \

@@ -154,7 +154,7 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     Quality const quality = measure_quality(mesh, mesh.points, {}, a.reversed, a.problem.executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
-    filled.used_points = a.used_points;
+    filled.used_points = a.count_used_points();
     filled.cells = mesh.n_cells;
     for (Index i = 0; i < mesh.n_cells; ++i) ++(mesh.cell(i).n == 3 ? filled.triangles : filled.quads);
     filled.edges = a.edges.count();

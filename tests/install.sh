@@ -28,6 +28,8 @@ listing() { (cd "$1" && find . -type f | sort); }
 cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
+./include/harmorph_openmp.h
+./include/harmorph_pthreads.h
 ./lib/cmake/harmorph/harmorphConfig.cmake
 ./lib/cmake/harmorph/harmorphConfigVersion.cmake
 ./lib/libharmorph.a
