@@ -9,7 +9,7 @@ constexpr Index block_points = 256;      // their sums stay in the first-level c
 constexpr Index adjoint_points = 4096;   // of one partial sum
 constexpr Index adjoint_ranges = 16;     // whatever the number of threads: the sum's bits must not depend on it
 constexpr Index least_range = 8192;      // points that are worth a thread
-constexpr Offset worth_asking = Offset{1} << 21;  // values; fewer are done before the processor has told what it is
+constexpr Offset worth_asking = Offset{1} << 16;  // values; fewer are done before the processor has told what it is
 
 Kernel kernel_for(Basis const& basis) noexcept {
     Kernel const pinned = basis.header->method.kernel;

@@ -47,8 +47,8 @@ void Places::find(Graph const& graph, Points points) const noexcept {
             }
         }
         for (Index half = 0; half < halves; ++half) {
-            four(reach[u].ahead, half) = outwards * ahead[half];
-            four(reach[u].behind, half) = outwards * behind[half];
+            set_four(reach[u].ahead, half, outwards * ahead[half]);
+            set_four(reach[u].behind, half, outwards * behind[half]);
         }
     }
 }

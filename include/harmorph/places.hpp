@@ -13,8 +13,9 @@ typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
 typedef std::int32_t FourCounts __attribute__((vector_size(16)));
 inline constexpr Index halves = direction_lanes / 4;
 
-inline Four& four(float* numbers, Index half) noexcept { return *reinterpret_cast<Four*>(numbers + 4 * half); }
-inline Four const& four(const float* numbers, Index half) noexcept { return *reinterpret_cast<const Four*>(numbers + 4 * half); }
+// Never references to them: clang forgets then that they may begin at any number.
+inline Four four(const float* numbers, Index half) noexcept { return *reinterpret_cast<const Four*>(numbers + 4 * half); }
+inline void set_four(float* numbers, Index half, Four to) noexcept { *reinterpret_cast<Four*>(numbers + 4 * half) = to; }
 
 // Single precision suffices to choose cuts.
 struct Place {
