@@ -145,10 +145,8 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, co
 
 hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report, hm_error* err) {
     Fault fault;
-    if (analysis == nullptr || report == nullptr) {
-        fault.refuse(Status::bad_argument, "analysis or report is NULL");
-        return tell(err, fault);
-    }
+    if (analysis == nullptr) fault.refuse(Status::bad_argument, "analysis is NULL");
+    if (failed(fault.status) || failed(check_report(report, fault))) return tell(err, fault);
     Analysis const& a = opened(analysis);
     Mesh const& mesh = a.problem.mesh;
     Quality const quality = measure_quality(mesh, mesh.points, {}, a.reversed, a.problem.executor);
@@ -278,6 +276,7 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
         fault.refuse(Status::bad_argument, "plan or basis is NULL");
         return tell(err, fault);
     }
+    if (report != nullptr && failed(check_report(report, fault))) return tell(err, fault);
     Plan& p = opened(plan);
     Basis const b = Basis::view(static_cast<void*>(basis));
     SolveReport solved;

@@ -15,8 +15,9 @@
  * Memory           The library allocates nothing. A *_size function tells how many bytes, exactly; any alignment is fine.
  *                  The object lives inside the block: there is nothing to free, and the block must not move while the
  *                  object is used (a basis may be copied or written to a file, see hm_basis_attach).
- * Ownership        Arrays given in structs stay the caller's; they are never changed. A mesh and its arrays must outlive
- *                  the analysis and the plan made of them. The basis keeps copies of all it needs.
+ * Ownership        Arrays given in structs stay the caller's; they are never changed. A mesh's arrays must outlive the
+ *                  analysis and the plan made of them, the curves' arrays the analysis. The basis keeps copies of all it
+ *                  needs.
  * Numbers          Coordinates in any one length unit. Angles do not occur. All lengths of arrays stand in [brackets].
  * Numbering        Points and cells count from mesh.index_base (also in reports, unless said otherwise), control points
  *                  from curves.index_base. Curves, conditions and functions count from 0; function i belongs to control
@@ -108,11 +109,11 @@ enum {                        /* hm_mesh.cell_layout */
 typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t  index_base;           /* 0 or 1: what points and cells are counted from, in all arrays and reports */
-    int32_t  n_points;             /* 3 .. 2^31-2; points that no cell uses are allowed and never move */
+    int32_t  n_points;             /* 3 .. 2^30; points that no cell uses are allowed and never move */
     const double *x, *y;           /* point k at x[k*stride], y[k*stride], k from 0 */
     int64_t  stride;               /* [doubles] x(:),y(:): 1; xy(2,n): 2 with y = x+1; xy(n,2): 1 with y = x+n; 0 means 1 */
     int32_t  cell_layout;          /* HM_CELLS_... */
-    int32_t  n_cells;              /* structured: 0 or (ni-1)*(nj-1) */
+    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1) */
     const int32_t *cell_start;     /* [n_cells+1] rows only: where a cell's points begin, counted from index_base */
     const int32_t *cell_points;    /* each cell's points in order round it */
     int32_t  ni, nj;               /* structured only: points along i (fastest) and j; ni*nj = n_points */
@@ -335,7 +336,8 @@ typedef struct hm_basis_info {
     const double  *point_u;        /* [curve_points] its parameter */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
-/* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it. */
+/* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
+ * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
 /* values [n_points] of function i (from 0). */
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, double *values, hm_error *err);

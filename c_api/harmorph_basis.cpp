@@ -20,10 +20,11 @@ Status open_solved(const hm_basis* basis, Basis& out, Fault& fault) noexcept {
     return fault.refuse(Status::bad_basis, "the basis has not been solved");
 }
 
-// Basis and mesh that belong together, as far as the counts tell.
+// Basis and mesh that belong together, as far as counts and layout tell.
 Status open_pair(const hm_basis* basis, const hm_mesh* given, Basis& out, Mesh& mesh, Fault& fault) noexcept {
     HARMORPH_TRY(open_basis(basis, out, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
+    HARMORPH_TRY(check_layout(mesh, fault));
     if (mesh.n_points == out.n_points() && mesh.n_cells == out.header->counts.cells) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells", Counts::from_zero,
                         out.n_points(), out.header->counts.cells);
@@ -102,8 +103,7 @@ hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t byte
 hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error* err) {
     Fault fault;
     Basis b;
-    if (info == nullptr) fault.refuse(Status::bad_argument, "info is NULL");
-    if (!failed(fault.status) && !failed(open_basis(basis, b, fault))) {
+    if (!failed(check_report(info, fault)) && !failed(open_basis(basis, b, fault))) {
         BasisHeader const& header = *b.header;
         hm_basis_info filled = {};
         filled.bytes = header.bytes;
@@ -129,8 +129,8 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
 hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
     Fault fault;
     Basis b;
-    if (out == nullptr || curve == nullptr) fault.refuse(Status::bad_argument, "out or curve is NULL");
-    if (!failed(fault.status) && !failed(open_basis(basis, b, fault))) {
+    if (curve == nullptr) fault.refuse(Status::bad_argument, "curve is NULL");
+    if (!failed(fault.status) && !failed(check_report(out, fault)) && !failed(open_basis(basis, b, fault))) {
         Index const n = b.header->counts.curves;
         if (capacity < n) {
             fault.refuse(Status::bad_argument, "curve has room for #, the basis has @", Counts::from_zero, capacity, n);
@@ -213,8 +213,7 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const d
     Executor threads;
     Mesh view;
     Points const displacement = points_of(dx, dy, stride);
-    if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
-    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
+    if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
         !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
         AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed, threads);
@@ -232,8 +231,7 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x
     Executor threads;
     Mesh view;
     Points const points = points_of(x, y, stride), reference = points_of(x_ref, y_ref, stride_ref);
-    if (report == nullptr) fault.refuse(Status::bad_argument, "report is NULL");
-    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
+    if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
         (!reference.given() || !failed(check_points(reference, fault))) && !failed(view_executor(executor, threads, fault))) {
         Quality const quality = measure_quality(view, points, reference, b.reversed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
@@ -250,8 +248,8 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const double* dx
     Executor threads;
     Mesh view;
     Points const displacement = points_of(dx, dy, stride);
-    if (step == nullptr || quality == nullptr) fault.refuse(Status::bad_argument, "step or quality is NULL");
-    if (!failed(fault.status) && !failed(open_pair(basis, mesh, b, view, fault)) &&
+    if (!failed(check_report(step, fault)) && !failed(check_report(quality, fault)) &&
+        !failed(open_pair(basis, mesh, b, view, fault)) &&
         !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
         Assessment const assessment = assess(view, view.points, displacement, b.reversed, threads);

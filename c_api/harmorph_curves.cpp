@@ -67,6 +67,7 @@ Status size_fit(Index n, const hm_fit_options* given, size_t* bytes, Fault& faul
 Status run_fit(const hm_curves** curves, void* memory, Size bytes, Points points, Index n, bool is_loop,
                const hm_fit_options* given, hm_fit_report* report, Fault& fault) noexcept {
     if (curves == nullptr || memory == nullptr || !points.given() || points.y == nullptr) return null_argument(fault);
+    if (report != nullptr) HARMORPH_TRY(check_report(report, fault));
     if (points.stride < 1) return fault.refuse(Status::bad_argument, "stride must not be negative");
     FitOptions options;
     HARMORPH_TRY(view_fit_options(given, options, fault));

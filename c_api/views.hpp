@@ -11,14 +11,28 @@
 
 namespace harmorph {
 
+// Has the caller set the size?
+template <class T>
+bool has_size(T const& given) noexcept {
+    constexpr std::uint64_t largest_ever = 4096;
+    return given.struct_size >= sizeof given.struct_size && given.struct_size <= largest_ever;
+}
+
 // A caller's struct of any age: what it does not have is 0. False if its size was never set.
 template <class T>
 bool read_struct(const T* given, T& out) noexcept {
     out = T{};
-    constexpr std::uint64_t largest_ever = 4096;
-    if (given->struct_size < sizeof given->struct_size || given->struct_size > largest_ever) return false;
+    if (!has_size(*given)) return false;
     std::memcpy(static_cast<void*>(&out), given, smaller<Size>(static_cast<Size>(given->struct_size), sizeof(T)));
     return true;
+}
+
+// A report or other struct to be written: its size must have been set.
+template <class T>
+Status check_report(const T* to, Fault& fault) noexcept {
+    if (to == nullptr) return fault.refuse(Status::bad_argument, "a struct to be filled is NULL");
+    if (has_size(*to)) return Status::ok;
+    return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is not set");
 }
 
 template <class T>

@@ -3,35 +3,6 @@
 namespace harmorph {
 namespace {
 
-Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
-    if (mesh.layout == CellLayout::structured) {
-        if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
-            return fault.refuse(Status::bad_mesh, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
-                                Counts::from_zero, mesh.ni, mesh.nj);
-        }
-        if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
-            return fault.refuse(Status::bad_mesh, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
-                                Counts::from_zero, mesh.n_cells);
-        }
-        return Status::ok;
-    }
-    if (mesh.cell_points == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
-    if (mesh.layout != CellLayout::rows) return Status::ok;
-    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
-    if (mesh.cell_start[0] != mesh.index_base) {
-        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
-                            mesh.cell_start[0]);
-    }
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
-        if (n != 3 && n != 4) {
-            return fault.refuse(Status::bad_mesh, "cell # has ~ points; only 3 or 4 are possible", Counts::mesh, i, none,
-                                static_cast<Real>(n));
-        }
-    }
-    return Status::ok;
-}
-
 Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured) return Status::ok;
     for (Index i = 0; i < mesh.n_cells; ++i) {
@@ -109,6 +80,35 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     }
     if (mesh.n_faces < 0 || mesh.n_lists < 0) {
         return fault.refuse(Status::bad_argument, "mesh.n_faces and mesh.n_lists must not be negative");
+    }
+    return Status::ok;
+}
+
+Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.layout == CellLayout::structured) {
+        if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
+            return fault.refuse(Status::bad_mesh, "a structured block needs ni, nj >= 2 and ni*nj = n_points; ni is #, nj is @",
+                                Counts::from_zero, mesh.ni, mesh.nj);
+        }
+        if (Offset{mesh.ni - 1} * (mesh.nj - 1) != mesh.n_cells) {
+            return fault.refuse(Status::bad_mesh, "a structured block has (ni-1)*(nj-1) cells, mesh.n_cells says #",
+                                Counts::from_zero, mesh.n_cells);
+        }
+        return Status::ok;
+    }
+    if (mesh.cell_points == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
+    if (mesh.layout != CellLayout::rows) return Status::ok;
+    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
+    if (mesh.cell_start[0] != mesh.index_base) {
+        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
+                            mesh.cell_start[0]);
+    }
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
+        if (n != 3 && n != 4) {
+            return fault.refuse(Status::bad_mesh, "cell # has ~ points; only 3 or 4 are possible", Counts::mesh, i, none,
+                                static_cast<Real>(n));
+        }
     }
     return Status::ok;
 }

@@ -70,6 +70,8 @@ Real cell_area(Cell const& cell, Points points) noexcept;
 
 // Ranges of the counts alone: all that a size query may look at.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
+// Cell lists or block dimensions: where each cell's points are; not yet which.
+Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 
 // Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no neighbourhood.
 Status check_mesh(Mesh const& mesh, Fault& fault) noexcept;

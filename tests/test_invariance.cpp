@@ -1,0 +1,80 @@
+// How a mesh is written down does not change its functions: numbering, orientation, markers, place, units.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("neither renumbering, nor the cells' starts, nor orientation, nor rotation changes a function") {
+    Case const origin = airfoil_case();
+    Case its = origin;
+    Solved const reference(its);
+    std::vector<double> const expected = reference.all_values();
+    std::int32_t const n = origin.mesh.n_points();
+    auto const compare = [&](Case& changed, std::vector<std::int32_t> const& new_of) {
+        Solved const solved(changed);
+        std::vector<double> const values = solved.all_values();
+        std::int32_t const n_new = changed.mesh.n_points();
+        double worst = 0;
+        for (std::int32_t i = 0; i < reference.report.functions; ++i)
+            for (std::int32_t k = 0; k < n; ++k) {
+                std::int32_t const at = new_of.empty() ? k : new_of[static_cast<std::size_t>(k)];
+                double const d =
+                    values[static_cast<std::size_t>(i * n_new + at)] - expected[static_cast<std::size_t>(i * n + k)];
+                worst = std::fmax(worst, std::fabs(d));
+            }
+        CHECK(worst < 1e-11);
+    };
+    {
+        Case changed = origin;
+        std::vector<std::int32_t> const new_of = renumber_points(changed.mesh, 3);
+        shuffle_cells(changed.mesh, 4);
+        compare(changed, new_of);
+    }
+    {
+        Case changed = origin;
+        rotate_starts(changed.mesh, 5);
+        reverse_some_faces(changed.mesh, 6);
+        compare(changed, {});
+    }
+    {
+        Case changed = origin;
+        reverse_all(changed.mesh);
+        compare(changed, {});
+        reverse_some(changed.mesh, 7);
+        compare(changed, {});
+    }
+    {
+        Case changed = origin;
+        for (int k = 0; k < 7; ++k) changed.mesh.add_point({1e3, 1e3});   // used by no cell
+        split_marker(changed.mesh, body, 3, 31);
+        changed.conditions.clear();
+        for (std::int32_t const marker : {31, 32, 33}) changed.put_on_curves(marker);
+        compare(changed, {});
+    }
+    {
+        Case changed = origin;
+        double const c = std::cos(0.7), s = std::sin(0.7);
+        auto const turn = [&](double& x, double& y) {
+            double const old = x;
+            x = c * old - s * y + 3;
+            y = s * old + c * y - 2;
+        };
+        for (std::size_t k = 0; k < changed.mesh.x.size(); ++k) turn(changed.mesh.x[k], changed.mesh.y[k]);
+        for (std::size_t k = 0; k < changed.curves.control.size(); k += 2)
+            turn(changed.curves.control[k], changed.curves.control[k + 1]);
+        compare(changed, {});
+    }
+}
+
+TEST_CASE("units that differ by a power of two: the same bits") {
+    for (double const unit : {std::ldexp(1.0, -30), std::ldexp(1.0, 20)}) {
+        Case its = airfoil_case(), scaled = its;
+        for (double& x : scaled.mesh.x) x *= unit;
+        for (double& y : scaled.mesh.y) y *= unit;
+        for (double& c : scaled.curves.control) c *= unit;
+        Solved const a(its), b(scaled);
+        CHECK(same_bits(a.all_values(), b.all_values()));
+        CHECK(b.report.max_distance == unit * a.report.max_distance);
+    }
+}

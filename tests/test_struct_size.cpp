@@ -1,0 +1,123 @@
+// Callers that are older or younger than the library: structs that are shorter or longer than it knows them.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+
+#include <cstddef>
+
+using namespace fixtures;
+
+namespace {
+
+std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
+    std::vector<double> out, one(n_points);
+    for (std::int32_t i = 0; i < n_functions; ++i) {
+        REQUIRE(hm_basis_values(basis, i, one.data(), nullptr) == HM_OK);
+        out.insert(out.end(), one.begin(), one.end());
+    }
+    return out;
+}
+
+bool says(hm_error const& error, const char* word) { return std::string(error.text).find(word) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a struct of an older caller is shorter: what is missing has its default") {
+    Case its = tiny_case();
+    Solved const reference(its);
+    hm_mesh mesh = its.mesh.view();
+    mesh.struct_size = offsetof(hm_mesh, n_lists);   // no boundary lists yet
+    mesh.n_lists = 1000;                             // not looked at
+    hm_problem problem = its.problem(mesh);
+    problem.struct_size = offsetof(hm_problem, n_given);
+    problem.n_given = 1000;
+    hm_options options{};
+    options.struct_size = offsetof(hm_options, tolerance);
+    options.tolerance = 5;
+    Attempt const attempt(problem, &options);
+    INFO(attempt.error.text);
+    REQUIRE(attempt.status == HM_OK);
+    CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+}
+
+TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {
+    Case its = tiny_case();
+    Solved const reference(its);
+    struct {
+        hm_mesh mesh;
+        double more[4] = {1, 2, 3, 4};
+    } mesh;
+    mesh.mesh = its.mesh.view();
+    mesh.mesh.struct_size = sizeof mesh;
+    struct Longer {
+        hm_condition condition;
+        double more[3] = {1, 2, 3};
+    };
+    Longer conditions[2];   // an array whose elements are as long as the first one says
+    conditions[0].condition = {sizeof(Longer), body, HM_ON_CURVE, 0, 1};
+    conditions[1].condition = {sizeof(Longer), top, HM_FIXED, 0, 0};
+    hm_problem problem = its.problem(mesh.mesh);
+    problem.n_conditions = 2;
+    problem.conditions = &conditions[0].condition;
+    Attempt const attempt(problem);
+    INFO(attempt.error.text);
+    REQUIRE(attempt.status == HM_OK);
+    CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+
+    struct {
+        hm_basis_info info;
+        unsigned char more[64];
+    } info;
+    std::memset(static_cast<void*>(&info), 0x5A, sizeof info);
+    info.info.struct_size = sizeof info;
+    REQUIRE(hm_basis_info_get(attempt.basis, &info.info, nullptr) == HM_OK);
+    CHECK(info.info.points == 48);
+    CHECK(info.info.struct_size == sizeof info);   // stays the caller's
+    for (unsigned char const byte : info.more) CHECK(byte == 0x5A);
+}
+
+TEST_CASE("reports are filled as far as the caller's struct goes, for each of them") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    std::vector<double> const d(48, 0.0);
+    auto const shortened = [&](auto whole, auto call) {
+        using Report = decltype(whole);
+        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report); size += 4) {
+            Report report;
+            std::memset(static_cast<void*>(&report), 0x5A, sizeof report);
+            report.struct_size = size;
+            REQUIRE(call(&report) >= 0);
+            CHECK(report.struct_size == size);
+            const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(&report);
+            for (std::size_t k = size; k < sizeof report; ++k) CHECK(bytes[k] == 0x5A);
+        }
+    };
+    shortened(hm_mesh_report{}, [&](hm_mesh_report* r) { return hm_analysis_report(solved.analysis, r, nullptr); });
+    shortened(hm_basis_info{}, [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
+    shortened(hm_solve_report{}, [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
+    shortened(hm_step_report{}, [&](hm_step_report* r) {
+        return hm_admissible_step(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, r, nullptr);
+    });
+    shortened(hm_quality_report{}, [&](hm_quality_report* r) {
+        return hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, r, nullptr);
+    });
+}
+
+TEST_CASE("a struct_size that was never set is refused") {
+    Case its = tiny_case();
+    std::size_t bytes = 0;
+    for (std::uint64_t const size : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{1} << 40}) {
+        hm_problem problem = its.problem();
+        hm_options options{};
+        hm_error error{};
+        problem.struct_size = size;
+        CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "problem.struct_size"));
+        problem = its.problem();
+        options.struct_size = size;
+        CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "options.struct_size"));
+    }
+    CHECK(bytes == 0);
+}
