@@ -31,8 +31,8 @@
  * Structs          Set struct_size = sizeof the struct and the rest to 0 first: `hm_options options = {sizeof options};`
  *                  A field that is 0 has its default. Fields are only ever added at the end; reports are filled as far
  *                  as the caller's struct_size goes.
- * Threads          No hidden state. One thread at a time may write an object (plan, basis); reading (morph, adjoint,
- *                  quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
+ * Threads          No hidden state. One thread at a time may write an object (plan, basis) or make others of it
+ *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
  *                  it uses those of an hm_executor where one is given.
  * Repeatability    Same input and same kernel, same bits: from run to run, and for any number of threads.
  */
@@ -93,7 +93,7 @@ typedef struct hm_executor {
     uint64_t struct_size;
     hm_run   run;                  /* NULL: everything on the calling thread */
     void    *user;                 /* handed to run */
-    int32_t  n_threads;            /* how many tasks run at once, about; 1 .. 256. The plan's working space grows with it */
+    int32_t  n_threads;            /* how many tasks run at once, about; 1 .. 256; 0 means 1. A plan's space grows with it */
     int32_t  reserved;             /* 0 */
 } hm_executor;
 
@@ -126,8 +126,7 @@ typedef struct hm_mesh {
     const int32_t *list_markers;   /* [n_lists] */
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, as O- and C-meshes have along their seam and wake:
- * boundary edges on no marker whose end points coincide bit by bit with those of another such edge are joined, and their
- * points move as one. Faces of one marker may belong to several bodies, and one body may carry several markers. */
+ * points of boundary edges on no marker that have equal coordinates are one point to the library and move as one. Faces of one marker may belong to several bodies, and one body may carry several markers. */
 
 /* ---- Curves ----------------------------------------------------------------------------------------------------- */
 

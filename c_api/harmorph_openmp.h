@@ -8,7 +8,7 @@
 
 #include "harmorph.h"
 
-static void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
+static inline void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
     const int n_threads = (int)(intptr_t)user;
     int32_t i;
     (void)n_threads; /* used by the pragma only */
@@ -16,12 +16,12 @@ static void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *contex
     for (i = 0; i < n_tasks; ++i) task(context, i);
 }
 
-static hm_executor hm_openmp_executor(int32_t n_threads) {
+static inline hm_executor hm_openmp_executor(int32_t n_threads) {
     hm_executor executor;
     executor.struct_size = sizeof executor;
     executor.run = hm_openmp_run;
     executor.user = (void *)(intptr_t)n_threads;
-    executor.n_threads = n_threads;
+    executor.n_threads = n_threads < 256 ? n_threads : 256;
     executor.reserved = 0;
     return executor;
 }

@@ -28,7 +28,7 @@ typedef struct hm_pthreads {
 } hm_pthreads;
 
 /* Takes tasks until there are none; called and left with the mutex locked. */
-static void hm_pthreads_work(hm_pthreads *pool) {
+static inline void hm_pthreads_work(hm_pthreads *pool) {
     while (pool->next < pool->n_tasks) {
         const int32_t index = pool->next++;
         ++pool->running;
@@ -39,7 +39,7 @@ static void hm_pthreads_work(hm_pthreads *pool) {
     }
 }
 
-static void *hm_pthreads_main(void *argument) {
+static inline void *hm_pthreads_main(void *argument) {
     hm_pthreads *pool = (hm_pthreads *)argument;
     pthread_mutex_lock(&pool->mutex);
     while (!pool->stop) {
@@ -51,7 +51,7 @@ static void *hm_pthreads_main(void *argument) {
     return NULL;
 }
 
-static void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
+static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
     hm_pthreads *pool = (hm_pthreads *)user;
     pthread_mutex_lock(&pool->mutex);
     pool->task = task;
@@ -65,7 +65,7 @@ static void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *cont
     pthread_mutex_unlock(&pool->mutex);
 }
 
-static hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads) {
+static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads) {
     hm_executor executor;
     pthread_mutex_init(&pool->mutex, NULL);
     pthread_cond_init(&pool->work, NULL);
@@ -83,7 +83,7 @@ static hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads) {
     return executor;
 }
 
-static void hm_pthreads_stop(hm_pthreads *pool) {
+static inline void hm_pthreads_stop(hm_pthreads *pool) {
     int32_t i;
     pthread_mutex_lock(&pool->mutex);
     pool->stop = 1;

@@ -94,6 +94,7 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     if (given == nullptr) return Status::ok;
     hm_executor e;
     if (!read_struct(given, e)) return missing(fault, "executor.struct_size is not set");
+    if (e.n_threads == 0) e.n_threads = 1;
     if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
         return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #", Counts::from_zero,
                             e.n_threads);

@@ -1,6 +1,7 @@
 #include "harmorph/analysis.hpp"
 
 #include "harmorph/cell_shape.hpp"
+#include "harmorph/hash.hpp"
 
 namespace harmorph {
 
@@ -98,6 +99,18 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
     fronts = count_borders(graph, order, tree, border, border_start);
     subtrees.choose(tree, border_start);
     return progress.report(Phase::symbolic, 1, fault);
+}
+
+// Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
+std::uint64_t Analysis::conditions_print() const noexcept {
+    Hash hash;
+    for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        hash.add(static_cast<std::uint64_t>(wall.point[slot]));
+        hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
+        hash.add(bits_of(wall.u[slot]));
+    }
+    return hash.value();
 }
 
 BasisCounts Analysis::basis_counts() const noexcept {

@@ -11,6 +11,8 @@ constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degre
 constexpr Real longest_base = 0.05;
 constexpr Real base_straightness = 0.02;  // of the base's length
 constexpr Real coordinate_noise = 2e-6;   // six digits
+constexpr Real flat_turn = 1e-4;          // of a point that divides a straight facet
+constexpr Index most_flat = 3;            // more of them in a row are a straight side
 
 Vec2 unit(Vec2 a) noexcept { return (1 / length(a)) * a; }
 
@@ -40,14 +42,18 @@ Index first_not_below(Span<const Real> values, Index begin, Index end, Real leas
     return begin;
 }
 
-// The next point in one direction.
+// The next point in one direction, past those that only divide a facet: they would make its ends stand out.
 struct Walk {
     Outline const& outline;
     bool forward;
 
     Index next(Index point) const noexcept {
         if (point == none) return none;
-        return forward ? outline.ahead(point, window[0]) : outline.behind(point, window[0]);
+        Index at = point, flat = 0;
+        do {
+            at = forward ? outline.ahead(at, window[0]) : outline.behind(at, window[0]);
+        } while (at != none && at != point && outline.turn[at] < flat_turn && flat++ < most_flat);
+        return at;
     }
     Real turn(Index point) const noexcept { return point == none ? 0 : outline.turn[point]; }
 };

@@ -75,7 +75,8 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     publish(points);
     report = {};
     report_errors(points, n, report);
-    return Status::ok;
+    if (is_finite(report.max_error)) return Status::ok;
+    return fault.refuse(Status::bad_curve, "the points do not determine the curve");
 }
 
 // Checks them, and turns them into scaled_ points about their centroid.

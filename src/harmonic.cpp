@@ -29,6 +29,8 @@ void Plan::init(Analysis const& analysis) noexcept {
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
     topology = analysis.topology;
+    conditions = analysis.conditions_print();
+    factor_entries = analysis.fronts.factor_entries;
     factored = false;
     for (Index k = 0; k < point_of.count(); ++k) point_of[k] = analysis.graph.point[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
@@ -65,7 +67,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
     bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (!same_counts || basis.header->topology != topology) {
+    if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
         return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
     }
     basis.unseal();
@@ -78,7 +80,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     report.unknowns = matrix.n;
     report.functions = width;
-    report.factor_entries = engine.panel_start[engine.tree.count];
+    report.factor_entries = factor_entries;
     HARMORPH_TRY(measure_residual(basis, report, fault));
     while (report.residual > refined_above && report.refinements < most_refinements) {
         HARMORPH_TRY(refine(basis, fault));
@@ -159,6 +161,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     header.byte_order = BasisHeader::native_order;
     header.bytes = Basis::bytes(counts);
     header.topology = analysis.topology;
+    header.conditions = analysis.conditions_print();
     header.index_base = analysis.problem.mesh.index_base;
     header.counts = counts;
     header.method = analysis.problem.method;

@@ -12,8 +12,6 @@ constexpr Index least_range = 8192;      // points that are worth a thread
 constexpr Offset worth_asking = Offset{1} << 16;  // values; fewer are done before the processor has told what it is
 
 Kernel kernel_for(Basis const& basis) noexcept {
-    Kernel const pinned = basis.header->method.kernel;
-    if (pinned != Kernel::automatic) return pinned;
     return Offset{basis.n_points()} * basis.n_functions() < worth_asking ? Kernel::baseline : best_kernel();
 }
 
@@ -114,7 +112,7 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     BasisMeasures measures;
     Index const n_functions = basis.n_functions();
     auto const raise = [](BoundaryError& worst, Real error, Index point) {
-        if (worst.point == none || error > worst.error) worst = {error, point};
+        if (worst.point == none || !(error <= worst.error)) worst = {error, point};  // NaN is the worst
     };
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
@@ -127,7 +125,7 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
             raise(measures.value, absolute(values[i] - expected), point);
             sum += values[i];
         }
-        measures.partition_defect = larger(measures.partition_defect, absolute(sum - 1));
+        if (!(absolute(sum - 1) <= measures.partition_defect)) measures.partition_defect = absolute(sum - 1);
         Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
         raise(measures.distance, length(points[point] - foot), point);
     }

@@ -13,7 +13,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     arena.take(border_start, Offset{nodes} + 1);
     arena.take(border, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
-    arena.take(factor, sizes.factor_entries + dense::overread);
+    arena.take(factor, sizes.factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
     arena.take(target, lanes * largest_border);
     arena.take(run_end, lanes * largest_border);
     arena.take(packing, lanes * dense::packing_entries);
@@ -32,6 +32,7 @@ void Multifrontal::place_panels() noexcept {
         panel_start[node] = next;
         Index const pivots = tree.nodes[node].pivots();
         next += dense::Panel::entries(pivots, pivots + border_of(node).count());
+        if (subtrees.find(node) != none) next += dense::overread;  // what comes next is another lane's
     }
     panel_start[tree.count] = next;
 }

@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-// A pivot this small beside its value on assembly is rounding: a part of the mesh hangs on no known value.
+// A pivot this small beside its value before its own block's turn is rounding: the matrix is singular, or worse.
 constexpr Real pivot_floor = 1e-15;
 constexpr Index nodes_between_reports = 512;
 

@@ -235,3 +235,18 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     bad[4].x = -1e308;
     refused(bad, {}, true, "too far apart", none);
 }
+
+TEST_CASE("facets divided by further points make no blunt base at the nose") {
+    for (int const parts : {2, 3, 4}) {
+        std::vector<Vec2> const corners = naca({}, 41, 0.8, 0);
+        std::vector<Vec2> points;
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            Vec2 const from = corners[k], to = corners[(k + 1) % corners.size()];
+            for (int i = 0; i < parts; ++i) points.push_back(from + (static_cast<double>(i) / parts) * (to - from));
+        }
+        FitRun const run(points, {}, true);
+        CHECK(run.status == Status::ok);
+        CHECK((run.report.closure == Closure::tied && run.fit.n_curves == 1 && run.report.base_points == 0));
+        CHECK(run.report.max_error < 8e-4);   // the facets themselves are that coarse
+    }
+}

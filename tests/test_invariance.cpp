@@ -78,3 +78,37 @@ TEST_CASE("units that differ by a power of two: the same bits") {
         CHECK(b.report.max_distance == unit * a.report.max_distance);
     }
 }
+
+TEST_CASE("units as far as doubles go: single precision orders the unknowns, and must not overflow") {
+    Case its = airfoil_case();
+    Solved const reference(its);
+    std::vector<double> const expected = reference.all_values();
+    for (int const power : {-200, 130, 300}) {
+        Case scaled = its;
+        for (double& x : scaled.mesh.x) x = std::ldexp(x, power);
+        for (double& y : scaled.mesh.y) y = std::ldexp(y, power);
+        for (double& c : scaled.curves.control) c = std::ldexp(c, power);
+        Solved const solved(scaled);
+        std::vector<double> const values = solved.all_values();
+        double worst = 0;
+        for (std::size_t k = 0; k < values.size(); ++k) worst = std::fmax(worst, std::fabs(values[k] - expected[k]));
+        CHECK(worst < 1e-11);
+    }
+}
+
+TEST_CASE("a plan does not solve the basis of another problem on the same mesh") {
+    Case its = airfoil_case(), other = its;
+    std::vector<std::int32_t> point{its.mesh.faces[0]}, curve{0};   // the same counts, one parameter changed
+    Solved mine(its);
+    hm_basis_info const info = mine.info();
+    std::vector<double> u{info.point_u[0] + 1e-3};
+    point[0] = info.curve_point[0];
+    hm_problem problem = other.problem();
+    problem.n_given = 1;
+    problem.given_points = point.data();
+    problem.given_curves = curve.data();
+    problem.given_u = u.data();
+    Solved theirs(problem);
+    CHECK(hm_plan_solve(mine.plan, theirs.basis, nullptr, &mine.error) == HM_BAD_BASIS);
+    CHECK(hm_plan_solve(mine.plan, mine.basis, nullptr, &mine.error) == HM_OK);
+}

@@ -7,6 +7,8 @@
 #include "output_file.hpp"
 #include "solver.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace cli {
@@ -51,6 +53,16 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
         }
     }
     return task;
+}
+
+// Points a few percent of the curves' extent away are hardly meant to lie on them.
+void warn_if_far(const Task& task, const hm_solve_report& report) {
+    double extent = 0;
+    const std::vector<double>& control = task.curves.control;
+    for (std::size_t i = 2; i < control.size(); ++i) extent = std::max(extent, std::fabs(control[i] - control[i % 2]));
+    if (report.max_distance <= 0.03 * extent) return;
+    warn("point " + std::to_string(report.max_distance_point) + " is " + brief(report.max_distance) +
+         " away from its curve: is it the right one for its marker?");
 }
 
 // With repeats, the first run only warms up: it touches the memory that the others find ready.
@@ -103,6 +115,7 @@ void run(const Arguments& arguments) {
     const Threads threads(threads_of(arguments));
     Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
+    warn_if_far(task, solver.report());
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
     if (converged || arguments.has("--force")) {
         OutputFiles files;

@@ -55,6 +55,7 @@ struct Analysis {
     Index n_functions() const noexcept { return curves[0].n_control; }
     BasisCounts basis_counts() const noexcept;
     Index count_used_points() const noexcept;
+    std::uint64_t conditions_print() const noexcept;
 
 private:
     Status analyse_mesh(Fault& fault) noexcept;

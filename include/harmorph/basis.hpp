@@ -32,6 +32,7 @@ struct BasisHeader {
     std::uint64_t checksum;       // of all that follows this field
     std::uint64_t topology;       // fingerprints of the mesh
     std::uint64_t coordinates;
+    std::uint64_t conditions;     // fingerprint of what is asked on the boundary: points on curves, kinds of points
     std::int32_t solved;
     Index index_base;             // of the mesh: what points and cells count from in reports
     BasisCounts counts;

@@ -20,7 +20,8 @@ struct Plan {
     Method method;
     Progress progress;
     BasisCounts basis_counts;
-    std::uint64_t topology = 0;   // fingerprint of the mesh
+    std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
+    Offset factor_entries = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
     Span<Index> point_of;         // [n] mesh point of each position
