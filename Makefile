@@ -98,7 +98,8 @@ demo: all
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
-	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90
+	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
+	share/harmorph/naca0012.su2
 
 install: all
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
@@ -109,10 +110,8 @@ install: all
 	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`; \
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
-	for source in fortran/*.f90; do \
-	    test -f "$$source" || continue; \
-	    mkdir -p "$$to/share/harmorph"; cp "$$source" "$$to/share/harmorph/"; \
-	done; \
+	mkdir -p "$$to/share/harmorph"; \
+	cp fortran/*.f90 tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 uninstall:

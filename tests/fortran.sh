@@ -10,7 +10,7 @@ mkdir -p "$dir"
 passed=0 failed=0
 strict=-std=f2018 loose= legacy= checks= long= openmp=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
-    strict="-std=f2018 -Wall -Wextra -Werror" legacy="-std=legacy -ffixed-form -Wall -Wextra -Werror"
+    strict="-std=f2018 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
     loose=-Wno-conversion checks=-fcheck=all long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
 fi
 check() {   # what, command...
@@ -35,7 +35,7 @@ build_and_run() {   # where, flags...: its own modules and objects in each place
 stops() { ! "$dir/checked/use" "$1" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out"; }
 
 build_and_run checked $checks -g
-for words in "refused the basis is empty" "assign_mesh a mesh cannot be assigned" "assign_plan a plan cannot be assigned" \
+for words in "refused the basis is empty: there is nothing to save" "assign_mesh a mesh cannot be assigned" "assign_plan a plan cannot be assigned" \
     "assign_basis a basis cannot be assigned"; do
     check "stop: $words" stops "${words%% *}" "${words#* }"
 done
@@ -47,6 +47,13 @@ check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir"
 check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
     -o "$dir/layout"
 "$dir/layout" || failed=$((failed + 1))
+
+check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c fortran/harmorph77.f90 \
+    -o "$dir/harmorph77.o"
+check "legacy.f" $FC $legacy $FFLAGS $checks -c tests/legacy.f -o "$dir/legacy.o"
+check "link of legacy" $FC $FFLAGS "$dir/legacy.o" "$dir/harmorph77.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
+    -o "$dir/legacy"
+"$dir/legacy" || failed=$((failed + 1))
 
 echo "$passed passed, $failed failed"
 if [ $failed = 0 ]; then rm -rf "$dir"; fi

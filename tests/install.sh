@@ -35,9 +35,7 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90; do
-    if [ -f "$file" ]; then echo "./share/harmorph/$(basename "$file")" >>"$dir/expected"; fi
-done
+for file in fortran/*.f90 naca0012.su2; do echo "./share/harmorph/$(basename "$file")" >>"$dir/expected"; done
 
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)

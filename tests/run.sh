@@ -48,9 +48,12 @@ step "the library stands alone" sh tests/check_link.sh "$BUILD"
 step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
 step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
 step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c "$BUILD/libharmorph.a"
+step "Fortran" sh tests/fortran.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"
+step "examples" sh tests/examples.sh "$BUILD"
+step "README" sh tests/readme.sh "$BUILD"
 
 rm -f "$log" "$log.status"
 echo "$passed passed, $failed failed"

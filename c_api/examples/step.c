@@ -1,0 +1,109 @@
+/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient by the mesh points in,
+ * gradient by the control points out, the exact admissible step, the morph. The objective is one that needs no flow: the
+ * body's area is to become 10 % larger, with the smallest movement of its control points. */
+#include <harmorph.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { NI = 128, NJ = 49, N = NI * NJ, CELLS = NI * (NJ - 1), WALL = 1, FAR = 2, CONTROL = 12 };
+static double x[N], y[N], dx[N], dy[N], gx[N], gy[N];
+static int32_t cells[4 * CELLS], faces[4 * NI], markers[2 * NI];
+
+static void check(hm_status status, const hm_error *error) {
+    if (status >= 0) return;
+    fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
+    exit(1);
+}
+
+/* Quads round an ellipse, in a list of cells and a list of faces; points count from 1, as in a Fortran code. */
+static void make_mesh(void) {
+    for (int j = 0; j < NJ; ++j) {
+        for (int i = 0; i < NI; ++i) {
+            double angle = 6.283185307179586 * i / NI, r = exp(3.0 * j / (NJ - 1));
+            int point = i + NI * j, next = (i + 1) % NI + NI * j;
+            x[point] = (r + 0.6 / r) * cos(angle);
+            y[point] = (r - 0.6 / r) * sin(angle);
+            if (j < NJ - 1) {
+                int32_t cell[] = {point + 1, point + NI + 1, next + NI + 1, next + 1};
+                for (int k = 0; k < 4; ++k) cells[4 * point + k] = cell[k];
+            }
+            if (j == 0 || j == NJ - 1) {
+                int face = j == 0 ? i : NI + i;
+                faces[2 * face] = point + 1;
+                faces[2 * face + 1] = next + 1;
+                markers[face] = j == 0 ? WALL : FAR;
+            }
+        }
+    }
+}
+
+/* Area inside the wall; its gradient by the mesh points, which is 0 away from the wall. */
+static double area(double *by_x, double *by_y) {
+    double sum = 0;
+    for (int k = 0; k < N; ++k) by_x[k] = by_y[k] = 0;
+    for (int i = 0; i < NI; ++i) {
+        int next = (i + 1) % NI, before = (i + NI - 1) % NI;
+        sum += 0.5 * (x[i] * y[next] - x[next] * y[i]);
+        by_x[i] = 0.5 * (y[next] - y[before]);
+        by_y[i] = 0.5 * (x[before] - x[next]);
+    }
+    return sum;
+}
+
+int main(void) {
+    make_mesh();
+    hm_mesh mesh = {.struct_size = sizeof mesh, .index_base = 1, .n_points = N, .x = x, .y = y, .n_cells = CELLS,
+                    .cell_layout = HM_CELLS_QUADS, .cell_points = cells, .n_faces = 2 * NI, .face_points = faces,
+                    .face_markers = markers};
+    hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
+    const hm_curves *curves;
+    hm_error error;
+    size_t bytes;
+    check(hm_fit_size(NI, &fit, &bytes, &error), &error);
+    check(hm_fit(&curves, malloc(bytes), bytes, x, y, 1, NI, 1, &fit, NULL, &error), &error);
+
+    hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
+    hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves, .n_conditions = 1,
+                          .conditions = &on_curve};
+    hm_analysis *analysis;
+    hm_plan *plan;
+    hm_basis *basis;
+    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
+    void *analysis_block = malloc(bytes);
+    check(hm_analysis_init(&analysis, analysis_block, bytes, &problem, NULL, &error), &error);
+    check(hm_plan_size(analysis, &bytes, &error), &error);
+    void *plan_block = malloc(bytes);
+    check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
+    check(hm_basis_size(analysis, &bytes, &error), &error);
+    check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
+    check(hm_plan_factor(plan, NULL, NULL, 0, &error), &error);
+    check(hm_plan_solve(plan, basis, NULL, &error), &error);
+    free(analysis_block);
+    free(plan_block);
+
+    const double wanted = 1.1 * area(gx, gy);
+    double missing = wanted;
+    int inverted = 0, step;
+    for (step = 0; step < 20; ++step) {
+        missing = wanted - area(gx, gy);
+        printf("step %d: area missing %.3e\n", step, missing);
+        if (fabs(missing) < 1e-10 * wanted) break;
+
+        double move[2 * CONTROL], square = 0;
+        check(hm_adjoint(basis, gx, gy, 1, move, NULL, &error), &error);   /* the area's gradient by the control points */
+        for (int k = 0; k < 2 * CONTROL; ++k) square += move[k] * move[k];
+        for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
+        check(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), &error);
+        hm_step_report limit = {.struct_size = sizeof limit};
+        check(hm_admissible_step(basis, &mesh, dx, dy, 1, NULL, &limit, &error), &error);
+        for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= fmin(1, 0.5 * limit.admissible);
+        check(hm_morph(basis, move, x, y, 1, x, y, 1, NULL, &error), &error);
+
+        hm_quality_report quality = {.struct_size = sizeof quality};
+        check(hm_quality(basis, &mesh, x, y, 1, NULL, NULL, 0, NULL, &quality, &error), &error);
+        inverted += quality.inverted;
+    }
+    printf("%d inverted cells on the way\n", inverted);
+    return !(inverted == 0 && fabs(missing) < 1e-10 * wanted);
+}

@@ -1,0 +1,170 @@
+! Inverse design: which airfoil has this pressure? The flow solver (potential.f90) knows its mesh and the gradient of its
+! objective by all mesh points; harmorph carries both between mesh and control points. Lines with !hm touch harmorph.
+program inverse
+    use harmorph                                                                        !hm
+    use potential
+    use picture
+    implicit none
+    integer, parameter :: n = 20, most = 100
+    type(hm_mesh) :: mesh                                                               !hm
+    type(hm_curves) :: curves                                                           !hm
+    type(hm_plan) :: plan                                                               !hm
+    type(hm_basis) :: basis                                                             !hm
+    type(hm_step_report) :: limit                                                       !hm
+    type(hm_quality_report) :: quality                                                  !hm
+    real(dp) :: move(2, n), goal(2, n), slope(2, n), old_slope(2, n), direction(2, n), change(2, n), h(2 * n, 2 * n)
+    real(dp) :: error(0:most), j, old_j, step, s
+    real(dp), allocatable :: x_start(:), y_start(:), dx(:), dy(:), gx(:), gy(:)
+    integer, allocatable :: points(:)
+    logical :: loop
+    integer :: k, tries
+    character(len=256) :: file
+
+    file = "naca0012.su2"
+    if (command_argument_count() > 0) call get_command_argument(1, file)
+    call read_mesh(file)
+    allocate(dx(np), dy(np), gx(np), gy(np))
+    x_start = x
+    y_start = y
+
+    ! Once: the mesh as the solver has it, a curve through its airfoil, the harmonic functions.
+    call mesh%points(x, y)                                                              !hm
+    call mesh%cells(cells)                                                              !hm
+    call mesh%faces(faces, marks)                                                       !hm
+    call plan%analyse(mesh)                                                             !hm
+    call plan%boundary([airfoil], points, loop)                                         !hm
+    call curves%fit(x(points), y(points), loop, n_control=n)                            !hm
+    call plan%analyse(mesh, curves, [hm_condition(airfoil)])                            !hm
+    call plan%factor()                                                                  !hm
+    call plan%solve(basis)                                                              !hm
+    call plan%free()                                                                    !hm
+
+    ! The target: an airfoil with more camber and less thickness, of which the loop below sees the pressure only.
+    goal = 0
+    goal(2, :) = 0.08_dp * curves%control(1, :) * (1 - curves%control(1, :)) - 0.15_dp * curves%control(2, :)   !hm
+    call go_to(goal)
+    call basis%quality(mesh, x, y, quality)                                             !hm
+    if (quality%inverted > 0) error stop "the target's mesh is not valid"               !hm
+    call solve_flow()
+    cp_target = cp
+    call draw_target(x(points), y(points), wall_x(), cp)
+    move = 0
+    call go_to(move)
+    call evaluate()
+    call draw_start(x(points), y(points), wall_x(), cp)
+    call check_gradients()
+
+    ! BFGS on the control points' heights; the trailing edge, the first one, stays.
+    h = 0
+    do k = 1, 2 * n
+        h(k, k) = 0.01_dp / maxval(abs(slope))
+    end do
+    print "(a)", "step  pressure error  admissible  inverted"
+    do k = 0, most
+        error(k) = sqrt(2 * j / sum(weight))
+        call basis%quality(mesh, x, y, quality)                                         !hm
+        print "(i4, es16.4, f12.2, i10)", k, error(k), merge(limit%admissible, 0._dp, k > 0), quality%inverted          !hm
+        if (quality%inverted > 0) error stop "the mesh is not valid"                     !hm
+        if (error(k) < 1e-3_dp * error(0) .or. k == most) exit
+        direction = -reshape(matmul(h, reshape(slope, [2 * n])), [2, n])
+        call basis%displacement(direction, dx, dy)                                      !hm
+        call basis%admissible_step(mesh, dx, dy, limit)                                 !hm
+        step = min(1._dp, 0.5_dp * limit%admissible)                                    !hm
+        old_j = j
+        old_slope = slope
+        do tries = 1, 20
+            change = step * direction
+            call go_to(move + change)
+            call evaluate()
+            if (j < old_j + 1e-4_dp * sum(change * old_slope)) exit
+            step = 0.5_dp * step
+        end do
+        move = move + change
+        call update(reshape(change, [2 * n]), reshape(slope - old_slope, [2 * n]))
+    end do
+    call draw_result(x(points), y(points), wall_x(), cp)
+    call write_picture("inverse.svg", error(0:k))
+    print "(a, f0.0, a)", "pressure error: divided by ", error(0) / error(k), " since the first step"
+    print "(a, es8.1)", "control points: largest distance from the target's ", maxval(abs(move - goal))
+    if (error(k) > 0.01_dp * error(0)) error stop "not converged"
+
+contains
+
+    ! The mesh for these movements of the control points: always from the start, so that nothing adds up.
+    subroutine go_to(its)
+        real(dp), intent(in) :: its(2, n)
+        call basis%morph_to(its, x_start, y_start, x, y)                                !hm
+    end subroutine
+
+    ! Objective and slope, dJ/dP, on the mesh as it is.
+    subroutine evaluate()
+        call solve_flow()
+        j = objective()
+        call gradient(gx, gy)
+        call basis%adjoint(gx, gy, slope)                                               !hm
+        slope(1, :) = 0
+        slope(2, 1) = 0
+    end subroutine
+
+    ! The inverse of the Hessian.
+    subroutine update(ds, dg)
+        real(dp), intent(in) :: ds(2 * n), dg(2 * n)
+        real(dp) :: hg(2 * n), curvature
+        curvature = dot_product(ds, dg)
+        if (curvature <= 0) return
+        hg = matmul(h, dg)
+        s = (1 + dot_product(dg, hg) / curvature) / curvature
+        h = h + s * outer(ds, ds) - (outer(ds, hg) + outer(hg, ds)) / curvature
+    end subroutine
+
+    pure function outer(u, v) result(uv)
+        real(dp), intent(in) :: u(:), v(:)
+        real(dp) :: uv(size(u), size(v))
+        uv = spread(u, 2, size(v)) * spread(v, 1, size(u))
+    end function
+
+    function wall_x() result(middle)
+        real(dp) :: middle(nw)
+        middle = 0.5_dp * (x(wall(1, :)) + x(wall(2, :)))
+    end function
+
+    ! Against central differences: at all mesh points at once in some direction, and for each control point.
+    subroutine check_gradients()
+        real(dp) :: here, there, up, its(2, n), worst, vx(np), vy(np), scale
+        real(dp), parameter :: eps = 1e-6_dp
+        integer :: i
+        do i = 1, np
+            scale = 0.1_dp * (1 - exp(-10 * hypot(x(i) - 1, y(i))**2))      ! less where the cells are small
+            vx(i) = scale * sin(3 * x(i) + 5 * y(i))
+            vy(i) = scale * cos(4 * x(i) - 2 * y(i))
+        end do
+        here = sum(gx * vx + gy * vy)
+        x = x_start + eps * vx
+        y = y_start + eps * vy
+        call solve_flow()
+        up = objective()
+        x = x_start - eps * vx
+        y = y_start - eps * vy
+        call solve_flow()
+        there = (up - objective()) / (2 * eps)
+        print "(a, es9.1)", "gradient by mesh points: relative difference to finite differences", abs(here / there - 1)
+        if (abs(here / there - 1) > 1e-6_dp) error stop "the gradient by mesh points is wrong"
+
+        worst = 0
+        do i = 2, n
+            its = 0
+            its(2, i) = eps
+            call go_to(its)
+            call solve_flow()
+            up = objective()
+            call go_to(-its)
+            call solve_flow()
+            worst = max(worst, abs(slope(2, i) - (up - objective()) / (2 * eps)))
+        end do
+        worst = worst / maxval(abs(slope))
+        print "(a, es9.1)", "gradient by control points: relative difference to finite differences", worst
+        if (worst > 1e-6_dp) error stop "the gradient by control points is wrong"
+        call go_to(move)
+        call evaluate()
+    end subroutine
+end program

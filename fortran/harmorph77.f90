@@ -1,0 +1,713 @@
+! harmorph for FORTRAN 77: external subroutines, plain arrays, no modules at the caller. MIT licence. Compile after
+! harmorph.f90 with the caller's compiler and link both, and libharmorph.a.
+!
+!     DOUBLE PRECISION W(LW)                       everything that is kept is in W; several W are several meshes
+!     CALL HMOPEN (W, LW, IERR, MSG)
+!     CALL HMMESH (W, NP, X, Y, INC, NC, NPC, CELLS, NF, FACES, MARKS, IERR, MSG)     CELLS(NPC,NC), FACES(2,NF), MARKS(NF)
+!  or CALL HMBLOK (W, NI, NJ, X, Y, MARKS, IERR, MSG)      structured; MARKS(4) of sides i=1, i=NI, j=1, j=NJ, 0: a cut
+!     CALL HMWALL (W, MARK, NMAX, IPTS, N, LOOP, IERR, MSG)      a marker's points IPTS(N) in order; LOOP 1: closed
+!     CALL HMFIT  (W, MARK, NCP, IDEG, ICLOS, DMAX, IERR, MSG)   curve through a marker; ICLOS as hm_closed_auto, ...
+!  or CALL HMCTRL (W, NCP, P, IERR, MSG)                         control points P(2,NCP); forgets all curves; then
+!     CALL HMCURV (W, IDEG, NIDX, IDX, U, IERR, MSG)             a curve through control points IDX(NIDX), knots
+!                                                                U(NIDX+IDEG+1)
+!     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 1 fixed, 2 free
+!     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual
+!     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
+!     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP)
+!     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)                displacements alone; of velocities: velocities
+!     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)                 gradient G(2,NCP) by control points from mesh points'
+!     CALL HMSTEP (W, DX, DY, INC, S, ICELL, IERR, MSG)          largest S for which X + S*DX has no inverted cell
+!     CALL HMQUAL (W, X, Y, INC, NINV, AMIN, QMIN, IERR, MSG)    inverted cells, least corner area, least quality
+!     CALL HMSAVE (W, LUN, IERR, MSG), HMLOAD (same)             the functions to, from an open unformatted file
+!     CALL HMCLOS (W)                                            W is free for other use
+!
+! Default INTEGER of 4 bytes. Coordinates are X(1), X(1+INC), ...; all counts begin with 1. IERR: 0 done, above 0 a warning,
+! below 0 refused with the reason in MSG, CHARACTER*112 or so. -7: W is too small; MSG says what it needs, as far as is
+! known. X, Y, CELLS, FACES and MARKS of HMMESH, and W, must stay where they are: main program, COMMON, SAVE.
+! HMMESH first, then curves, conditions, HMSOLV; or HMMESH and HMLOAD. HMSOLV again after the mesh has moved: as before.
+module harmorph77_state
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, &
+        c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use harmorph
+    implicit none
+    public
+    private :: c_intptr_t, c_null_char
+
+    integer, parameter :: most_curves = 16, most_conditions = 64
+
+    type, bind(c) :: state                      ! at the beginning of W
+        integer(c_intptr_t) :: here = 0         ! its own address, by which the work of HMOPEN is known
+        integer(c_int64_t) :: words = 0         ! of W
+        integer(c_int64_t) :: used = 0          ! from the beginning, for good; the rest is free for each call
+        integer(c_int64_t) :: own = 0           ! the part of `used` that is neither curves nor functions
+        integer(c_int64_t) :: no_basis = 0      ! the part that is not functions
+        type(hm_c_mesh) :: mesh
+        type(hm_c_curves) :: set
+        type(hm_c_curve) :: curve(most_curves)
+        type(hm_c_condition) :: condition(most_conditions)
+        integer(c_int32_t) :: n_conditions = 0, n_control = 0
+        type(c_ptr) :: basis = c_null_ptr
+    end type
+
+contains
+
+    integer(c_int64_t) function words_of(bytes)
+        integer(c_size_t), intent(in) :: bytes
+        words_of = int((bytes + 7) / 8, c_int64_t)
+    end function
+
+    ! The state in W; ierr /= 0: there is none.
+    subroutine open_state(w, its, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), pointer, intent(out) :: its
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        call c_f_pointer(c_loc(w), its)
+        ierr = hm_ok
+        msg = ""
+        if (its%here /= transfer(c_loc(w), its%here)) call complain("W was not opened by HMOPEN, or has moved", ierr, msg)
+    end subroutine
+
+    subroutine complain(text, ierr, msg)
+        character(len=*), intent(in) :: text
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        ierr = hm_bad_argument
+        msg = text
+    end subroutine
+
+    ! Status and sentence of a C function for the caller.
+    subroutine tell(status, e, ierr, msg)
+        integer(c_int32_t), intent(in) :: status
+        type(hm_c_error), intent(in) :: e
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        integer :: k
+        ierr = int(status)
+        msg = ""
+        do k = 1, min(len(msg), size(e%text))
+            if (e%text(k) == c_null_char) exit
+            msg(k:k) = e%text(k)
+        end do
+    end subroutine
+
+    ! Are there so many words between `used` and `top`, the last free one?
+    logical function fits(its, words, top, ierr, msg)
+        type(state), intent(in) :: its
+        integer(c_int64_t), intent(in) :: words, top
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        fits = its%used + words <= top
+        if (fits) return
+        ierr = hm_block_too_small
+        write(msg, "(a, i0, a)") "W is too small: it needs at least ", its%words + its%used + words - top, " words"
+    end function
+
+    ! Forgets curves, conditions and functions.
+    subroutine forget(its)
+        type(state), intent(inout) :: its
+        its%used = its%own
+        its%no_basis = its%own
+        its%set = hm_c_curves(index_base=1)
+        its%set%struct_size = int(c_sizeof(its%set), c_int64_t)
+        its%n_conditions = 0
+        its%n_control = 0
+        its%basis = c_null_ptr
+    end subroutine
+
+    ! Analyses the mesh, with the curves if wanted, in the last words of W; top: the last word below.
+    subroutine analyse(w, its, with_curves, analysis, top, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), intent(inout), target :: its
+        logical, intent(in) :: with_curves
+        type(c_ptr), intent(out) :: analysis
+        integer(c_int64_t), intent(out) :: top
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        type(hm_c_problem) :: problem
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        problem%struct_size = int(c_sizeof(problem), c_int64_t)
+        problem%mesh = c_loc(its%mesh)
+        if (with_curves) then
+            problem%curves = c_loc(its%set)
+            problem%n_conditions = its%n_conditions
+            problem%conditions = c_loc(its%condition)
+        end if
+        analysis = c_null_ptr
+        top = its%words
+        call tell(hm_c_analysis_size(problem, c_null_ptr, bytes, e), e, ierr, msg)
+        if (ierr < 0) return
+        if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+        top = top - words_of(bytes)
+        call tell(hm_c_analysis_init(analysis, c_loc(w(top + 1)), bytes, problem, c_null_ptr, e), e, ierr, msg)
+    end subroutine
+
+    ! What every use of the functions begins with.
+    subroutine open_solved(w, its, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), pointer, intent(out) :: its
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        call open_state(w, its, ierr, msg)
+        if (ierr /= hm_ok) return
+        if (.not. c_associated(its%basis)) call complain("there are no functions: HMSOLV or HMLOAD first", ierr, msg)
+    end subroutine
+
+    ! From now on these functions stay.
+    subroutine keep_basis(its, basis)
+        type(state), intent(inout) :: its
+        type(c_ptr), intent(in) :: basis
+        type(hm_c_basis_info) :: info
+        type(hm_c_error) :: e
+        integer(c_intptr_t) :: first
+        info%struct_size = int(c_sizeof(info), c_int64_t)
+        if (hm_c_basis_info_get(basis, info, e) < 0) return
+        first = transfer(basis, first)
+        its%basis = basis
+        its%n_control = info%functions
+        its%used = (first - its%here + info%bytes + 7) / 8
+    end subroutine
+
+    ! Copies of control points and curves go into W, below top.
+    subroutine put_control(w, its, n, control, top, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), intent(inout) :: its
+        integer, intent(in) :: n
+        real(c_double), intent(in) :: control(2, n)
+        integer(c_int64_t), intent(in) :: top
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        call forget(its)
+        if (.not. fits(its, 2_c_int64_t * n, top, ierr, msg)) return
+        w(its%used + 1:its%used + 2 * n) = reshape(control, [2 * n])
+        its%set%control = c_loc(w(its%used + 1))
+        its%set%n_control = int(n, c_int32_t)
+        its%n_control = its%set%n_control
+        its%used = its%used + 2 * n
+        its%no_basis = its%used
+    end subroutine
+
+    subroutine put_curve(w, its, degree, n, indices, knots, top, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), intent(inout), target :: its
+        integer, intent(in) :: degree, n
+        integer(c_int32_t), intent(in) :: indices(n)
+        real(c_double), intent(in) :: knots(n + degree + 1)
+        integer(c_int64_t), intent(in) :: top
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        integer(c_int32_t), pointer :: copy(:)
+        integer :: m
+        m = n + degree + 1
+        if (its%set%n_curves == most_curves) call complain("there are 16 curves already", ierr, msg)
+        if (ierr < 0) return
+        its%used = its%no_basis
+        its%basis = c_null_ptr
+        if (.not. fits(its, int(m + (n + 1) / 2, c_int64_t), top, ierr, msg)) return
+        w(its%used + 1:its%used + m) = knots
+        call c_f_pointer(c_loc(w(its%used + m + 1)), copy, [n])
+        copy = indices
+        its%set%n_curves = its%set%n_curves + 1_c_int32_t
+        its%set%curve = c_loc(its%curve)
+        its%curve(its%set%n_curves) = hm_c_curve(int(c_sizeof(its%curve(1)), c_int64_t), int(degree, c_int32_t), &
+            int(n, c_int32_t), c_loc(copy), c_loc(w(its%used + 1)))
+        its%used = its%used + m + (n + 1) / 2
+        its%no_basis = its%used
+    end subroutine
+
+    integer(c_int64_t) function stride_of(inc)
+        integer, intent(in) :: inc
+        stride_of = max(inc, 1)
+    end function
+end module
+
+subroutine hmopen(w, lw, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: lw
+    real(c_double), intent(inout), target :: w(lw)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(state) :: fresh
+    integer(c_int64_t) :: n
+    ierr = hm_ok
+    msg = ""
+    n = words_of(c_sizeof(fresh))
+    if (lw < n) then
+        ierr = hm_block_too_small
+        write(msg, "(a, i0, a)") "W is too small: it needs at least ", n, " words"
+    else if (storage_size(lw) /= 32) then
+        call complain("these calls need INTEGER of 4 bytes; the module harmorph takes 8", ierr, msg)
+    else if (hm_abi_version() /= hm_abi) then
+        call complain("harmorph77.f90 and libharmorph.a are of different versions", ierr, msg)
+    else
+        call c_f_pointer(c_loc(w), its)
+        its = fresh
+        its%here = transfer(c_loc(w), its%here)
+        its%words = lw
+        its%own = n
+        call forget(its)
+    end if
+end subroutine
+
+subroutine hmclos(w)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(inout) :: w(*)
+    w(1) = 0
+end subroutine
+
+subroutine hmmesh(w, np, x, y, inc, nc, npc, cells, nf, faces, marks, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: np, inc, nc, npc, nf
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    integer(c_int32_t), intent(in), target :: cells(*), faces(*), marks(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. npc /= 3 .and. npc /= 4) &
+        call complain("NPC must be 3 or 4; among quads, triangles repeat their last point", ierr, msg)
+    if (ierr /= hm_ok) return
+    its%own = words_of(c_sizeof(its))
+    call forget(its)
+    its%mesh = hm_c_mesh(index_base=1, n_points=np, stride=stride_of(inc), n_cells=nc, n_faces=nf, &
+        cell_layout=merge(hm_cells_triangles, hm_cells_quads, npc == 3))
+    its%mesh%struct_size = int(c_sizeof(its%mesh), c_int64_t)
+    its%mesh%x = c_loc(x)
+    its%mesh%y = c_loc(y)
+    its%mesh%cell_points = c_loc(cells)
+    its%mesh%face_points = c_loc(faces)
+    its%mesh%face_markers = c_loc(marks)
+end subroutine
+
+subroutine hmblok(w, ni, nj, x, y, marks, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: ni, nj, marks(4)
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    integer(c_int32_t), pointer :: numbers(:)
+    integer(c_int64_t) :: n
+    integer :: side, i, faces, along(4)
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. min(ni, nj) < 2) call complain("NI and NJ must be at least 2", ierr, msg)
+    if (ierr /= hm_ok) return
+    along = [nj, nj, ni, ni] - 1
+    n = sum(along, marks /= 0)
+    its%own = words_of(c_sizeof(its))
+    call forget(its)
+    if (.not. fits(its, (3 * n + 1) / 2, its%words, ierr, msg)) return
+    call c_f_pointer(c_loc(w(its%used + 1)), numbers, [3 * n])
+    its%own = its%own + (3 * n + 1) / 2
+    call forget(its)
+    faces = 0
+    do side = 1, 4
+        if (marks(side) == 0) cycle
+        do i = 1, along(side)
+            numbers(2 * faces + 1) = place(i)
+            numbers(2 * faces + 2) = place(i + 1)
+            numbers(2 * n + faces + 1) = marks(side)
+            faces = faces + 1
+        end do
+    end do
+    its%mesh = hm_c_mesh(index_base=1, n_points=ni * nj, stride=1, ni=ni, nj=nj, n_faces=faces, &
+        cell_layout=hm_cells_structured)
+    its%mesh%struct_size = int(c_sizeof(its%mesh), c_int64_t)
+    its%mesh%x = c_loc(x)
+    its%mesh%y = c_loc(y)
+    its%mesh%face_points = c_loc(numbers)
+    its%mesh%face_markers = c_loc(numbers(2 * n + 1))
+
+contains
+
+    integer function place(k)                   ! point k along the side
+        integer, intent(in) :: k
+        select case (side)
+        case (1)
+            place = 1 + ni * (k - 1)
+        case (2)
+            place = ni * k
+        case (3)
+            place = k
+        case default
+            place = k + ni * (nj - 1)
+        end select
+    end function
+end subroutine
+
+subroutine hmwall(w, mark, nmax, ipts, n, loop, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: mark, nmax
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(inout) :: ipts(*)
+    integer, intent(out) :: n, loop, ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(c_ptr) :: analysis
+    type(hm_c_error) :: e
+    integer(c_int64_t) :: top
+    integer(c_int32_t) :: found, is_loop
+    n = 0
+    loop = 0
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok) call analyse(w, its, .false., analysis, top, ierr, msg)
+    if (ierr < 0) return
+    found = 0
+    is_loop = 0
+    call tell(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, ipts, &
+        int(nmax, c_int32_t), found, is_loop, e), e, ierr, msg)
+    n = int(found)
+    loop = int(is_loop)
+end subroutine
+
+subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: mark, ncp, ideg, iclos
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: dmax
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(c_ptr) :: analysis, made
+    type(hm_c_error) :: e
+    type(hm_c_fit_options) :: options
+    type(hm_fit_report) :: report
+    type(hm_c_curves), pointer :: set
+    type(hm_c_curve), pointer :: list(:)
+    integer(c_int32_t), pointer :: points(:), indices(:)
+    integer(c_int32_t), allocatable :: from_1(:)
+    real(c_double), pointer :: x(:), y(:), wall(:, :), control(:, :), knots(:)
+    integer(c_int32_t) :: n, is_loop, nothing(1)
+    integer(c_int64_t) :: top
+    integer(c_size_t) :: bytes
+    integer(c_int32_t) :: k, j
+    call open_state(w, its, ierr, msg)
+    if (ierr /= hm_ok) return
+    call forget(its)
+    call analyse(w, its, .false., analysis, top, ierr, msg)
+    if (ierr < 0) return
+
+    ! Counts first, then the points below the analysis, their coordinates below them, the fit below these.
+    n = 0
+    if (hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, nothing, 0_c_int32_t, n, &
+        is_loop, e) == hm_bad_condition) then
+        call tell(e%code, e, ierr, msg)
+        return
+    end if
+    if (.not. fits(its, 3_c_int64_t * n, top, ierr, msg)) return
+    top = top - 3_c_int64_t * n
+    call c_f_pointer(c_loc(w(top + 2 * n + 1)), points, [n])
+    call c_f_pointer(c_loc(w(top + 1)), wall, [n, 2_c_int32_t])
+    call tell(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, n, is_loop, e), &
+        e, ierr, msg)
+    if (ierr < 0) return
+    call c_f_pointer(its%mesh%x, x, [its%mesh%stride * its%mesh%n_points])
+    call c_f_pointer(its%mesh%y, y, [its%mesh%stride * its%mesh%n_points])
+    do k = 1, n
+        wall(k, 1) = x((points(k) - 1) * its%mesh%stride + 1)
+        wall(k, 2) = y((points(k) - 1) * its%mesh%stride + 1)
+    end do
+    options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos)
+    options%struct_size = int(c_sizeof(options), c_int64_t)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call tell(hm_c_fit_size(n, options, bytes, e), e, ierr, msg)
+    if (ierr < 0) return
+    if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+    call tell(hm_c_fit(made, c_loc(w(top - words_of(bytes) + 1)), bytes, c_loc(wall(1, 1)), c_loc(wall(1, 2)), &
+        1_c_int64_t, n, &
+        is_loop, options, report, e), e, ierr, msg)
+    if (ierr < 0) return
+    top = top - words_of(bytes)
+
+    call c_f_pointer(made, set)
+    call c_f_pointer(set%control, control, [2, int(set%n_control)])
+    call c_f_pointer(set%curve, list, [set%n_curves])
+    call put_control(w, its, int(set%n_control), control, top, ierr, msg)
+    do k = 1, set%n_curves
+        if (ierr < 0) return
+        allocate(from_1(list(k)%n_indices), source=[(j, j = 1, list(k)%n_indices)])
+        if (c_associated(list(k)%indices)) then
+            call c_f_pointer(list(k)%indices, indices, [list(k)%n_indices])
+            from_1(:) = indices + 1_c_int32_t
+        end if
+        call c_f_pointer(list(k)%knots, knots, [list(k)%n_indices + list(k)%degree + 1])
+        call put_curve(w, its, int(list(k)%degree), int(list(k)%n_indices), from_1, knots, top, ierr, msg)
+        deallocate(from_1)
+    end do
+    dmax = report%max_error
+end subroutine
+
+subroutine hmctrl(w, ncp, p, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: ncp
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in) :: p(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. ncp < 2) call complain("NCP must be at least 2", ierr, msg)
+    if (ierr == hm_ok) call put_control(w, its, ncp, p, its%words, ierr, msg)
+end subroutine
+
+subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: ideg, nidx
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(in) :: idx(*)
+    real(c_double), intent(in) :: u(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. .not. c_associated(its%set%control)) call complain("HMCTRL comes before HMCURV", ierr, msg)
+    if (ierr == hm_ok .and. (nidx < 2 .or. ideg < 1 .or. ideg > 5)) call complain("IDEG or NIDX is out of range", ierr, msg)
+    if (ierr == hm_ok) call put_curve(w, its, ideg, nidx, idx, u, its%words, ierr, msg)
+    if (ierr /= hm_ok) return
+    call tell(hm_c_curves_check(its%set, e), e, ierr, msg)
+    if (ierr < 0) its%set%n_curves = its%set%n_curves - 1_c_int32_t
+end subroutine
+
+subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: mark, kind, icurv, ncurv
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    integer :: n
+    call open_state(w, its, ierr, msg)
+    if (ierr /= hm_ok) return
+    n = int(its%n_conditions) + 1
+    if (n > most_conditions) then
+        call complain("there are 64 conditions already", ierr, msg)
+        return
+    end if
+    its%condition(n) = hm_c_condition(int(c_sizeof(its%condition(n)), c_int64_t), int(mark, c_int32_t), &
+        int(kind, c_int32_t), int(icurv - 1, c_int32_t), int(ncurv, c_int32_t))
+    its%n_conditions = int(n, c_int32_t)
+end subroutine
+
+! From the end of W downwards: analysis, plan. From what is kept upwards: the functions, which stay.
+subroutine hmsolv(w, resid, ierr, msg)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: resid
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    type(hm_solve_report) :: report
+    type(c_ptr) :: analysis, plan, basis
+    integer(c_int64_t) :: top
+    integer(c_size_t) :: plan_bytes, basis_bytes
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. its%set%n_curves < 1) call complain("there is no curve: HMFIT, or HMCTRL and HMCURV", ierr, msg)
+    if (ierr /= hm_ok) return
+    its%used = its%no_basis
+    its%basis = c_null_ptr
+    call analyse(w, its, .true., analysis, top, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_plan_size(analysis, plan_bytes, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, basis_bytes, e), e, ierr, msg)
+    if (ierr < 0) return
+    if (.not. fits(its, words_of(plan_bytes) + words_of(basis_bytes), top, ierr, msg)) return
+    top = top - words_of(plan_bytes)
+    call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), plan_bytes, analysis, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), basis_bytes, analysis, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, c_null_ptr, 0_c_int64_t, e), e, ierr, msg)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    if (ierr == hm_ok) call tell(hm_c_plan_solve(plan, basis, report, e), e, ierr, msg)
+    if (ierr < 0) return
+    resid = report%residual
+    call keep_basis(its, basis)
+end subroutine
+
+subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: nmax
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: p(2, *)
+    integer, intent(out) :: ncp, ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_curves) :: set
+    type(hm_c_curve) :: list(most_curves)
+    type(hm_c_error) :: e
+    real(c_double), pointer :: control(:, :)
+    ncp = 0
+    call open_state(w, its, ierr, msg)
+    if (ierr /= hm_ok) return
+    set = its%set
+    if (c_associated(its%basis)) call tell(hm_c_basis_curves(its%basis, set, list, int(most_curves, c_int32_t), e), e, &
+        ierr, msg)
+    if (ierr < 0) return
+    ncp = int(set%n_control)
+    if (ncp > nmax) call complain("P has not enough room: NCP says how much", ierr, msg)
+    if (ierr < 0 .or. ncp == 0) return
+    call c_f_pointer(set%control, control, [2, ncp])
+    p(:, :ncp) = control
+end subroutine
+
+subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*)
+    real(c_double), intent(in) :: dp(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_loc(x), c_loc(y), stride_of(inc), c_loc(x), c_loc(y), &
+        stride_of(inc), c_null_ptr, e), e, ierr, msg)
+end subroutine
+
+subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), dx(*), dy(*)
+    real(c_double), intent(in) :: dp(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_null_ptr, c_null_ptr, 1_c_int64_t, c_loc(dx), c_loc(dy), &
+        stride_of(inc), c_null_ptr, e), e, ierr, msg)
+end subroutine
+
+subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: gx(*), gy(*)
+    real(c_double), intent(inout) :: g(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_adjoint(its%basis, c_loc(gx), c_loc(gy), stride_of(inc), g, c_null_ptr, e), e, ierr, &
+        msg)
+end subroutine
+
+subroutine hmstep(w, dx, dy, inc, s, icell, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: dx(*), dy(*)
+    real(c_double), intent(inout) :: s
+    integer, intent(out) :: icell, ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    type(hm_step_report) :: report
+    icell = 0
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_admissible_step(its%basis, its%mesh, c_loc(dx), c_loc(dy), stride_of(inc), &
+        c_null_ptr, &
+        report, e), e, ierr, msg)
+    if (ierr < 0) return
+    s = report%admissible
+    icell = int(report%cell)
+end subroutine
+
+subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    real(c_double), intent(inout) :: amin, qmin
+    integer, intent(out) :: ninv, ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    type(hm_quality_report) :: report
+    ninv = 0
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(x), c_loc(y), stride_of(inc), c_null_ptr, &
+        c_null_ptr, &
+        1_c_int64_t, c_null_ptr, report, e), e, ierr, msg)
+    if (ierr < 0) return
+    ninv = int(report%inverted)
+    amin = report%min_area
+    qmin = report%min_quality
+end subroutine
+
+! Two records: the length, and the block as it is.
+subroutine hmsave(w, lun, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: lun
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_basis_info) :: info
+    type(hm_c_error) :: e
+    integer(c_int8_t), pointer :: bytes(:)
+    integer :: failed
+    info%struct_size = int(c_sizeof(info), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
+    if (ierr < 0) return
+    call c_f_pointer(its%basis, bytes, [info%bytes])
+    write(lun, iostat=failed) info%bytes
+    if (failed == 0) write(lun, iostat=failed) bytes
+    if (failed /= 0) call complain("the functions could not be written", ierr, msg)
+end subroutine
+
+subroutine hmload(w, lun, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: lun
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(c_ptr) :: basis
+    type(hm_c_error) :: e
+    integer(c_int8_t), pointer :: bytes(:)
+    integer(c_int64_t) :: n
+    integer :: failed
+    call open_state(w, its, ierr, msg)
+    if (ierr /= hm_ok) return
+    call forget(its)
+    read(lun, iostat=failed) n
+    if (failed /= 0 .or. n < 1) then
+        call complain("this unit has no functions that HMSAVE wrote", ierr, msg)
+        return
+    end if
+    if (.not. fits(its, words_of(int(n, c_size_t)), its%words, ierr, msg)) return
+    call c_f_pointer(c_loc(w(its%used + 1)), bytes, [n])
+    read(lun, iostat=failed) bytes
+    if (failed /= 0) then
+        call complain("the file ends in the midst of the functions", ierr, msg)
+        return
+    end if
+    call tell(hm_c_basis_attach(basis, c_loc(w(its%used + 1)), int(n, c_size_t), c_loc(its%mesh), e), e, ierr, msg)
+    if (ierr >= 0) call keep_basis(its, basis)
+end subroutine

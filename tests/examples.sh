@@ -1,0 +1,54 @@
+#!/bin/sh
+# usage: examples.sh BUILD   (MAKE, CC, FC, ... from the environment)
+# Each folder of examples, copied elsewhere: built and run against an installed harmorph, by its own Makefile with
+# pkg-config and by CMake with find_package.
+: "${MAKE:=make}" "${CXX:=c++}" "${CXXFLAGS:=-O3}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
+build=$(cd "$1" && pwd)
+dir=$build/examples
+log=$dir/log
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "examples: $what failed:"
+        sed 's/^/    /' "$log"
+    fi
+}
+rm -rf "$dir"
+mkdir -p "$dir"
+# CMake's own makefiles must hear nothing of the make that runs the tests, nor of its flags.
+cmake() { (unset MAKE MAKEFLAGS MFLAGS MAKELEVEL CXXFLAGS CFLAGS FFLAGS LDFLAGS; command cmake "$@"); }
+by_make() {   # folder
+    (cd "$dir/$1" && export PKG_CONFIG_PATH="$dir/prefix/lib/pkgconfig" &&
+        $MAKE CC="$CC" CFLAGS="$CFLAGS" FC="$FC" FFLAGS="$FFLAGS" run)
+}
+by_cmake() {
+    cmake -S "$dir/$1" -B "$dir/$1-cmake" -DCMAKE_PREFIX_PATH="$dir/prefix" -DCMAKE_C_COMPILER="${CC%% *}" \
+        -DCMAKE_Fortran_COMPILER="${FC%% *}" && cmake --build "$dir/$1-cmake" --target run
+}
+says() { grep -q "$1" "$log.kept"; }
+
+check "make install" $MAKE BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" install DESTDIR= \
+    PREFIX="$dir/prefix"
+cp -r c_api/examples "$dir/c"
+cp -r fortran/examples "$dir/fortran"
+check "C, make run" by_make c
+cp "$log" "$log.kept"
+check "C: an area by adjoint steps" says "^0 inverted cells on the way"
+check "C: a thousand steps of pitching" says "first mesh bit by bit, 3 of 3 times"
+check "Fortran, make run" by_make fortran
+cp "$log" "$log.kept"
+check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
+check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"
+check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"
+lines=$(grep -c '!hm$' fortran/examples/inverse.f90)
+check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30
+check "C, CMake" by_cmake c
+check "Fortran, CMake" by_cmake fortran
+
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]

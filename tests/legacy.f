@@ -1,0 +1,273 @@
+C     EVERY LEGACY CALL FROM FORTRAN 77, WITH ASSERTIONS.
+      PROGRAM LEGACY
+      INTEGER NA, NR, NP, NC, NF, LW, NCP
+      PARAMETER (NA = 96, NR = 33, NP = NA*NR, NC = NA*(NR - 1))
+      PARAMETER (NF = 2*NA, LW = 2000000, NCP = 14)
+      DOUBLE PRECISION W, X, Y, XN, YN, DX, DY, GX, GY
+      INTEGER CELLS, FACES, MARKS
+      COMMON /WORK/ W(LW)
+      COMMON /MESH/ X(NP), Y(NP), CELLS(4,NC), FACES(2,NF), MARKS(NF)
+      COMMON /MOVED/ XN(NP), YN(NP), DX(NP), DY(NP), GX(NP), GY(NP)
+      DOUBLE PRECISION V(2,NP), XB(NA+1,NR), YB(NA+1,NR)
+      COMMON /OTHER/ V, XB, YB
+      DOUBLE PRECISION P(2,40), DP(2,NCP), G(2,NCP), U(8), DMAX, RESID
+      DOUBLE PRECISION S, AMIN, QMIN, HERE, THERE, BIG
+      INTEGER IPTS(NA), IDX(5), MB(4), N, M, LOOP, ICELL, NINV, IERR
+      INTEGER I, J, K
+      CHARACTER*112 MSG
+      INTEGER NPASS, NFAIL
+      COMMON /COUNTS/ NPASS, NFAIL
+      DATA IDX /1, 2, 3, 4, 1/
+      DATA U /0D0, 0D0, 1D0, 2D0, 3D0, 4D0, 4D0, 0D0/
+      DATA MB /0, 0, 7, 9/
+
+      CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
+
+C     BEFORE THE BEGINNING, AND A WORK ARRAY THAT IS TOO SMALL.
+      W(1) = 0D0
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NOT OPENED: ', MSG)
+      CALL HMOPEN (W, 10, IERR, MSG)
+      CALL CHECK (IERR .EQ. -7, 'TEN WORDS: ', MSG)
+      CALL HMOPEN (W, 20000, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'OPENED: ', MSG)
+      CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL CHECK (IERR .EQ. 0, 'MESH: ', MSG)
+      CALL HMFIT (W, 7, NCP, 3, 0, DMAX, IERR, MSG)
+      CALL CHECK (IERR .EQ. -7, 'TOO SMALL FOR THE MESH: ', MSG)
+
+C     A MESH OF QUADS, A FIT, THE FUNCTIONS.
+      CALL HMOPEN (W, LW, IERR, MSG)
+      CALL HMMESH (W, NP, X, Y, 1, NC, 5, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL CHECK (IERR .EQ. -2, 'CELLS OF FIVE POINTS: ', MSG)
+      CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL HMWALL (W, 7, NA, IPTS, N, LOOP, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. N .EQ. NA .AND. LOOP .EQ. 1,
+     &            'POINTS OF THE WALL: ', MSG)
+      CALL HMWALL (W, 7, 10, IPTS, N, LOOP, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'TOO LITTLE ROOM: ', MSG)
+      CALL HMWALL (W, 8, NA, IPTS, N, LOOP, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'NO SUCH MARKER: ', MSG)
+      CALL HMMORF (W, DP, X, Y, 1, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NOT SOLVED: ', MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NO CURVE: ', MSG)
+      CALL HMFIT (W, 7, NCP, 3, 0, DMAX, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. DMAX .LT. 2D-3, 'FIT: ', MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'NO CONDITION: ', MSG)
+      CALL HMCOND (W, 7, 0, 1, 1, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'CONDITION: ', MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. RESID .LT. 1D-12, 'SOLVED: ', MSG)
+      CALL HMGETP (W, 40, P, N, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. N .EQ. NCP, 'POINTS: ', MSG)
+      CALL HMGETP (W, 3, P, N, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2 .AND. N .EQ. NCP, 'NO ROOM: ', MSG)
+
+C     MORPH, ADJOINT, STEP, QUALITY.
+      DO 10 K = 1, NCP
+         DP(1,K) = 0D0
+         DP(2,K) = 0D0
+   10 CONTINUE
+      CALL COPY (NP, X, Y, XN, YN)
+      CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
+      J = 0
+      DO 20 K = 1, NP
+         IF (ABS(XN(K) - X(K)) + ABS(YN(K) - Y(K))
+     &       .LE. 0D0) J = J + 1
+   20 CONTINUE
+      CALL CHECK (J .EQ. NP, 'NOTHING KEEPS ALL BITS', ' ')
+      DO 30 K = 1, NCP
+         DP(1,K) = 0.01D0*SIN(1.7D0*K)
+         DP(2,K) = 0.01D0*COS(2.9D0*K)
+   30 CONTINUE
+      CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'DISPLACEMENT: ', MSG)
+      CALL HMSTEP (W, DX, DY, 1, S, ICELL, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. S .GT. 1D0 .AND. ICELL .GE. 1,
+     &            'STEP: ', MSG)
+      CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
+      BIG = 0D0
+      HERE = 0D0
+      DO 40 K = 1, NP
+         BIG = MAX(BIG, ABS(X(K) + DX(K) - XN(K)),
+     &             ABS(Y(K) + DY(K) - YN(K)))
+         GX(K) = SIN(1D0*K)
+         GY(K) = COS(3D0*K)
+         HERE = HERE + GX(K)*DX(K) + GY(K)*DY(K)
+   40 CONTINUE
+      CALL CHECK (BIG .LT. 1D-14, 'MORPH = X + DISPLACEMENT', ' ')
+      CALL HMQUAL (W, XN, YN, 1, NINV, AMIN, QMIN, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. NINV .EQ. 0 .AND. AMIN .GT. 0D0
+     &            .AND. QMIN .GT. 0D0, 'QUALITY: ', MSG)
+      CALL HMADJ (W, GX, GY, 1, G, IERR, MSG)
+      THERE = 0D0
+      DO 50 K = 1, NCP
+         THERE = THERE + G(1,K)*DP(1,K) + G(2,K)*DP(2,K)
+   50 CONTINUE
+      CALL CHECK (IERR .EQ. 0 .AND. ABS(HERE - THERE) .LT. 1D-12,
+     &            'ADJOINT IS THE TRANSPOSE: ', MSG)
+
+C     INTERLEAVED: V(1,*) = X, V(2,*) = Y.
+      DO 60 K = 1, NP
+         V(1,K) = X(K)
+         V(2,K) = Y(K)
+   60 CONTINUE
+      CALL HMMORF (W, DP, V(1,1), V(2,1), 2, IERR, MSG)
+      J = 0
+      DO 70 K = 1, NP
+         IF (ABS(V(1,K) - XN(K)) + ABS(V(2,K) - YN(K))
+     &       .LE. 0D0) J = J + 1
+   70 CONTINUE
+      CALL CHECK (J .EQ. NP, 'INTERLEAVED: THE SAME BITS', ' ')
+
+C     SAVE, CLOSE, LOAD.
+      OPEN (11, STATUS = 'SCRATCH', FORM = 'UNFORMATTED')
+      CALL HMSAVE (W, 11, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SAVED: ', MSG)
+      CALL HMCLOS (W)
+      CALL HMSAVE (W, 11, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'CLOSED: ', MSG)
+      REWIND 11
+      CALL HMOPEN (W, LW, IERR, MSG)
+      CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL HMLOAD (W, 11, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'LOADED: ', MSG)
+      CALL COPY (NP, X, Y, DX, DY)
+      CALL HMMORF (W, DP, DX, DY, 1, IERR, MSG)
+      J = 0
+      DO 80 K = 1, NP
+         IF (ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K))
+     &       .LE. 0D0) J = J + 1
+   80 CONTINUE
+      CALL CHECK (J .EQ. NP, 'LOADED: THE SAME BITS', ' ')
+      CALL HMGETP (W, 40, P, N, IERR, MSG)
+      CALL CHECK (N .EQ. NCP, 'LOADED: ITS POINTS', MSG)
+      CALL HMLOAD (W, 11, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'NOTHING LEFT: ', MSG)
+      CLOSE (11)
+
+C     A BLOCK, WITH A CURVE OF DEGREE 1 BY HAND: THE WALL MAY BE AWAY
+C     FROM IT, THE OFFSET IS KEPT.
+      DO 100 J = 1, NR
+         DO 90 I = 1, NA
+            XB(I,J) = X(I + NA*(J - 1))
+            YB(I,J) = Y(I + NA*(J - 1))
+   90    CONTINUE
+         XB(NA+1,J) = XB(1,J)
+         YB(NA+1,J) = YB(1,J)
+  100 CONTINUE
+      CALL HMBLOK (W, NA + 1, NR, XB, YB, MB, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'BLOCK: ', MSG)
+      CALL HMCURV (W, 1, 5, IDX, U, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NO CONTROL POINTS: ', MSG)
+      P(1,1) = 0.6D0
+      P(2,1) = 0D0
+      P(1,2) = 0D0
+      P(2,2) = 0.2D0
+      P(1,3) = -0.6D0
+      P(2,3) = 0D0
+      P(1,4) = 0D0
+      P(2,4) = -0.2D0
+      CALL HMCTRL (W, 1, P, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'ONE POINT: ', MSG)
+      CALL HMCTRL (W, 4, P, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'CONTROL POINTS: ', MSG)
+      U(3) = 9D0
+      CALL HMCURV (W, 1, 5, IDX, U, IERR, MSG)
+      CALL CHECK (IERR .EQ. -4, 'KNOTS THAT DECREASE: ', MSG)
+      U(3) = 1D0
+      CALL HMCURV (W, 1, 5, IDX, U, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'CURVE: ', MSG)
+      CALL HMCOND (W, 7, 0, 1, 1, IERR, MSG)
+      CALL HMCOND (W, 9, 1, 1, 1, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'BLOCK SOLVED: ', MSG)
+      DO 110 K = 1, 4
+         DP(1,K) = 0.01D0
+         DP(2,K) = 0D0
+  110 CONTINUE
+      CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)
+      M = 0
+      DO 120 K = 1, NA
+         IF (ABS(DX(K) - 0.01D0) .LT. 1D-15) M = M + 1
+  120 CONTINUE
+      CALL CHECK (M .EQ. NA, 'THE WALL MOVES AS A WHOLE', ' ')
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SOLVED AGAIN: ', MSG)
+      MB(3) = 0
+      CALL HMBLOK (W, 1, NR, XB, YB, MB, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'NO BLOCK: ', MSG)
+
+      WRITE (*, '(I0, A, I0, A)') NPASS, ' passed, ', NFAIL, ' failed'
+      IF (NFAIL .GT. 0) STOP 1
+      END
+
+      SUBROUTINE CHECK (HOLDS, WHAT, MSG)
+      LOGICAL HOLDS
+      CHARACTER*(*) WHAT, MSG
+      INTEGER NPASS, NFAIL
+      COMMON /COUNTS/ NPASS, NFAIL
+      IF (HOLDS) THEN
+         NPASS = NPASS + 1
+      ELSE
+         NFAIL = NFAIL + 1
+         WRITE (*, *) 'legacy: ', WHAT, MSG
+      END IF
+      END
+
+      SUBROUTINE COPY (N, X, Y, XN, YN)
+      INTEGER N, K
+      DOUBLE PRECISION X(N), Y(N), XN(N), YN(N)
+      DO 10 K = 1, N
+         XN(K) = X(K)
+         YN(K) = Y(K)
+   10 CONTINUE
+      END
+
+C     RINGS ROUND A BODY THAT JOUKOWSKI'S MAPPING MAKES OF A CIRCLE.
+      SUBROUTINE MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
+      INTEGER NA, NR, CELLS(4,*), FACES(2,*), MARKS(*), I, J, K, L, NEXT
+      DOUBLE PRECISION X(*), Y(*), R, A, B, Q, T
+      R = 1.2D0
+      DO 20 J = 1, NR
+         DO 10 I = 1, NA
+            T = 6.283185307179586D0*(I - 1)/NA
+            A = R*COS(T) - 0.08D0
+            B = R*SIN(T)
+            Q = A*A + B*B
+            K = I + NA*(J - 1)
+            X(K) = 0.25D0*(A + A/Q)
+            Y(K) = 0.25D0*(B - B/Q)
+            NEXT = K + 1
+            IF (I .EQ. NA) NEXT = K + 1 - NA
+            IF (J .LT. NR) THEN
+               CELLS(1,K) = K
+               CELLS(2,K) = K + NA
+               CELLS(3,K) = NEXT + NA
+               CELLS(4,K) = NEXT
+            END IF
+            L = 0
+            IF (J .EQ. 1) L = I
+            IF (J .EQ. NR) L = NA + I
+            IF (L .GT. 0) THEN
+               FACES(1,L) = K
+               FACES(2,L) = NEXT
+               MARKS(L) = 7
+               IF (J .EQ. NR) MARKS(L) = 9
+            END IF
+   10    CONTINUE
+         R = 1.12D0*R
+   20 CONTINUE
+      END
+
+      BLOCK DATA
+      INTEGER NPASS, NFAIL
+      COMMON /COUNTS/ NPASS, NFAIL
+      DATA NPASS, NFAIL /0, 0/
+      END

@@ -1,0 +1,55 @@
+#!/bin/sh
+# usage: readme.sh BUILD   (MAKE, CC, FC, ... from the environment)
+# The programs in README.md, saved as it says, beside the checkout and an empty home; then its shell lines, one block after
+# the other. The programs are also those of the examples.
+: "${MAKE:=make}" "${CC:=cc}" "${FC:=gfortran}"
+build=$(cd "$1" && pwd)
+source=$(pwd)
+dir=$build/readme
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "README: $what failed:"
+        sed 's/^/    /' "$dir/log"
+    fi
+}
+block() {   # language, number: the fenced block
+    awk -v begin="\`\`\`$1" -v wanted="$2" '/^```/ && inside { inside = 0; next }
+        $0 == begin { inside = 1; ++n; next } inside && n == wanted' README.md
+}
+rm -rf "$dir"
+mkdir -p "$dir/home"
+ln -s "$source" "$dir/harmorph"
+block c 1 >"$dir/morph.c"
+block fortran 1 >"$dir/morph.f90"
+# What README calls make, cc and gfortran is what the tests are run with, in the tests' build directory.
+cat >"$dir/tools" <<'END'
+HOME=$dir/home
+make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }
+cc() { command $CC "$@"; }
+gfortran() { command $FC "$@"; }
+set -e
+cd "$dir"
+END
+export dir build MAKE CXX CXXFLAGS CC FC LDFLAGS
+path() {   # number, words that the program prints
+    { cat "$dir/tools"; block sh "$1"; } >"$dir/path.sh"
+    sh "$dir/path.sh" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out" || { cat "$dir/out"; return 1; }
+}
+check "the C program is c_api/examples/morph.c" cmp "$dir/morph.c" c_api/examples/morph.c
+check "the Fortran program is fortran/examples/morph.f90" cmp "$dir/morph.f90" fortran/examples/morph.f90
+solver_lines() {   # as they stand in the example, up to indentation
+    block fortran 2 | sed '/^$/d' | sort >"$dir/shown"
+    sed -n 's/ *!hm$//p' fortran/examples/inverse.f90 | sed 's/^ *//' | sort | diff - "$dir/shown"
+}
+check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
+check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
+check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
+
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]
