@@ -22,17 +22,16 @@
 !               points again.
 ! Numbering     Everything counts from 1: points, cells, control points, functions, curves, pieces, conditions. (Texts of
 !               errors count curves, conditions and functions from 0.)
-! stat, err     stat: 0 done, above 0 a warning, below 0 refused, and nothing is changed. Without stat, what is refused stops
-!               the program with the reason. err holds reason and offender.
+! stat, err     stat: 0 done, above 0 a warning, below 0 refused: arrays are as before; a plan or basis that was to be made
+!               anew is empty. Without stat, what is refused stops the program with the reason. err holds it as well.
 ! Memory        Blocks are allocated here and freed by the type's finalisation or free(). Or give `work`, as many 8-byte
 !               numbers as analysis_words, plan_words, basis_words, hm_fit_words say; it must not move while in use.
 ! Assignment    Of a mesh, plan or basis: stops the program, as two owners would free one block. Curves are plain data.
 ! Threads       hm_openmp(n), where this file is compiled with OpenMP; or your own procedure in an hm_executor.
 module harmorph
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, c_funloc, &
-        c_funptr, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr, &
-            c_size_t, &
-        c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, &
+        c_funloc, c_funptr, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, &
+        c_ptr, c_size_t, c_sizeof
     implicit none
     private
 
@@ -683,7 +682,7 @@ module harmorph
         procedure :: view_of_v8, view_of_b8, view_of_v4, view_of_b4
     end interface
     interface put_back
-        procedure :: put_back_v8, put_back_b8, put_back_v4, put_back_b4
+        procedure :: put_back_b8, put_back_v4, put_back_b4
     end interface
     interface as_double
         procedure :: as_double_8, as_double_4
@@ -1003,16 +1002,7 @@ contains
         nullify(v%copy)
     end subroutine
 
-    ! Results go from the copy, where there is one, to the caller's arrays.
-    subroutine put_back_v8(v, x, y)
-        type(view), intent(inout) :: v
-        real(c_double), intent(inout) :: x(:), y(:)
-        if (.not. associated(v%copy)) return
-        x = v%copy(:, 1)
-        y = v%copy(:, 2)
-        call drop(v)
-    end subroutine
-
+    ! Results go from the copy, where there is one, to the caller's arrays. Double vectors are always used where they lie.
     subroutine put_back_b8(v, x, y)
         type(view), intent(inout) :: v
         real(c_double), intent(inout) :: x(:, :), y(:, :)
@@ -1077,12 +1067,11 @@ contains
         if (v%wrong /= "") call refuse(status, e, v%wrong)
         if (v%n > huge(0_c_int32_t)) call refuse(status, e, "there are more than 2^31-1 points")
         if (status == hm_ok) then
-            if (associated(self%coordinates)) deallocate(self%coordinates)
-            self%coordinates => v%copy
             self%c%x = v%x
             self%c%y = v%y
             self%c%stride = v%stride
             self%c%n_points = int(v%n, c_int32_t)
+            call keep_copy(self, v%copy)
             if (v%ni > 0) then
                 self%c%cell_layout = hm_cells_structured
                 self%c%ni = int(v%ni, c_int32_t)
@@ -1257,6 +1246,27 @@ contains
         call finish(status, e, stat, err)
         refused = wrong
     end function
+
+    ! Where coordinates had to be converted: new ones of the same mesh go where the old ones were, as plans look there.
+    subroutine keep_copy(self, copy)
+        class(hm_mesh), intent(inout) :: self
+        real(c_double), pointer, intent(in) :: copy(:, :)
+        real(c_double), pointer :: passing(:, :)
+        passing => copy
+        if (associated(self%coordinates)) then
+            if (associated(passing)) then
+                if (size(passing) == size(self%coordinates)) then
+                    self%coordinates = passing
+                    deallocate(passing)
+                    self%c%x = c_loc(self%coordinates(1, 1))
+                    self%c%y = c_loc(self%coordinates(1, 2))
+                    return
+                end if
+            end if
+            deallocate(self%coordinates)
+        end if
+        self%coordinates => passing
+    end subroutine
 
     ! 4-byte integers are used where they lie, 8-byte ones converted.
     function place_1(array) result(address)
@@ -1998,7 +2008,6 @@ contains
         type(view) :: v
         v = view_of(x, y)
         call factor(self, v, stat, err)
-        call drop(v)
     end subroutine
 
     subroutine factor_v4(self, x, y, stat, err)
@@ -2459,7 +2468,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! morph(move, x, y) or morph(move, xy), in place.
+    ! morph(move, x, y), in place.
     subroutine morph_v8(self, move, x, y, executor, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)
@@ -2470,7 +2479,6 @@ contains
         type(view) :: v
         v = view_of(x, y)
         call move_points(self, as_double(move), v, v, executor, stat, err)
-        call put_back(v, x, y)
     end subroutine
 
     subroutine morph_v4(self, move, x, y, executor, stat, err)
@@ -2512,7 +2520,7 @@ contains
         call put_back(v, x, y)
     end subroutine
 
-    ! morph_to(move, x, y, x_new, y_new) or morph_to(move, xy, xy_new); the arrays must not overlap.
+    ! morph_to(move, x, y, x_new, y_new); the arrays must not overlap.
     subroutine morph_to_v8(self, move, x, y, x_new, y_new, executor, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)
@@ -2525,8 +2533,6 @@ contains
         from = view_of(x, y)
         to = view_of(x_new, y_new)
         call move_points(self, as_double(move), from, to, executor, stat, err)
-        call drop(from)
-        call put_back(to, x_new, y_new)
     end subroutine
 
     subroutine morph_to_v4(self, move, x, y, x_new, y_new, executor, stat, err)
@@ -2577,8 +2583,7 @@ contains
         call put_back(to, x_new, y_new)
     end subroutine
 
-    ! displacement(move, dx, dy) or displacement(move, dxy): F move alone. Under the name of velocity: the mesh points'
-    ! velocities from the control points'.
+    ! displacement(move, dx, dy): F move alone. As velocity: the mesh points' velocities from the control points'.
     subroutine displacement_v8(self, move, dx, dy, executor, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)
@@ -2589,7 +2594,6 @@ contains
         type(view) :: v
         v = view_of(dx, dy)
         call move_points(self, as_double(move), view(), v, executor, stat, err)
-        call put_back(v, dx, dy)
     end subroutine
 
     subroutine displacement_v4(self, move, dx, dy, executor, stat, err)
@@ -2651,7 +2655,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! adjoint(dj_dx, dj_dy, gradient) or adjoint(dj_dxy, gradient).
+    ! adjoint(dj_dx, dj_dy, gradient).
     subroutine adjoint_v8(self, dj_dx, dj_dy, gradient, executor, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in), target :: dj_dx(:), dj_dy(:)
@@ -2665,7 +2669,6 @@ contains
         values = as_double(gradient)
         call pull_back(self, v, values, executor, stat, err)
         call put_gradient(gradient, values)
-        call drop(v)
     end subroutine
 
     subroutine adjoint_v4(self, dj_dx, dj_dy, gradient, executor, stat, err)
@@ -2738,7 +2741,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! boundary_error(move, x, y, x_new, y_new, error) or boundary_error(move, xy, xy_new, error).
+    ! boundary_error(move, x, y, x_new, y_new, error [, point]).
     subroutine boundary_error_v8(self, move, x, y, x_new, y_new, error, point, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)
@@ -2751,8 +2754,6 @@ contains
         from = view_of(x, y)
         to = view_of(x_new, y_new)
         call measure_boundary(self, as_double(move), from, to, error, point, stat, err)
-        call drop(from)
-        call drop(to)
     end subroutine
 
     subroutine boundary_error_v4(self, move, x, y, x_new, y_new, error, point, stat, err)
@@ -2823,7 +2824,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! admissible_step(mesh, dx, dy, report) or admissible_step(mesh, dxy, report); the start is where the mesh is.
+    ! admissible_step(mesh, dx, dy, report); the start is where the mesh is.
     subroutine admissible_step_v8(self, mesh, dx, dy, report, executor, stat, err)
         class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
@@ -2835,7 +2836,6 @@ contains
         type(view) :: v
         v = view_of(dx, dy)
         call limit_step(self, mesh, v, report, executor, stat, err)
-        call drop(v)
     end subroutine
 
     subroutine admissible_step_v4(self, mesh, dx, dy, report, executor, stat, err)
@@ -2901,7 +2901,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! quality(mesh, x, y, report [, x_ref, y_ref]) or quality(mesh, xy, report [, xy_ref]).
+    ! quality(mesh, x, y, report [, x_ref, y_ref]).
     subroutine quality_v8(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)
         class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
@@ -2915,8 +2915,6 @@ contains
         v = view_of(x, y)
         if (present(x_ref) .and. present(y_ref)) ref = view_of(x_ref, y_ref)
         call measure_quality(self, mesh, v, ref, report, executor, stat, err)
-        call drop(v)
-        call drop(ref)
     end subroutine
 
     subroutine quality_v4(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)

@@ -35,7 +35,8 @@ build_and_run() {   # where, flags...: its own modules and objects in each place
 stops() { ! "$dir/checked/use" "$1" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out"; }
 
 build_and_run checked $checks -g
-for words in "refused the basis is empty: there is nothing to save" "assign_mesh a mesh cannot be assigned" "assign_plan a plan cannot be assigned" \
+for words in "refused the basis is empty: there is nothing to save" "assign_mesh a mesh cannot be assigned" \
+    "assign_plan a plan cannot be assigned" \
     "assign_basis a basis cannot be assigned"; do
     check "stop: $words" stops "${words%% *}" "${words#* }"
 done

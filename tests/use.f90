@@ -193,6 +193,21 @@ contains
         call check(stat == hm_bad_argument, "there is no fourth curve")
         call curves%point(1, 9._dp, xy_u, stat)
         call check(stat == hm_bad_argument, "a parameter outside")
+        call curves%basis(1, 0.5_dp, control, values(:2, :), stat)
+        call check(stat == hm_bad_argument, "values for two functions only")
+        call curves%point(1, 0.5_dp, values, stat)
+        call check(stat == hm_bad_argument, "points of three coordinates")
+        copy = curves
+        deallocate(copy%curve(2)%indices)
+        call copy%check(stat)
+        call check(stat == hm_bad_curve, "knots for fewer control points")
+        copy = curves
+        deallocate(copy%weights)
+        call copy%check(stat)
+        call check(stat == hm_ok, "the same, not rational")
+        copy%weights = [1._dp]
+        call copy%check(stat)
+        call check(stat == hm_bad_argument, "one weight for five points")
         copy = hm_curves()
         call copy%check(stat)
         call check(stat == hm_bad_argument, "no curves at all")
@@ -267,6 +282,15 @@ contains
         call check(phases_seen == 127, "all seven phases are reported")
         call check(solved%residual < 1e-12_dp .and. solved%functions == n_control, "the solution")
         call check(solved%residual_function >= 1 .and. solved%residual_function <= n_control, "its worst function")
+        allocate(curves%weights(n_control), source=1 + 0.1_dp * [(modulo(k, 3), k = 1, n_control)])
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call moved%init(plan)
+        call moved%curves(same)
+        call check(maxval(abs(same%weights - curves%weights)) <= 0, "weights of a rational basis")
+        call moved%free()
+        deallocate(curves%weights)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
         call basis%info(info)
         call check(info%solved .and. info%points == n_points .and. info%index_base == 1, "info of the basis")
         call check(all(sort(info%curve_point) == [(k, k = 1, around)]) .and. all(info%point_curve == 1), "its curve points")
@@ -283,6 +307,9 @@ contains
         call check(maxval(abs(total(:around) - 1)) < 1e-12_dp .and. maxval(abs(total(n_points - around + 1:))) <= 0, &
             "the functions' sum on the boundaries")
 
+        call plan%factor()
+        call basis%free()
+        call plan%solve(basis)
         call plan%drop_analysis()
         call plan%report(report, stat)
         call check(stat == hm_bad_argument, "no report without an analysis")
@@ -292,7 +319,11 @@ contains
         call plan%solve(basis)
         call basis%values(1, total)
         call plan%factor(real(x_moved, c_float), real(y_moved, c_float))
-        call check(maxval(abs(total - values_of(1))) < 1e-13_dp, "twice as large: the same functions")
+        call plan%solve(basis)
+        call check(maxval(abs(total - values_of(1))) < 1e-4_dp, "default reals: nearly the same functions")
+        call plan%factor(reshape(real(x, c_float), [around, rings]), reshape(real(y, c_float), [around, rings]))
+        call plan%solve(basis)
+        call check(maxval(abs(total - values_of(1))) < 1e-4_dp, "default reals in rank 2")
         call plan%factor(x_moved(2:), y_moved(2:), stat)
         call check(stat == hm_bad_argument, "a point too few")
         call plan%solve(moved, stat=stat, err=err)
@@ -300,8 +331,8 @@ contains
         call plan%free()
 
         ! Where the points of a curve are given, they are used.
-        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=info%curve_point, &
-            given_curves=info%point_curve, given_u=info%point_u)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed)], &
+            given_points=info%curve_point, given_curves=info%point_curve, given_u=info%point_u)
         call plan%factor()
         call plan%solve(basis, stat=stat, err=err)
         call check(stat == hm_bad_basis, "a basis of another analysis: " // err%text)
@@ -309,6 +340,9 @@ contains
         call plan%solve(basis)
         call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], stat=stat)
         call check(stat < 0, "a given curve that does not exist")
+        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1, 2], &
+            given_curves=[1], given_u=[0._dp], stat=stat)
+        call check(stat == hm_bad_argument, "given points of other lengths")
         call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], stat=stat)
         call check(stat == hm_bad_argument, "given points without parameters")
     end subroutine
@@ -548,6 +582,8 @@ contains
         real(c_float) :: move4(2, n_control), gradient4(2, n_control), values4(n_points), block_values(around, rings)
         real(dp) :: dx(n_points), dy(n_points), gradient(2, n_control), error
         type(hm_mesh) :: mesh4
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
         type(hm_basis) :: its
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
@@ -558,6 +594,7 @@ contains
         call mesh4%cells(cells)
         call mesh4%faces(faces, markers)
         call solve(mesh4, its)
+        call its%curves(curves)
         call its%displacement(real(move4, dp), dx, dy)
         call its%adjoint(dx, dy, gradient)
         call its%displacement(move4, dx4, dy4)
@@ -596,12 +633,31 @@ contains
         call check(quality%inverted == 0, "its quality")
         call its%morph_to(move4, block_x, block_y, block_dx, block_dy)
         call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "to another array")
+        call mesh4%free()
+
+        ! New default-real coordinates of a mesh that a plan knows: points again, and the plan sees them.
+        x4 = real(x, c_float)
+        y4 = real(y, c_float)
+        call mesh4%points(x4, y4)
+        call mesh4%cells(cells)
+        call mesh4%faces(faces, markers)
+        call plan%analyse(mesh4, curves, [hm_condition(body)])
+        x4 = -x4
+        call mesh4%points(x4, y4)
+        call plan%factor(stat=stat, err=err)
+        call check(stat == hm_bad_mesh, "a plan sees that its mesh was mirrored: " // err%text)
         call mesh4%points(block_x, block_y)
+        call plan%factor()
+        call its%free()
+        call plan%solve(its)
+        call its%values(3, block_values)
+        call check(all(abs(reshape(block_values, shape(values4)) - values4) < 1e-6_dp), "and that it was mirrored back")
     end subroutine
 
     subroutine long_integers()
         integer(c_int64_t), save :: cells8(4, n_cells), faces8(2, 2 * around), markers8(2 * around)
-        integer(c_int64_t), save :: rows8(4 * n_cells), start8(n_cells + 1), lists8(2 * around), list_start8(3), list_markers8(2)
+        integer(c_int64_t), save :: rows8(4 * n_cells), start8(n_cells + 1), lists8(2 * around), list_start8(3), &
+            list_markers8(2)
         type(hm_mesh) :: mesh8
         type(hm_plan) :: plan
         type(hm_mesh_report) :: report
