@@ -41,7 +41,7 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
 
 std::vector<double> Basis::values(std::int32_t function, const Mesh& mesh) const {
     std::vector<double> values(mesh.x.size());
-    call(path_, hm_basis_values, basis_, function, values.data());
+    call(path_, hm_basis_values, basis_, function, 0, values.data());
     return values;
 }
 

@@ -3,7 +3,7 @@
 
 #include "harmorph/analysis.hpp"
 #include "harmorph/multifrontal.hpp"
-#include "harmorph/residual.hpp"
+#include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {
 
@@ -24,8 +24,10 @@ struct Plan {
     Offset factor_entries = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Span<Index> point_of;         // [n] mesh point of each position
+    Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
+    Span<Index> wall_faces;       // [2 * moving faces] points
+    Span<Real> conductivity;      // [n_cells] of weighted operators
     Matrix matrix;
     Multifrontal engine;
     Residual residual;            // in the place of the engine's stack
@@ -38,7 +40,10 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
 
 private:
-    void set_right_hand_sides(Basis const& basis) const noexcept;
+    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+    void weigh(Points points) const noexcept;
+    void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
     Status refine(Basis const& basis, Fault& fault) noexcept;
