@@ -361,11 +361,16 @@ typedef struct hm_basis_info {
     const double  *point_u;        /* [curve_points] its parameter */
     int32_t  exponent_quarters;    /* 0: no weight */
     int32_t  bodies;               /* rigid ones; functions = control points + 2 * bodies */
+    int32_t  offset_correction;    /* 0 or 1 */
+    int32_t  reserved;             /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
  * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
+/* The conditions the basis was solved with: out [capacity], out[0].struct_size set; *n: how many there are, also when
+ * capacity is too small (HM_BAD_ARGUMENT). With curves and parameters they make the problem again. */
+HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n, hm_error *err);
 /* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 

@@ -119,6 +119,7 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
         filled.engine = static_cast<std::int32_t>(header.method.engine);
         filled.exponent_quarters = header.method.quarters;
         filled.bodies = header.counts.bodies;
+        filled.offset_correction = header.method.offset_correction;
         filled.index_base = header.index_base;
         filled.curve_point = b.wall_point.data();
         filled.point_curve = b.wall_curve.data();
@@ -145,6 +146,27 @@ hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve
         hm_curves const filled = {sizeof(hm_curves), 0, b.header->counts.control, b.control.data(),
                                   b.weights.empty() ? nullptr : b.weights.data(), n, curve};
         write_struct(filled, out);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity, int32_t* n, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (n == nullptr || capacity < 0) fault.refuse(Status::bad_argument, "n is NULL or capacity negative");
+    if (!failed(fault.status) && (capacity == 0 || !failed(check_report(out, fault))) && !failed(open_basis(basis, b, fault))) {
+        *n = b.conditions.count();
+        if (*n > capacity) {
+            fault.refuse(Status::bad_argument, "out has room for #, the basis has @ conditions", Counts::from_zero, capacity, *n);
+        } else {
+            for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
+                Condition const& its = b.conditions[i];
+                hm_condition* const to = element(out, i);
+                to->struct_size = out->struct_size;
+                write_struct(hm_condition{0, its.marker, static_cast<std::int32_t>(its.kind), its.first_curve, its.n_curves,
+                                          its.body, its.partner, its.centre.x, its.centre.y}, to);
+            }
+        }
     }
     return tell(err, fault);
 }
