@@ -17,7 +17,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(line_of, n);
     arena.take(reversed, n_cells);
     bool const weighted = analysis.problem.method.quarters > 0;
-    arena.take(wall_faces, weighted ? 2 * Offset{analysis.count_wall_faces()} : 0);
+    wall.lay_out(arena, weighted ? static_cast<Size>(analysis.count_wall_faces()) : 0);
     arena.take(conductivity, weighted ? n_cells : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const columns = numbers_of(counts.kind) * counts.functions() / matrix.components();
@@ -39,7 +39,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
-    if (!wall_faces.empty()) analysis.list_wall_faces(wall_faces);
+    if (!conductivity.empty()) wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
@@ -52,28 +52,13 @@ void Plan::init(Analysis const& analysis) noexcept {
     engine.place_panels();
 }
 
-void Plan::weigh(Points points) const noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        Vec2 c;
-        for (Index k = 0; k < cell.n; ++k) c = c + (1.0 / cell.n) * points[cell.point[k]];
-        Real least = infinity;
-        for (Index f = 0; f < wall_faces.count(); f += 2) {
-            Vec2 const a = points[wall_faces[f]], b = points[wall_faces[f + 1]];
-            Real const t = clamp(dot(c - a, b - a) / square(b - a), 0.0, 1.0);
-            least = smaller(least, square(c - a - t * (b - a)));
-        }
-        Real const root = square_root(square_root(square_root(least)));
-        Real k = 1;
-        for (Index q = 0; q < method.quarters; ++q) k /= root;
-        conductivity[i] = k;
-    }
-}
-
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    if (!conductivity.empty()) weigh(points);
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
+    }
     Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
     if (inverted != none) {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);

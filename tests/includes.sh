@@ -8,9 +8,9 @@ vec2 value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions method wall slip periodic
+edges orientation boundary conditions method distance distance_tree wall slip periodic
 graph places dissection fronts subtrees
-matrix stiffness basis residual right_hand_sides
+matrix stiffness basis residual right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
 morph quality admissible_step assessment crossing
 '

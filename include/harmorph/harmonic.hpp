@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
+#include "harmorph/distance.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/right_hand_sides.hpp"
 
@@ -26,7 +27,7 @@ struct Plan {
     bool factored = false;
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
-    Span<Index> wall_faces;       // [2 * moving faces] points
+    FaceDistance wall;            // faces that move, where the operator is weighted
     Span<Real> conductivity;      // [n_cells] of weighted operators
     Matrix matrix;
     Multifrontal engine;
@@ -42,7 +43,6 @@ struct Plan {
 private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
-    void weigh(Points points) const noexcept;
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
