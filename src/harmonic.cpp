@@ -36,6 +36,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     topology = analysis.topology;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
+    region_counts = RegionCounts::of(mesh, analysis.edges);
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
@@ -76,10 +77,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
-        return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
-    }
+    HARMORPH_TRY(check_fit(basis, fault));
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Lines const all = lines(basis);
@@ -105,6 +103,12 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     if (report.residual <= method.tolerance) return Status::ok;
     return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
                         Counts::from_zero, report.residual_function, none, report.residual);
+}
+
+Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
+    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
+    if (same_counts && basis.header->topology == topology && basis.header->conditions == conditions) return Status::ok;
+    return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
 // A slipping point has moved along its tangent: from its one line to those of x and y.

@@ -160,7 +160,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     return task;
 }
 
-Task task_of(const Basis& basis, const Mesh&) {
+Task task_of(const Basis& basis) {
     Task task;
     const hm_basis_info& info = basis.info();
     const hm_curves& curves = basis.curves();
