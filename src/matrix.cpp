@@ -38,16 +38,19 @@ void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> r
 
 }  // namespace
 
-void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
+void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes,
+                     bool is_complex) noexcept {
     n = unknowns;
     arena.take(place, n_points);
     arena.take(diagonal, n);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries);
     arena.take(value, sizes.entries);
+    arena.take(imaginary, is_complex ? sizes.entries : 0);
     arena.take(coupling_start, Offset{wall_points} + 1);
     arena.take(coupling_row, sizes.couplings);
     arena.take(coupling_value, sizes.couplings);
+    arena.take(coupling_imaginary, is_complex ? sizes.couplings : 0);
 }
 
 void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
@@ -81,23 +84,44 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
     fill(value, 0.0);
+    fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
+    fill(coupling_imaginary, 0.0);
+}
+
+// i, j: their places.
+Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
+    bool const turned = i < 0 || (j >= 0 && j < i);
+    if (turned) {
+        Index const first = i;
+        i = j;
+        j = first;
+    }
+    if (i < 0 || j == none) return {};
+    if (j >= 0) {
+        Offset const at = find_in_row<Offset>(column, start[i], start[i + 1], j);
+        return {value.data() + at, imaginary.data() + at, turned};
+    }
+    Index const at = find_in_row<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
+    return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
 }
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
-    if (i >= 0 && j >= 0) {
-        Index const row = smaller(i, j);
-        value[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] -= conductance;
-    } else if (i >= 0 && is_wall(j)) {
-        Index const s = wall(j);
-        coupling_value[find_in_row<Index>(coupling_row, coupling_start[s], coupling_start[s + 1], i)] -= conductance;
-    } else if (j >= 0 && is_wall(i)) {
-        Index const s = wall(i);
-        coupling_value[find_in_row<Index>(coupling_row, coupling_start[s], coupling_start[s + 1], j)] -= conductance;
-    }
+    Entry const its = entry(i, j);
+    if (its.value != nullptr) *its.value -= conductance;
+}
+
+void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    Index const i = place[point], j = place[other];
+    if (i >= 0) diagonal[i] += conductance;
+    if (j >= 0) diagonal[j] += conductance;
+    Entry const its = entry(i, j);
+    if (its.value == nullptr) return;
+    *its.value -= conductance;
+    *its.imaginary += its.turned ? -circulation : circulation;
 }
 
 }  // namespace harmorph

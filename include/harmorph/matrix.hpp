@@ -1,4 +1,4 @@
-// The symmetric matrix of the unknowns in the order of elimination, and its columns of known curve values.
+// The Hermitian matrix of the unknowns in the order of elimination, and its columns of known curve values.
 #pragma once
 
 #include "harmorph/fronts.hpp"
@@ -7,17 +7,18 @@
 namespace harmorph {
 
 // Row i holds its entries in later columns; what stands below the diagonal is implied. A coupling is the entry of an
-// unknown's row in the column of a wall point: it belongs to the right-hand side.
+// unknown's row in the column of a wall point: it belongs to the right-hand side. Imaginary parts are there only if the
+// matrix is complex.
 struct Matrix {
     Index n = 0;
     Span<Index> place;           // [n_points] position of an unknown; wall(k) for wall point k; none where F = 0
     Span<Real> diagonal;         // [n]
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
-    Span<Real> value;
+    Span<Real> value, imaginary;
     Span<Index> coupling_start;  // [wall points + 1]
     Span<Index> coupling_row;
-    Span<Real> coupling_value;
+    Span<Real> coupling_value, coupling_imaginary;
 
     struct Sizes {
         Offset entries = 0;
@@ -28,14 +29,27 @@ struct Matrix {
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
     static Sizes count(Graph const& graph) noexcept { return {graph.start[graph.n] / 2, graph.couplings}; }
-    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
+    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes,
+                 bool is_complex = false) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown.
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
                Span<const Index> order, Span<const Index> position, Span<const Index> slot) noexcept;
 
+    bool is_complex() const noexcept { return !imaginary.empty() || !coupling_imaginary.empty(); }
     void clear() const noexcept;
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
     void add(Index point, Index other, Real conductance) const noexcept;
+    // And a circulation, of a complex matrix: + i times it at (point, other), - at (other, point).
+    void add(Index point, Index other, Real conductance, Real circulation) const noexcept;
+
+private:
+    // Where two points meet; nowhere (value null) if neither is unknown, or one's value is 0.
+    struct Entry {
+        Real* value = nullptr;
+        Real* imaginary = nullptr;
+        bool turned = false;  // it stands for (other, point)
+    };
+    Entry entry(Index i, Index j) const noexcept;
 };
 
 }  // namespace harmorph
