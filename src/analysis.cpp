@@ -147,7 +147,7 @@ BasisCounts Analysis::basis_counts() const noexcept {
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {
-    if (problem.demands.slip || problem.method.conformal()) return MatrixKind::two_lines;
+    if (problem.demands.slip) return MatrixKind::two_lines;
     return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
 }
 

@@ -20,8 +20,9 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     wall.lay_out(arena, weighted ? static_cast<Size>(analysis.count_wall_faces()) : 0);
     arena.take(conductivity, weighted ? n_cells : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
-    Index const columns = numbers_of(counts.kind) * counts.functions() / matrix.components();
-    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns);
+    Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
+    Index const columns = matrix.is_complex() ? counts.functions() : line_length;
+    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns, matrix.is_complex());
     Size const shared = arena.mark();
     engine.lay_out_stack(arena);
     arena.release(shared);
@@ -82,7 +83,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Lines const all = lines(basis);
     set_right_hand_sides(matrix, all);
-    HARMORPH_TRY(engine.solve({basis.value.data(), line_of.data(), all.length(), all.columns(matrix)}, progress, fault));
+    Index const columns = all.columns(matrix);
+    HARMORPH_TRY(engine.solve({basis.value.data(), line_of.data(), all.length(), columns, columns}, progress, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
@@ -165,7 +167,8 @@ Status Plan::refine(Basis const& basis, Fault& fault) noexcept {
     for (Index first = 0; first < all.columns(matrix); first += Residual::width) {
         Index const n = smaller(Residual::width, all.columns(matrix) - first);
         residual.compute(matrix, all, first, n);
-        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, Residual::width, n}, Progress{}, fault));
+        Index const row_length = matrix.is_complex() ? 2 * Residual::width : Residual::width;
+        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, row_length, n, Residual::width}, Progress{}, fault));
         residual.add_to(matrix, all, first, n);
     }
     return Status::ok;

@@ -22,8 +22,8 @@ TEST_CASE("versions and names") {
     CHECK(names.size() == 12);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
-    CHECK(std::string(hm_status_name(3)) == "unknown status");
-    CHECK(std::string(hm_status_name(-10)) == "unknown status");
+    CHECK(std::string(hm_status_name(4)) == "unknown status");
+    CHECK(std::string(hm_status_name(-11)) == "unknown status");
 }
 
 TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may always be NULL") {
