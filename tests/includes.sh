@@ -4,11 +4,11 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 sort hash monotone kernel_call
+vec2 angle sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions distance distance_tree wall
+edges orientation boundary conditions distance distance_tree first_layer wall_heights wall
 graph places dissection fronts subtrees
 matrix laplace basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
