@@ -10,13 +10,15 @@ constexpr Real least_distance = 1e-30;
 // Wider vectors would be taken apart on the plain architecture. Never references to them: see Four.
 typedef Real Two __attribute__((vector_size(16), aligned(8), may_alias));
 
-Two two(const Real* from) noexcept { return *reinterpret_cast<const Two*>(from); }
-void set_two(Real* to, Two numbers) noexcept { *reinterpret_cast<Two*>(to) = numbers; }
-Two larger_of(Two a, Two b) noexcept { return a > b ? a : b; }
-Two smaller_of(Two a, Two b) noexcept { return a < b ? a : b; }
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+HARMORPH_INLINE Two two(const Real* from) noexcept { return *reinterpret_cast<const Two*>(from); }
+HARMORPH_INLINE void set_two(Real* to, Two numbers) noexcept { *reinterpret_cast<Two*>(to) = numbers; }
+HARMORPH_INLINE Two larger_of(Two a, Two b) noexcept { return a > b ? a : b; }
+HARMORPH_INLINE Two smaller_of(Two a, Two b) noexcept { return a < b ? a : b; }
 
 // Squared distances.
-Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexcept {
+HARMORPH_INLINE Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexcept {
     Two const along_x = two(segments.along_x + lane), along_y = two(segments.along_y + lane);
     Two x = from.x - two(segments.x + lane), y = from.y - two(segments.y + lane);
     Two const nearest = (x * along_x + y * along_y) * two(segments.inverse + lane);
@@ -26,14 +28,14 @@ Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexc
     return x * x + y * y;
 }
 
-Two squares(FaceDistance::Boxes const& boxes, Index lane, Vec2 from) noexcept {
+HARMORPH_INLINE Two squares(FaceDistance::Boxes const& boxes, Index lane, Vec2 from) noexcept {
     Two const x = larger_of(two(boxes.low_x + lane) - from.x, from.x - two(boxes.high_x + lane));
     Two const y = larger_of(two(boxes.low_y + lane) - from.y, from.y - two(boxes.high_y + lane));
     Two const outside_x = larger_of(x, Two{0, 0}), outside_y = larger_of(y, Two{0, 0});
     return outside_x * outside_x + outside_y * outside_y;
 }
 
-Real nearest_square(FaceDistance::Segments const& segments, Vec2 from) noexcept {
+HARMORPH_INLINE Real nearest_square(FaceDistance::Segments const& segments, Vec2 from) noexcept {
     Two nearest = squares(segments, 0, from);
     for (Index lane = 2; lane < lanes; lane += 2) nearest = smaller_of(nearest, squares(segments, lane, from));
     return smaller(nearest[0], nearest[1]);
@@ -45,13 +47,13 @@ struct Candidates {
     Index lane[lanes];
     Real square[lanes];  // to the chord or box, by lane
 
-    Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real square_reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real square_reach) noexcept {
         for (Index k = 0; k < lanes; k += 2) set_two(square + k, squares(boxes, k, from));
         Real const limit = (1 + 2 * slack) * square_reach;
         for (Index k = 0; k < lanes; ++k) add_if(square[k] < limit, k);
         nearest_first();
     }
-    Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
         Real limit[lanes];
         for (Index k = 0; k < lanes; k += 2) {
             Two const both = (1 + slack) * (reach + two(chords.radius + k));
@@ -64,11 +66,11 @@ struct Candidates {
 
 private:
     // Without a branch, which nobody could predict.
-    void add_if(bool is_one, Index k) noexcept {
+    HARMORPH_INLINE void add_if(bool is_one, Index k) noexcept {
         lane[n] = k;
         n += is_one ? 1 : 0;
     }
-    void nearest_first() noexcept {
+    HARMORPH_INLINE void nearest_first() noexcept {
         Index best = 0;
         for (Index k = 1; k < n; ++k) best = square[lane[k]] < square[lane[best]] ? k : best;
         if (n < 2) return;

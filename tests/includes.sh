@@ -4,11 +4,11 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 value_kind sort hash monotone kernel_call
+vec2 angle value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary distortion region conditions method distance distance_tree wall slip periodic
+edges orientation boundary distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
 graph places dissection fronts subtrees
 matrix stiffness basis residual right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve analysis newton_system untangle harmonic
