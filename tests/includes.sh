@@ -9,6 +9,7 @@ product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall
+distortion region newton_system untangle
 graph places dissection fronts subtrees
 matrix laplace basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
