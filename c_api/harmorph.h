@@ -466,7 +466,9 @@ typedef struct hm_safe_report {
     double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
     double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
     double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
-    int32_t  angle_point, height_point; /* where the angle changed most; where the height did */
+    int32_t  angle_point;          /* where the angle changed most; -1: no point of the wall has such an edge */
+    int32_t  min_height_point, max_height_point;
+    int32_t  reserved;             /* 0 */
 } hm_safe_report;
 
 /* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */

@@ -60,6 +60,14 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Basis const& 
         filled.crossing_points[k] = numbered(safe.crossing.first[k], base);
         filled.crossing_points[2 + k] = numbered(safe.crossing.second[k], base);
     }
+    filled.mean_angle_change = safe.first_layer.mean_angle;
+    filled.max_angle_change = safe.first_layer.largest_angle;
+    filled.angle_point = numbered(safe.first_layer.largest_angle_point, base);
+    filled.mean_height_ratio = safe.first_layer.mean_ratio;
+    filled.min_height_ratio = safe.first_layer.min_ratio;
+    filled.max_height_ratio = safe.first_layer.max_ratio;
+    filled.min_height_point = numbered(safe.first_layer.min_ratio_point, base);
+    filled.max_height_point = numbered(safe.first_layer.max_ratio_point, base);
     filled.inverted = quality.inverted;
     filled.min_quality_cell = numbered(quality.min_quality_cell, base);
     filled.min_quality = quality.min_quality;

@@ -19,7 +19,8 @@ struct Density {
         Real const numerator = 2 * (p + q) + weight * (determinant * determinant + 1);
         scale = 1 / regularised(determinant, softness);
         Real const slope = -scale / root, bend = 2 / (root * root * root);  // of 1 / chi by the determinant
-        Real const grow = 2 + 2 * weight * determinant, shrink = 2 - 2 * weight * determinant;  // of the numerator by p, q
+        Real const grow = 2 + 2 * weight * determinant;    // of the numerator by p
+        Real const shrink = 2 - 2 * weight * determinant;  // and by q
         by_p = grow * scale + numerator * slope;
         by_q = shrink * scale - numerator * slope;
         by_pp = 2 * weight * scale + 2 * grow * slope + numerator * bend;

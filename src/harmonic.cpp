@@ -17,7 +17,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(line_of, n);
     arena.take(reversed, n_cells);
     bool const weighted = analysis.problem.method.quarters > 0;
-    wall.lay_out(arena, weighted ? static_cast<Size>(analysis.count_wall_faces()) : 0);
+    wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
     arena.take(conductivity, weighted ? n_cells : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
@@ -41,7 +41,8 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
-    if (!conductivity.empty()) wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    n_wall_faces = wall.count;
     matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;

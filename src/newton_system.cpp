@@ -32,7 +32,8 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 }
 
 // Each row by itself, so that threads never meet: a corner is looked at once for each of its three points.
-void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Points at, Real softness, Index u) const noexcept {
+void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Points at, Real softness,
+                                Index u) const noexcept {
     Span<const Index> const neighbours = region.of(u);
     Span<Block> const row = hessian.from(region.start[u], neighbours.size());
     fill(row, Block{});

@@ -49,6 +49,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(representative, n);
     arena.take(held, n);
     untangling.lay_out(arena, plan.region_counts);
+    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
 }
 
 // The two ends of a cut move as one; all of the boundary is held.
@@ -76,6 +77,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     }
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
     path.init(basis, move);
+    mark_held(work);
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
         x[k] = plan.mesh.points[k].x;
         y[k] = plan.mesh.points[k].y;
@@ -103,6 +105,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         if (report.fraction < 1) HARMORPH_TRY(substeps(work));
     }
     if (derivative != nullptr) finish_derivative(work);
+    measure_first_layer(work);
     if (report.fraction >= 1) return Status::ok;
     return fault.refuse(Status::short_of_target, "the mesh could follow ~ of the movement; then cell # stands in the way",
                         Counts::mesh, report.limit.cell, none, report.fraction);
@@ -202,7 +205,6 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
     reached = aimed;
     put_wall(work, {dx.data(), dy.data(), 1});
     reached = before;
-    mark_held(work);
     untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, representative, held};
     untangling.executor = work.executor();
     Fault why;
@@ -216,6 +218,11 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
     take_step(work, by, from, 1);
     work.report.rung = Rung::untangled;
     return Status::ok;
+}
+
+void SafeMorph::measure_first_layer(Work& work) noexcept {
+    first_layer.find(work.mesh(), work.mesh().points, representative, work.plan.wall);
+    work.report.first_layer = compare(first_layer, work.mesh().points, now());
 }
 
 void SafeMorph::finish_derivative(Work const& work) const noexcept {

@@ -29,7 +29,8 @@ void Untangling::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(trial, counts.points);
 }
 
-Status Untangling::run(UntangleOptions const& options, MutablePoints points, UntangleReport& report, Fault& fault) noexcept {
+Status Untangling::run(UntangleOptions const& options, MutablePoints points, UntangleReport& report,
+                       Fault& fault) noexcept {
     report = {};
     Points const given{points.x, points.y, points.stride};
     report.inverted_before = report.inverted_after = count_inverted(given);
@@ -45,7 +46,8 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         region.grow(tangle, as_points(now), layers);
         ++report.regions;
         report.unknowns = region.n;
-        bool const good = repair_region(options, is_whole ? options.iterations_in_whole : options.iterations_in_part, report);
+        Index const most_iterations = is_whole ? options.iterations_in_whole : options.iterations_in_part;
+        bool const good = repair_region(options, most_iterations, report);
         report.inverted_after = count_inverted(as_points(now));
         if (good && report.inverted_after == 0) break;
         if (is_whole) return Status::not_converged;
@@ -57,7 +59,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
 Status Untangling::check_reference(Fault& fault) const noexcept {
     for (Index i = 0; i < tangle.mesh.n_cells; ++i) {
         if (!is_inverted(tangle.cell(i), tangle.reference)) continue;
-        return fault.refuse(Status::bad_mesh, "cell # is inverted in the mesh whose shapes are wanted", Counts::mesh, i);
+        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh, i);
     }
     return Status::ok;
 }
@@ -103,7 +105,7 @@ bool Untangling::repair_region(UntangleOptions const& options, Index most_iterat
     return smallest >= options.margin;
 }
 
-// Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing has moved.
+// Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing moves.
 Real Untangling::descend(Real softness, Real before) noexcept {
     constexpr Index most_halvings = 30;
     Real const slope = system.slope(region, executor);

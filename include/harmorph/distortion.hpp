@@ -1,4 +1,4 @@
-// How far a triangle is from the shape and size of a reference triangle: an energy that stays finite where it is folded.
+// How far a triangle is from the shape and size of a reference: an energy that stays finite when it is folded.
 // V. Garanzha, I. Kaporin, L. Kudryavtseva, F. Protais, N. Ray, D. Sokolov: Foldover-free maps in 50 lines of code,
 // ACM Trans. Graph. 40 (2021), eqs. 2-4.
 #pragma once
@@ -36,9 +36,10 @@ struct Distortion {
 
     Real determinant(Triangle const& now) const noexcept { return now.twice_area() / twice_area_; }
     Real energy(Triangle const& now, Real softness) const noexcept;
-    // Derivatives by the three points. The Hessian is the sum of the modes, which are orthogonal as changes of J; curvatures
-    // below `least` times that of |J|^2 / chi are raised to it: with 0 or more, it becomes positive semi-definite.
-    void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3], Mode (&mode)[4]) const noexcept;
+    // Derivatives by the three points. The Hessian is the sum of the modes, which are orthogonal as changes of J.
+    // Curvatures below `least` times that of |J|^2 / chi are raised to it: from 0 on, no mode is negative.
+    void differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],
+                       Mode (&mode)[4]) const noexcept;
 
 private:
     Vec2 first_, second_;  // z = first_ * (at[1] - at[0]) + second_ * (at[2] - at[1]); w the same with their conjugates

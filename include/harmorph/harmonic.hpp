@@ -25,11 +25,12 @@ struct Plan {
     std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
     Offset factor_entries = 0;
     RegionCounts region_counts;     // for untangling
+    Index n_wall_faces = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
-    FaceDistance wall;            // faces that move, where the operator is weighted
+    FaceDistance wall;            // faces that move
     Span<Real> conductivity;      // [n_cells] of weighted operators
     Matrix matrix;
     Multifrontal engine;

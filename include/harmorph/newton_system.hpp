@@ -1,4 +1,4 @@
-// One Newton step for the energy of all corners of a region: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
+// A Newton step for the energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
 #pragma once
 
 #include "harmorph/cell_ranges.hpp"
@@ -26,8 +26,8 @@ struct Block {
     }
 };
 
-// Every corner counts alike. The integral over the reference mesh would weigh with areas; then viscous layers, whose areas
-// are ten orders smaller, would be as nothing beside the cells outside them, and would pay for them.
+// Every corner counts alike. The integral over the reference mesh would weigh with areas; then viscous layers, whose
+// areas are ten orders smaller, would be as nothing beside the cells outside them, and would pay for them.
 struct NewtonSystem {
     Span<Block> hessian;     // rows as in region.neighbour: the diagonal block first
     Span<Block> inverse;     // [n] of the diagonal blocks

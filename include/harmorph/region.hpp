@@ -13,7 +13,7 @@ struct Tangle {
     Points reference;                   // of valid cells: the shapes and sizes wanted
     Span<const std::uint8_t> reversed;  // [n_cells]
     Span<const Index> representative;   // [n_points] points of a cut move as one
-    Span<const std::uint8_t> held;      // [n_points] 1: does not move, as all boundary points; a representative's counts
+    Span<const std::uint8_t> held;      // [n_points] 1: does not move, like all boundary points; of representatives
 
     // Counter-clockwise, in terms of representatives.
     Cell cell(Index i) const noexcept {

@@ -3,6 +3,7 @@
 
 #include "harmorph/admissible_step.hpp"
 #include "harmorph/crossing.hpp"
+#include "harmorph/first_layer.hpp"
 #include "harmorph/harmonic.hpp"
 #include "harmorph/path.hpp"
 #include "harmorph/untangle.hpp"
@@ -27,6 +28,7 @@ struct SafeReport {
     Real fraction = 0;            // of the way to the target
     AdmissibleStep limit;         // what stood in the way of the first rung
     UntangleReport untangle;
+    FirstLayerChange first_layer;
     Crossing crossing;            // of the boundary at the target
 };
 
@@ -39,6 +41,7 @@ struct SafeMorph {
     Span<Index> representative;                  // [n_points] for untangling
     Span<std::uint8_t> held;
     Untangling untangling;
+    FirstLayer first_layer;
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
 
@@ -62,6 +65,7 @@ private:
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
     Status solve_here(Work& work, Basis const& scratch) noexcept;
     void mark_held(Work const& work) const noexcept;
+    void measure_first_layer(Work& work) noexcept;
     Status untangle(Work& work, Basis const& by) noexcept;
     void put_wall(Work const& work, MutablePoints points) const noexcept;
     void finish_derivative(Work const& work) const noexcept;

@@ -1,6 +1,6 @@
-// Moves inner points until no cell is inverted; the boundary stays. Newton's method on the energy of distortion.hpp, whose
-// softness goes to 0 by the rule of Garanzha et al. (2021), with one step for each softness. Only the surroundings of
-// inverted cells move at first.
+// Moves inner points until no cell is inverted; the boundary stays. Newton's method on the energy of distortion.hpp,
+// whose softness goes to 0 by the rule of Garanzha et al. (2021), with one step for each softness. Only the
+// surroundings of inverted cells move at first.
 #pragma once
 
 #include "harmorph/newton_system.hpp"
@@ -9,11 +9,11 @@ namespace harmorph {
 
 struct UntangleOptions {
     Index layers = 6;                // of cells round inverted ones move at first; if in vain, twice as many, and so on
-    Index iterations_in_part = 50;   // at most, in a region that is part of the mesh
+    Index iterations_in_part = 30;   // at most, in a region that is part of the mesh
     Index iterations_in_whole = 200; // at most, in the whole mesh
     Index most_products = 200;       // with the Hessian, in each iteration
     // Of corner areas in units of the reference's. A region is done when its smallest is at least `goal`, or at least
-    // `margin` and no longer grows; nothing below `margin` is a success. Corners that cannot move need to be positive only.
+    // `margin` and no longer grows; nothing below `margin` is a success. Corners that cannot move must be positive.
     Real goal = 0.05, margin = 1e-3;
 };
 
