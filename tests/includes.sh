@@ -4,7 +4,7 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 sort hash monotone kernel_call
+vec2 predicates sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
