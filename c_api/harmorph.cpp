@@ -46,7 +46,7 @@ struct Request {
 
     void lay_out(Arena& arena, Span<Analysis>& place, Analysis& analysis) const noexcept {
         arena.take(place, 1);
-        analysis.lay_out(arena, problem.mesh, n_curves, n_conditions, problem.executor);
+        analysis.lay_out(arena, problem.mesh, n_curves, n_conditions, problem.executor, problem.method);
     }
 
     Status copy_to(Analysis& analysis, Fault& fault) const noexcept {

@@ -225,9 +225,15 @@ typedef struct hm_problem {
 
 /* What goes together (everything else is HM_UNSUPPORTED):
  *   operator     scheme      engine     conditions
- *   HM_LAPLACE   HM_COMPACT  HM_DIRECT  on curve, fixed, free */
+ *   HM_LAPLACE   HM_COMPACT  HM_DIRECT  on curve, fixed, free
+ *   HM_LAPLACE   HM_BOUNDED  HM_DIRECT  on curve, fixed, free; the plan factors on the analysed coordinates alone */
 enum { HM_LAPLACE = 0 };           /* operator_kind: the paper's harmonic functions */
-enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
+enum {                             /* scheme; both reproduce linear fields, and are of second order */
+    HM_COMPACT = 0,                /* median dual, cell gradients */
+    HM_BOUNDED = 2                 /* the same on the constrained Delaunay triangulation of the mesh's points (edges are
+                                      flipped, points and boundary stay): 0 <= F <= 1 where every boundary is fixed or on
+                                      a curve, not always beside free ones */
+};
 enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */

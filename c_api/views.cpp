@@ -111,7 +111,7 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
     if (given == nullptr) return Status::ok;
     hm_options o;
     if (!read_struct(given, o)) return missing(fault, "options.struct_size is not set");
-    if (o.operator_kind != HM_LAPLACE || o.scheme != HM_COMPACT || o.engine != HM_DIRECT) {
+    if (o.operator_kind != HM_LAPLACE || (o.scheme != HM_COMPACT && o.scheme != HM_BOUNDED) || o.engine != HM_DIRECT) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (!(o.tolerance >= 0 && o.tolerance < 1)) {

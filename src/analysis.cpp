@@ -6,7 +6,7 @@
 namespace harmorph {
 
 void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions,
-                       Executor const& executor) noexcept {
+                       Executor const& executor, Method const& method) noexcept {
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
     arena.take(representative, mesh.n_points);
@@ -16,9 +16,10 @@ void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_c
     orientation_work.lay_out(arena, mesh);
     arena.take(kinds, mesh.n_points);
     if (n_curves == 0) return;
+    if (method.bounded()) triangulation.lay_out(arena, mesh);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
-    graph.lay_out(arena, mesh);
+    graph.lay_out(arena, method.bounded() ? triangulation.mesh : mesh);
     arena.take(order, mesh.n_points);
     tree.lay_out(arena, mesh.n_points);
     dissection_work.lay_out(arena, mesh.n_points);
@@ -69,8 +70,9 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
                             inverted, none, 0.5 * corners.smallest());
     }
+    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(mesh, representative, reversed, fault));
     HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
-    graph.build(mesh, edges, representative, kinds);
+    graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     topology = topology_print(mesh);
@@ -83,8 +85,8 @@ Status Analysis::check_parts(Fault& fault) noexcept {
     bool any_free = false;
     for (Condition const& condition : conditions) any_free = any_free || condition.kind == ConditionKind::free;
     if (!any_free) return Status::ok;
-    Index const floating = graph.first_floating(problem.mesh, edges, representative, kinds, dissection_work.moved,
-                                                dissection_work.side);
+    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds,
+                                                dissection_work.moved, dissection_work.side);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh whose boundaries are all free", Counts::mesh,
                         floating);

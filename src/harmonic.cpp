@@ -1,5 +1,6 @@
 #include "harmorph/harmonic.hpp"
 
+#include "harmorph/bounded.hpp"
 #include "harmorph/laplace.hpp"
 
 namespace harmorph {
@@ -15,6 +16,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Index const n = analysis.graph.n;
     arena.take(point_of, n);
     arena.take(reversed, analysis.problem.mesh.n_cells);
+    arena.take(delaunay_edges, analysis.problem.method.bounded() ? analysis.triangulation.edges.count() : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, analysis.n_functions());
     Size const shared = arena.mark();
@@ -34,7 +36,12 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored = false;
     for (Index k = 0; k < point_of.count(); ++k) point_of[k] = analysis.graph.point[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
-    matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
+    if (method.bounded()) {
+        Index n = 0;
+        analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
+        analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
+    }
+    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.executor = analysis.problem.executor;
@@ -49,10 +56,7 @@ void Plan::init(Analysis const& analysis) noexcept {
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    Index const inverted = assemble_laplace(mesh, points, reversed, matrix);
-    if (inverted != none) {
-        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
-    }
+    HARMORPH_TRY(assemble(points, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.factorise(matrix, progress, fault);
@@ -62,6 +66,21 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
+}
+
+Status Plan::assemble(Points points, Fault& fault) const noexcept {
+    if (!method.bounded()) {
+        Index const inverted = assemble_laplace(mesh, points, reversed, matrix);
+        if (inverted == none) return Status::ok;
+        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+    }
+    if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
+        return fault.refuse(Status::unsupported, "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+    }
+    Index const thin = assemble_bounded(delaunay_edges, points, {}, matrix);
+    if (thin == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "a triangle at the points # and @ is too thin for its area to be computed",
+                        Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {

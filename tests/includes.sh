@@ -8,9 +8,9 @@ vec2 predicates sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions wall
+edges orientation boundary delaunay conditions wall
 graph places dissection fronts subtrees
-matrix laplace basis residual
+matrix laplace bounded basis residual
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
 morph quality admissible_step assessment crossing
 '

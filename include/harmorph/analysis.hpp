@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/boundary.hpp"
+#include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
 #include "harmorph/fronts.hpp"
 #include "harmorph/matrix.hpp"
@@ -30,6 +31,7 @@ struct Analysis {
     Span<std::uint8_t> reversed;  // [n_cells]
     Edges edges;
     Boundary boundary;
+    Triangulation triangulation;  // bounded scheme only
     std::uint64_t topology = 0;   // fingerprint of the mesh
     Span<PointKind> kinds;        // [n_points] without curves: what is used by cells and what is not
     Wall wall;
@@ -48,11 +50,15 @@ struct Analysis {
     DissectionWork dissection_work;
 
     // Sizes from the counts alone.
-    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions, Executor const& executor) noexcept;
+    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions, Executor const& executor,
+                 Method const& method) noexcept;
     Status run(Problem const& its_problem, Fault& fault) noexcept;
 
     bool has_curves() const noexcept { return !curves.empty(); }
     Index n_functions() const noexcept { return curves[0].n_control; }
+    // Whose edges, and diagonals of quads, join the points that share an equation.
+    Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }
+    Edges const& stencil_edges() const noexcept { return problem.method.bounded() ? triangulation.edges : edges; }
     BasisCounts basis_counts() const noexcept;
     Index count_used_points() const noexcept;
     std::uint64_t conditions_print() const noexcept;

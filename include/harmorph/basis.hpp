@@ -9,11 +9,15 @@
 
 namespace harmorph {
 
+enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2 };
+
 // How the functions were solved; the numbers are those of the C header.
 struct Method {
     std::int32_t operator_kind = 0, scheme = 0, engine = 0;
     Kernel kernel = Kernel::automatic;
     Real tolerance = 1e-10;
+
+    bool bounded() const noexcept { return scheme == static_cast<std::int32_t>(Scheme::bounded); }
 };
 
 struct BasisCounts {

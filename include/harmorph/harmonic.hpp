@@ -26,6 +26,8 @@ struct Plan {
     bool factored = false;
     Span<Index> point_of;         // [n] mesh point of each position
     Span<std::uint8_t> reversed;  // [n_cells]
+    Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
+    std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
     Matrix matrix;
     Multifrontal engine;
     Residual residual;            // in the place of the engine's stack
@@ -38,6 +40,7 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
 
 private:
+    Status assemble(Points points, Fault& fault) const noexcept;
     void set_right_hand_sides(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
