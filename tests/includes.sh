@@ -4,13 +4,13 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 predicates sort hash monotone kernel_call
+vec2 predicates value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary delaunay conditions wall
+edges orientation boundary delaunay conditions method distance distance_tree wall slip periodic
 graph places dissection fronts subtrees
-matrix laplace bounded basis residual
+matrix stiffness bounded basis residual right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
 morph quality admissible_step assessment crossing
 '

@@ -4,6 +4,7 @@
 #include <fixtures/matrices.hpp>
 
 #include <harmorph/bounded.hpp>
+#include <harmorph/distance.hpp>
 
 using namespace fixtures;
 using harmorph::DelaunayEdge;
@@ -16,6 +17,7 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 hm_options bounded() {
     hm_options out{};
     out.struct_size = sizeof out;
+    out.operator_kind = HM_LAPLACE;
     out.scheme = HM_BOUNDED;
     return out;
 }
@@ -269,4 +271,49 @@ TEST_CASE("the plan factors on the analysed coordinates alone") {
     CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_BAD_ARGUMENT);   // no factor
     CHECK(hm_plan_factor(tried.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
     CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_OK);
+}
+
+TEST_CASE("weights of edges are powers of their midpoints' distances from what moves") {
+    Case its = stretched_bodies(Cells::hybrid, 0.5);
+    Bounded const scheme(its);
+    harmorph::Analysis const& a = scheme.core();
+    harmorph::FaceDistance faces;
+    harmorph::Arena counting;
+    faces.lay_out(counting, static_cast<std::size_t>(a.count_wall_faces()));
+    Guarded block(counting.bytes());
+    harmorph::Arena placing(block.data(), block.size());
+    faces.lay_out(placing, static_cast<std::size_t>(a.count_wall_faces()));
+    faces.choose(a.boundary, [&](Index face) { return a.is_wall_face(face); });
+    faces.build(a.problem.mesh.points);
+    std::vector<double> k(scheme.edges.size());
+    weigh_edges(faces, span(scheme.edges), a.problem.mesh.points, 6, span(k), {});
+    for (std::size_t edge = 0; edge < k.size(); ++edge) {
+        Point const begin = its.mesh.point(scheme.edges[edge].begin), end = its.mesh.point(scheme.edges[edge].end);
+        double const d = faces.distance({0.5 * (begin.x + end.x), 0.5 * (begin.y + end.y)}) / faces.unit;
+        if (d < 1e-12) continue;   // a face
+        CHECK(k[edge] == doctest::Approx(std::pow(d, -1.5)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("weighted functions stay between 0 and 1 as well; slip and the conformal operator are refused") {
+    for (Cells const kind : kinds) {
+        Case its = stretched_bodies(kind, 0.2);
+        hm_options options = bounded(), compact{};
+        options.operator_kind = compact.operator_kind = HM_WEIGHTED;
+        compact.struct_size = sizeof compact;
+        for (std::int32_t const quarters : {1, 6, 16}) {
+            options.exponent_quarters = compact.exponent_quarters = quarters;
+            Solved const solved(its, &options);
+            CHECK((solved.report.min_value >= 0 && solved.report.max_value <= 1));
+            CHECK(solved.report.residual < 1e-11);
+            CHECK(Solved(its, &compact).report.min_value < -1e-3);
+        }
+        options.operator_kind = HM_CONFORMAL;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        options.operator_kind = HM_WEIGHTED;
+        its.conditions.push_back(its.conditions[0]);
+        its.conditions.back().marker = far_field;
+        its.conditions.back().kind = HM_SLIP;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    }
 }

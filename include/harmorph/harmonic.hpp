@@ -2,8 +2,9 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
+#include "harmorph/distance.hpp"
 #include "harmorph/multifrontal.hpp"
-#include "harmorph/residual.hpp"
+#include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {
 
@@ -24,10 +25,12 @@ struct Plan {
     Offset factor_entries = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Span<Index> point_of;         // [n] mesh point of each position
+    Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
+    FaceDistance wall;            // faces that move, where the operator is weighted
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
     std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
+    Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;
     Multifrontal engine;
     Residual residual;            // in the place of the engine's stack
@@ -40,8 +43,12 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
 
 private:
-    Status assemble(Points points, Fault& fault) const noexcept;
-    void set_right_hand_sides(Basis const& basis) const noexcept;
+    Status assemble(Points points, Fault& fault) noexcept;
+    Status assemble_cells(Points points, Fault& fault) noexcept;
+    Status assemble_edges(Points points, Fault& fault) noexcept;
+    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+    void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
     Status refine(Basis const& basis, Fault& fault) noexcept;
