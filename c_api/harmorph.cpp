@@ -57,6 +57,9 @@ struct Request {
         }
         condition = p.conditions;
         n_conditions = p.n_conditions;
+        if (problem.demands.slip && problem.method.bounded()) {
+            return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+        }
         if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
         return fault.refuse(Status::unsupported, "the conformal operator does not go with free boundaries; slipping ones do");
     }

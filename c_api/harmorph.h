@@ -238,6 +238,8 @@ typedef struct hm_problem {
  *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT  all but free                          complex; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
  *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_BOUNDED  HM_DIRECT  all but slip                          real
+ *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT  all but slip                          real
  *
  * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
  * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
@@ -250,7 +252,13 @@ enum {                             /* operator_kind */
     HM_WEIGHTED = 2                /* the integral of k |grad F|^2 */
 };
 enum { HM_NO_WEIGHT = -1 };        /* exponent_quarters: k = 1. The conformal functions are then those of HM_LAPLACE */
-enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
+enum {                             /* scheme; both reproduce linear fields, and are of second order */
+    HM_COMPACT = 0,                /* median dual, cell gradients */
+    HM_BOUNDED = 2                 /* the same on the constrained Delaunay triangulation of the mesh's points (edges are
+                                      flipped, points and boundary stay; the weight is that of an edge's midpoint):
+                                      0 <= F <= 1 where every boundary is fixed or on a curve, not always beside free ones.
+                                      Its plan factors on the analysed coordinates alone */
+};
 enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */

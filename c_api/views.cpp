@@ -7,7 +7,9 @@ Status missing(Fault& fault, const char* sentence) noexcept { return fault.refus
 
 // Operator, weight, scheme and engine, and whether they go together.
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
-    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || o.scheme != HM_COMPACT || o.engine != HM_DIRECT) {
+    bool const bounded = o.scheme == HM_BOUNDED && o.operator_kind != HM_CONFORMAL;
+    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || (o.scheme != HM_COMPACT && !bounded) ||
+        o.engine != HM_DIRECT) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
@@ -15,6 +17,7 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
                             Counts::from_zero, o.exponent_quarters);
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
+    method.scheme = static_cast<Scheme>(o.scheme);
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
     }

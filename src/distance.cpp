@@ -199,26 +199,24 @@ Start start_near(FaceDistance const& tree, Vec2 centre, Real reach) noexcept {
     return start;
 }
 
-// Cells with consecutive numbers, most often neighbours: they share what the tree is asked.
+// Cells or edges with consecutive numbers, most often neighbours: they share what the tree is asked.
 struct Block {
     static constexpr Index most = 32;
 
     Index n;
-    Vec2 barycentre[most];  // in units
+    Vec2 place[most];  // in units
     Vec2 centre;
     Real radius;
 
-    Block(Mesh const& mesh, Points points, Index first, Real inverse_unit) noexcept
-        : n(smaller(most, mesh.n_cells - first)) {
+    // place_of(number) for all numbers below `end`.
+    template <class PlaceOf>
+    Block(Index first, Index end, PlaceOf place_of) noexcept : n(smaller(most, end - first)) {
         Vec2 low{infinity, infinity}, high{-infinity, -infinity};
         for (Index k = 0; k < n; ++k) {
-            Cell const cell = mesh.cell(first + k);
-            Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
-            if (cell.n == 4) sum = sum + points[cell.point[3]];
-            Vec2 const p = (cell.n == 4 ? 0.25 * inverse_unit : inverse_unit / 3) * sum;
+            Vec2 const p = place_of(first + k);
             low = {smaller(low.x, p.x), smaller(low.y, p.y)};
             high = {larger(high.x, p.x), larger(high.y, p.y)};
-            barycentre[k] = p;
+            place[k] = p;
         }
         centre = 0.5 * (low + high);
         radius = 0.5 * length(high - low);
@@ -243,6 +241,24 @@ void to_weights(Span<Real> numbers, Index quarters) noexcept {
     for (Index k = 0; k < numbers.count(); ++k) numbers[k] = 1 / power[k];
 }
 
+// k [n] at place_of(number), in units.
+template <class PlaceOf>
+void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor, PlaceOf place_of) noexcept {
+    if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
+    constexpr Index least_blocks = 128;
+    executor.for_ranges((k.count() + Block::most - 1) / Block::most, least_blocks, [&](Index begin, Index end) {
+        Search search(faces);
+        for (Index number = begin; number < end; ++number) {
+            Block const block(number * Block::most, k.count(), place_of);
+            Real const nearest = square_root(search.from_anywhere(block.centre));
+            Start const start = start_near(faces, block.centre, (1 + slack) * (nearest + 2 * block.radius));
+            Span<Real> const its = k.from(number * Block::most, block.n);
+            for (Index i = 0; i < block.n; ++i) its[i] = search.from_near(start, block.place[i]);
+            to_weights(its, quarters);
+        }
+    });
+}
+
 }  // namespace
 
 Real FaceDistance::distance(Vec2 from) const noexcept {
@@ -252,18 +268,18 @@ Real FaceDistance::distance(Vec2 from) const noexcept {
 
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept {
-    if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
-    constexpr Index least_blocks = 128;
-    executor.for_ranges((mesh.n_cells + Block::most - 1) / Block::most, least_blocks, [&](Index begin, Index end) {
-        Search search(faces);
-        for (Index number = begin; number < end; ++number) {
-            Block const block(mesh, points, number * Block::most, faces.inverse_unit);
-            Real const nearest = square_root(search.from_anywhere(block.centre));
-            Start const start = start_near(faces, block.centre, (1 + slack) * (nearest + 2 * block.radius));
-            Span<Real> const its = k.from(number * Block::most, block.n);
-            for (Index cell = 0; cell < block.n; ++cell) its[cell] = search.from_near(start, block.barycentre[cell]);
-            to_weights(its, quarters);
-        }
+    weigh(faces, quarters, k, executor, [&](Index number) {
+        Cell const cell = mesh.cell(number);
+        Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
+        if (cell.n == 4) sum = sum + points[cell.point[3]];
+        return (cell.n == 4 ? 0.25 * faces.inverse_unit : faces.inverse_unit / 3) * sum;
+    });
+}
+
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
+                 Executor const& executor) noexcept {
+    weigh(faces, quarters, k, executor, [&](Index number) {
+        return 0.5 * faces.inverse_unit * (points[edges[number].begin] + points[edges[number].end]);
     });
 }
 

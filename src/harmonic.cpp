@@ -1,5 +1,6 @@
 #include "harmorph/harmonic.hpp"
 
+#include "harmorph/bounded.hpp"
 #include "harmorph/stiffness.hpp"
 
 namespace harmorph {
@@ -18,7 +19,9 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(reversed, n_cells);
     bool const weighted = analysis.problem.method.quarters > 0;
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
-    arena.take(conductivity, weighted ? n_cells : 0);
+    Index const n_edges = analysis.problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
+    arena.take(delaunay_edges, n_edges);
+    arena.take(conductivity, !weighted ? 0 : n_edges > 0 ? n_edges : n_cells);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
     Index const columns = matrix.is_complex() ? counts.functions() : line_length;
@@ -43,8 +46,13 @@ void Plan::init(Analysis const& analysis) noexcept {
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     n_wall_faces = wall.count;
-    matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
-                 analysis.wall_work.slot, analysis.tangent);
+    if (method.bounded()) {
+        Index n = 0;
+        analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
+        analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
+    }
+    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
+                 analysis.border.position, analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.executor = analysis.problem.executor;
     engine.tree.count = analysis.tree.count;
@@ -58,14 +66,7 @@ void Plan::init(Analysis const& analysis) noexcept {
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    if (!conductivity.empty()) {
-        wall.build(points);
-        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
-    }
-    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
-    if (inverted != none) {
-        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
-    }
+    HARMORPH_TRY(assemble(points, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.factorise(matrix, progress, fault);
@@ -75,6 +76,34 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
+}
+
+Status Plan::assemble(Points points, Fault& fault) noexcept {
+    return method.bounded() ? assemble_edges(points, fault) : assemble_cells(points, fault);
+}
+
+Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
+    }
+    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
+    if (inverted == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+}
+
+Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
+    if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
+        return fault.refuse(Status::unsupported, "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+    }
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_edges(wall, delaunay_edges, points, method.quarters, conductivity, engine.executor);
+    }
+    Index const thin = assemble_bounded(delaunay_edges, points, conductivity, matrix);
+    if (thin == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "a triangle at the points # and @ is too thin for its area to be computed",
+                        Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {

@@ -140,7 +140,13 @@ Status SafeMorph::substeps(Work& work) noexcept {
             scratch = Basis::view(static_cast<void*>(block.data()));
             by = &scratch;
         }
-        HARMORPH_TRY(solve_here(work, scratch));
+        Fault why;
+        Status const status = solve_here(work, scratch, why);
+        if (status == Status::cancelled) {
+            work.fault = why;
+            return status;
+        }
+        if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
         ++report.resolves;
     }
     if (!work.options.tries(Rung::untangled)) return Status::ok;
@@ -190,10 +196,10 @@ void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept 
     }
 }
 
-Status SafeMorph::solve_here(Work& work, Basis const& scratch) noexcept {
+Status SafeMorph::solve_here(Work& work, Basis const& scratch, Fault& why) noexcept {
     SolveReport solved;
-    HARMORPH_TRY(work.plan.factor(now(), work.fault));
-    return work.plan.solve(scratch, solved, work.fault);
+    HARMORPH_TRY(work.plan.factor(now(), why));
+    return work.plan.solve(scratch, solved, why);
 }
 
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.

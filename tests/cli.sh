@@ -144,6 +144,10 @@ check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625
 refuses "export: function out of range" 2 '--function' export "$ring" "$basis" --function 13 --csv "$tmp/f.csv"
 refuses "export: nothing to write" 2 'nothing to write' export "$ring" "$basis" --function 1
 runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far -o "$tmp/free.basis"
+runs "solve, bounded" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme bounded -o "$tmp/bounded.basis" --json
+check "solve, bounded: no value below 0" says '"min_value": 0,'
+refuses "the bounded scheme has no conformal operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+    --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
 refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"

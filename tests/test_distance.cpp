@@ -269,7 +269,7 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
         std::vector<double> const k = weights_of(mesh, tree, quarters);
         double worst = 0;   // in what rounding of the coordinates may do to the distance
         for (std::size_t cell = 0; cell < k.size(); ++cell) {
-            double const rounding = 1e-14 + quarters * 4e-16 / distance[cell];
+            double const rounding = 1e-14 + quarters * 4e-16 / distance[cell];   // of either barycentre: 3 in 2^-53
             double const fourth = (k[cell] * k[cell]) * (k[cell] * k[cell]);   // times (d / unit)^quarters is 1
             double product = fourth;
             for (Index factor = 0; factor < quarters; ++factor) product *= distance[cell] / tree.unit;

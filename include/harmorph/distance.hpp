@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/boundary.hpp"
+#include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
 
 namespace harmorph {
@@ -74,6 +75,10 @@ private:
 // 1e-30 units d counts as that, which no valid mesh can show: so k is finite always. No faces or all at one place: k = 1.
 // Fastest where cells with neighbouring numbers are neighbours.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
+                 Executor const& executor) noexcept;
+
+// k [n_edges] likewise, from the edges' midpoints. Faces themselves are edges as well, d being 0 there: no equation has them.
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 
 template <class IsChosen>

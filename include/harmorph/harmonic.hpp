@@ -31,7 +31,9 @@ struct Plan {
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
     FaceDistance wall;            // faces that move
-    Span<Real> conductivity;      // [n_cells] of weighted operators
+    Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
+    std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
+    Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;
     Multifrontal engine;
     Residual residual;            // in the place of the engine's stack
@@ -47,6 +49,9 @@ struct Plan {
     Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
 
 private:
+    Status assemble(Points points, Fault& fault) noexcept;
+    Status assemble_cells(Points points, Fault& fault) noexcept;
+    Status assemble_edges(Points points, Fault& fault) noexcept;
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;

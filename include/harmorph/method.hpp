@@ -22,6 +22,7 @@ struct Method {
     Real tolerance = 1e-10;
 
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
+    bool bounded() const noexcept { return scheme == Scheme::bounded; }
 
     // The smallest kind of value that can express what is asked for.
     ValueKind value_kind(Demands const& demands) const noexcept {

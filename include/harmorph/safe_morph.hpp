@@ -63,7 +63,7 @@ private:
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
-    Status solve_here(Work& work, Basis const& scratch) noexcept;
+    Status solve_here(Work& work, Basis const& scratch, Fault& why) noexcept;
     void mark_held(Work const& work) const noexcept;
     void measure_first_layer(Work& work) noexcept;
     Status untangle(Work& work, Basis const& by) noexcept;
