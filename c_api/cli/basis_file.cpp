@@ -30,13 +30,13 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
 } // namespace
 
 Basis::Basis(const std::string& path, const Mesh& mesh)
-    : path_(path), block_(read_block(path)), curves_(sized<hm_curves>()) {
+    : path_(path), block_(read_block(path)), info_(sized<hm_basis_info>()), curves_(sized<hm_curves>()) {
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = call(path_, hm_basis_attach, &basis_, block_.data(), block_.size(), &view) == HM_MOVED;
-    const hm_basis_info info = info_of(basis_, path_);
-    if (info.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
-    curve_.assign(static_cast<std::size_t>(info.curves), sized<hm_curve>());
-    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info.curves);
+    info_ = info_of(basis_, path_);
+    if (info_.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+    curve_.assign(static_cast<std::size_t>(info_.curves), sized<hm_curve>());
+    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
 }
 
 std::vector<double> Basis::values(std::int32_t function, const Mesh& mesh) const {

@@ -17,6 +17,7 @@ public:
 
     const std::string& path() const { return path_; }
     const hm_basis* get() const { return basis_; }
+    const hm_basis_info& info() const { return info_; }
     const hm_curves& curves() const { return curves_; } // those it was solved with
     bool mesh_has_moved() const { return mesh_has_moved_; }
     std::int32_t functions() const { return curves_.n_control; }
@@ -27,6 +28,7 @@ private:
     Block block_;
     const hm_basis* basis_ = nullptr;
     bool mesh_has_moved_ = false;
+    hm_basis_info info_;
     std::vector<hm_curve> curve_;
     hm_curves curves_;
 };
