@@ -122,6 +122,7 @@ const char* hm_status_name(hm_status status) {
         case HM_OK: return "HM_OK";
         case HM_NOT_CONVERGED: return "HM_NOT_CONVERGED";
         case HM_MOVED: return "HM_MOVED";
+        case HM_SHORT: return "HM_SHORT";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";
         case HM_BAD_MESH: return "HM_BAD_MESH";
@@ -131,6 +132,7 @@ const char* hm_status_name(hm_status status) {
         case HM_BLOCK_TOO_SMALL: return "HM_BLOCK_TOO_SMALL";
         case HM_NOT_POSITIVE: return "HM_NOT_POSITIVE";
         case HM_UNSUPPORTED: return "HM_UNSUPPORTED";
+        case HM_CROSSING: return "HM_CROSSING";
         default: return "unknown status";
     }
 }

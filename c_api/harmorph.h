@@ -61,6 +61,7 @@ enum {
     HM_OK = 0,
     HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
+    HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -69,7 +70,8 @@ enum {
     HM_BAD_BASIS = -6,        /* the block is not a basis, truncated, damaged, foreign, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where it was seen */
-    HM_UNSUPPORTED = -9       /* options that do not go together */
+    HM_UNSUPPORTED = -9,      /* options that do not go together */
+    HM_CROSSING = -10         /* the moved boundary crosses itself; error.item: a point of a face that is crossed */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -361,16 +363,16 @@ typedef struct hm_basis_info {
     const double  *point_u;        /* [curve_points] its parameter */
     int32_t  exponent_quarters;    /* 0: no weight */
     int32_t  bodies;               /* rigid ones; functions = control points + 2 * bodies */
-    int32_t  conditions;           /* as many as the problem had */
-    int32_t  offset_correction;    /* as in the options */
+    int32_t  offset_correction;    /* 0 or 1 */
+    int32_t  reserved;             /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
  * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
-/* The conditions of the problem it was solved for. condition [capacity >= info.conditions]; struct_size of the first is set
- * and holds for all. */
-HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *condition, int32_t capacity, hm_error *err);
+/* The conditions the basis was solved with: out [capacity], out[0].struct_size set; *n: how many there are, also when
+ * capacity is too small (HM_BAD_ARGUMENT). With curves and parameters they make the problem again. */
+HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n, hm_error *err);
 /* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 
@@ -448,6 +450,64 @@ HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const do
  * displacement, relative to them. Call it before the morph; nothing has moved yet. */
 HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy, int64_t stride,
                            const hm_executor *executor, hm_step_report *step, hm_quality_report *quality, hm_error *err);
+
+/* ---- Large movements that stay valid ------------------------------------------------------------------------------- */
+
+/* A ladder; the first rung that reaches the target is the last one that is climbed:
+ *   HM_RUNG_LINEAR     x + sum_i F_i dP_i, if its admissible step is above 1
+ *   HM_RUNG_OTHER      the same with other bases that the caller has solved (operators, exponents), in their order
+ *   HM_RUNG_SUBSTEPS   several steps, each at most half of what is admissible; the functions are solved again on the mesh of
+ *                      the step before, whose structure serves again. Points on curves and rigid bodies are always where the
+ *                      B-spline, or the body, of the control points at that moment is. On the way a body turns and scales
+ *                      about the centre of its control points as the best fitting similarity does, at an even rate; what
+ *                      is left of the movement grows linearly. Functions with real values move on straight lines.
+ *   HM_RUNG_UNTANGLED  the rest of the way at once; inner points then find places in which no cell is inverted (foldover-free
+ *                      energy of Garanzha et al., ACM Trans. Graph. 40 (2021); the initial cells are the shapes wanted)
+ * A boundary that crosses itself at the target is refused at once. */
+enum { HM_RUNG_LINEAR = 0, HM_RUNG_OTHER = 1, HM_RUNG_SUBSTEPS = 2, HM_RUNG_UNTANGLED = 3 };
+
+typedef struct hm_safe_options {
+    uint64_t struct_size;
+    int32_t  max_resolves;         /* how often the functions may be solved again; 0 means 10; negative: never */
+    int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of those not to be tried */
+    int32_t  n_others;             /* >= 0 */
+    int32_t  reserved;             /* 0 */
+    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves and conditions */
+} hm_safe_options;
+
+typedef struct hm_safe_report {
+    uint64_t struct_size;
+    int32_t  rung;                 /* HM_RUNG_... that moved the mesh last */
+    int32_t  other;                /* which of `others`, from 0; -1: none */
+    int32_t  steps, resolves;
+    double   step_fraction;        /* [0..1] of the way to the target; 1: all of it */
+    double   admissible;           /* [-] of the last step that was tried, in parts of it, see hm_step_report */
+    int32_t  cell, point;          /* what limits it; -1: nothing */
+    int32_t  untangled;            /* cells that were inverted before untangling */
+    int32_t  iterations;           /* of untangling */
+    int32_t  crossing_points[4];   /* see hm_quality_report */
+    int32_t  inverted;             /* cells of x_new: always 0 */
+    int32_t  min_quality_cell;
+    double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
+    double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
+    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
+    int32_t  angle_point, height_point; /* where the angle changed most; where the height did */
+} hm_safe_report;
+
+/* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
+HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
+/* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
+ * may be the mesh's own arrays. Returns HM_OK: all of `move`. HM_SHORT: the last valid mesh, report.step_fraction of the way.
+ * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
+ * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
+ *
+ * derivative NULL, or another basis of the same analysis (hm_basis_init): it receives the sum of the steps' functions, each
+ * times what its step is of the whole movement, with which hm_morph is the derivative of x_new by `move`, and hm_adjoint its
+ * transpose. Exact on the wall. Neglected elsewhere: that the functions of later steps depend on where earlier ones put
+ * the mesh, that lengths of steps and the turning of bodies depend on `move`, and what untangling moved. */
+HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, double *x_new, double *y_new,
+                               int64_t stride_new, hm_basis *derivative, void *work, size_t bytes,
+                               const hm_safe_options *options, hm_safe_report *report, hm_error *err);
 
 #ifdef __cplusplus
 }

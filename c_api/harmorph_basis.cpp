@@ -119,7 +119,6 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
         filled.engine = static_cast<std::int32_t>(header.method.engine);
         filled.exponent_quarters = header.method.quarters;
         filled.bodies = header.counts.bodies;
-        filled.conditions = header.counts.conditions;
         filled.offset_correction = header.method.offset_correction;
         filled.index_base = header.index_base;
         filled.curve_point = b.wall_point.data();
@@ -151,22 +150,22 @@ hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve
     return tell(err, fault);
 }
 
-hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* condition, int32_t capacity, hm_error* err) {
+hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity, int32_t* n, hm_error* err) {
     Fault fault;
     Basis b;
-    if (!failed(check_report(condition, fault)) && !failed(open_basis(basis, b, fault))) {
-        Index const n = b.header->counts.conditions;
-        if (capacity < n) {
-            fault.refuse(Status::bad_argument, "condition has room for #, the basis has @", Counts::from_zero, capacity, n);
-            return tell(err, fault);
-        }
-        std::uint64_t const size = condition->struct_size;
-        for (Index i = 0; i < n; ++i) {
-            Condition const& its = b.conditions[i];
-            hm_condition* const to = const_cast<hm_condition*>(element(condition, i));
-            to->struct_size = size;
-            write_struct(hm_condition{size, its.marker, static_cast<std::int32_t>(its.kind), its.first_curve, its.n_curves,
-                                      its.body, its.partner, its.centre.x, its.centre.y}, to);
+    if (n == nullptr || capacity < 0) fault.refuse(Status::bad_argument, "n is NULL or capacity negative");
+    if (!failed(fault.status) && (capacity == 0 || !failed(check_report(out, fault))) && !failed(open_basis(basis, b, fault))) {
+        *n = b.conditions.count();
+        if (*n > capacity) {
+            fault.refuse(Status::bad_argument, "out has room for #, the basis has @ conditions", Counts::from_zero, capacity, *n);
+        } else {
+            for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
+                Condition const& its = b.conditions[i];
+                hm_condition* const to = element(out, i);
+                to->struct_size = out->struct_size;
+                write_struct(hm_condition{0, its.marker, static_cast<std::int32_t>(its.kind), its.first_curve, its.n_curves,
+                                          its.body, its.partner, its.centre.x, its.centre.y}, to);
+            }
         }
     }
     return tell(err, fault);

@@ -151,30 +151,15 @@ MatrixKind Analysis::matrix_kind() const noexcept {
     return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
 }
 
-template <class Visit>
-void Analysis::for_each_wall_face(Visit visit) const noexcept {
-    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
-        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
-            const Condition* const condition = condition_of(conditions, boundary.marker[face]);
-            if (condition == nullptr) continue;
-            bool const moves = condition->kind == ConditionKind::on_curve || condition->kind == ConditionKind::rigid;
-            if (moves) visit(boundary.point[face], boundary.point[boundary.after(face, loop)]);
-        }
-    }
+bool Analysis::is_wall_face(Index face) const noexcept {
+    const Condition* const condition = condition_of(conditions, boundary.marker[face]);
+    return condition != nullptr && (condition->kind == ConditionKind::on_curve || condition->kind == ConditionKind::rigid);
 }
 
 Index Analysis::count_wall_faces() const noexcept {
     Index n = 0;
-    for_each_wall_face([&](Index, Index) { ++n; });
+    for (Index face = 0; face < boundary.count; ++face) n += is_wall_face(face) ? 1 : 0;
     return n;
-}
-
-void Analysis::list_wall_faces(Span<Index> points) const noexcept {
-    Index n = 0;
-    for_each_wall_face([&](Index begin, Index end) {
-        points[n++] = begin;
-        points[n++] = end;
-    });
 }
 
 Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept {

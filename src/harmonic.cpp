@@ -17,7 +17,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(line_of, n);
     arena.take(reversed, n_cells);
     bool const weighted = analysis.problem.method.quarters > 0;
-    arena.take(wall_faces, weighted ? 2 * Offset{analysis.count_wall_faces()} : 0);
+    wall.lay_out(arena, weighted ? static_cast<Size>(analysis.count_wall_faces()) : 0);
     arena.take(conductivity, weighted ? n_cells : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const columns = numbers_of(counts.kind) * counts.functions() / matrix.components();
@@ -36,10 +36,11 @@ void Plan::init(Analysis const& analysis) noexcept {
     topology = analysis.topology;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
+    region_counts = RegionCounts::of(mesh, analysis.edges);
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
-    if (!wall_faces.empty()) analysis.list_wall_faces(wall_faces);
+    if (!conductivity.empty()) wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
@@ -52,28 +53,13 @@ void Plan::init(Analysis const& analysis) noexcept {
     engine.place_panels();
 }
 
-void Plan::weigh(Points points) const noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        Vec2 c;
-        for (Index k = 0; k < cell.n; ++k) c = c + (1.0 / cell.n) * points[cell.point[k]];
-        Real least = infinity;
-        for (Index f = 0; f < wall_faces.count(); f += 2) {
-            Vec2 const a = points[wall_faces[f]], b = points[wall_faces[f + 1]];
-            Real const t = clamp(dot(c - a, b - a) / square(b - a), 0.0, 1.0);
-            least = smaller(least, square(c - a - t * (b - a)));
-        }
-        Real const root = square_root(square_root(square_root(least)));
-        Real k = 1;
-        for (Index q = 0; q < method.quarters; ++q) k /= root;
-        conductivity[i] = k;
-    }
-}
-
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    if (!conductivity.empty()) weigh(points);
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
+    }
     Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
     if (inverted != none) {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
@@ -91,10 +77,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
-        return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
-    }
+    HARMORPH_TRY(check_fit(basis, fault));
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Lines const all = lines(basis);
@@ -120,6 +103,12 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     if (report.residual <= method.tolerance) return Status::ok;
     return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
                         Counts::from_zero, report.residual_function, none, report.residual);
+}
+
+Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
+    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
+    if (same_counts && basis.header->topology == topology && basis.header->conditions == conditions) return Status::ok;
+    return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
 // A slipping point has moved along its tangent: from its one line to those of x and y.

@@ -57,6 +57,18 @@ bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
     return false;
 }
 
+void list_wall_faces(Analysis const& analysis, Span<Index> ends) noexcept {
+    Boundary const& boundary = analysis.boundary;
+    Index n = 0;
+    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
+        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            if (!analysis.is_wall_face(face)) continue;
+            ends[n++] = boundary.point[face];
+            ends[n++] = boundary.point[boundary.after(face, loop)];
+        }
+    }
+}
+
 class Run {
 public:
     Run(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
@@ -193,7 +205,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     fine.unseal();
     Points const points = analysis.problem.mesh.points;
     locator.build(coarse_mesh, coarse.reversed);
-    analysis.list_wall_faces(wall_faces);
+    list_wall_faces(analysis, wall_faces);
     wall_tree.build([&](Index face) {
         Box box;
         box.include(points[wall_faces[2 * face]]);

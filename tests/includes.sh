@@ -9,11 +9,12 @@ product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 box_tree locate
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions method wall slip periodic
+edges orientation boundary distortion region conditions method distance distance_tree wall slip periodic
 graph places dissection fronts subtrees
-matrix stiffness basis residual right_hand_sides
-multifrontal multifrontal_factor multifrontal_solve analysis harmonic
-morph quality admissible_step assessment crossing transfer
+matrix stiffness basis residual right_hand_sides path
+multifrontal multifrontal_factor multifrontal_solve analysis newton_system untangle harmonic
+morph weighted_sum quality admissible_step assessment crossing transfer
+safe_morph
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'

@@ -330,24 +330,6 @@ TEST_CASE("a transferred basis is a basis: attached again, it morphs the same") 
     CHECK(same_bits(all_numbers(again), all_numbers(transferred.basis)));
 }
 
-TEST_CASE("a basis tells what it was made with") {
-    Case its = channel(12, true);
-    its.set_rigid(99, 1, 2);
-    its.conditions.pop_back();
-    hm_options options = conformal();
-    options.offset_correction = 1;
-    Solved const solved(its, &options);
-    REQUIRE(solved.info().conditions == 4);
-    CHECK(solved.info().offset_correction == 1);
-    std::vector<hm_condition> found(4);
-    found[0].struct_size = sizeof(hm_condition);
-    REQUIRE(hm_basis_conditions(solved.basis, found.data(), 4, nullptr) == HM_OK);
-    CHECK(std::memcmp(found.data(), its.conditions.data(), 4 * sizeof(hm_condition)) == 0);
-    CHECK(hm_basis_conditions(solved.basis, found.data(), 3, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_basis_conditions(solved.basis, nullptr, 4, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_basis_conditions(nullptr, found.data(), 4, nullptr) == HM_BAD_ARGUMENT);
-}
-
 TEST_CASE("refused: other domains, curves, operators, meshes; and too little memory") {
     Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
     Solved const solved(coarse);

@@ -5,6 +5,7 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "stopwatch.hpp"
+#include "task.hpp"
 #include "threads.hpp"
 
 #include <algorithm>
@@ -13,16 +14,6 @@
 namespace cli {
 
 namespace {
-
-hm_options options_of(const hm_basis_info& info, const Threads& threads) {
-    auto options = sized<hm_options>();
-    options.operator_kind = info.operator_kind;
-    options.scheme = info.scheme;
-    options.exponent_quarters = info.exponent_quarters == 0 ? std::int32_t{HM_NO_WEIGHT} : info.exponent_quarters;
-    options.offset_correction = info.offset_correction;
-    options.executor = threads.executor();
-    return options;
-}
 
 // A marker of one mesh is the marker of the same tag in the other.
 std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int32_t marker, const Mesh& fine) {
@@ -35,29 +26,29 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
     return static_cast<std::int32_t>(found - fine.markers.begin());
 }
 
-std::vector<hm_condition> conditions_of(const Arguments& arguments, const Basis& basis, const Mesh& mesh,
-                                        const Mesh& fine) {
-    const std::int32_t n = basis.info().conditions;
-    std::vector<hm_condition> conditions(static_cast<std::size_t>(n), sized<hm_condition>());
-    call(basis.path(), hm_basis_conditions, basis.get(), conditions.data(), n);
-    for (hm_condition& condition : conditions) {
+// What the basis was solved for, on the other mesh, which finds parameters of its own.
+Task task_on(const Arguments& arguments, const Basis& basis, const Mesh& mesh, const Mesh& fine) {
+    Task task = task_of(basis);
+    task.given_points.clear();
+    for (hm_condition& condition : task.conditions) {
         condition.marker = same_marker(arguments, mesh, condition.marker, fine);
         if (condition.kind == HM_PERIODIC_PAIR) {
             condition.partner = same_marker(arguments, mesh, condition.partner, fine);
         }
     }
-    return conditions;
+    return task;
 }
 
 // The fine mesh's analysis and basis, and the transfer between them.
 class Transfer {
 public:
-    Transfer(const Mesh& fine, const Basis& basis, const std::vector<hm_condition>& conditions, const Threads& threads)
-        : fine_(fine), basis_(basis), view_(fine.view()), options_(options_of(basis.info(), threads)) {
+    Transfer(const Mesh& fine, const Basis& basis, const Task& task, const Threads& threads) // all must outlive it
+        : fine_(fine), basis_(basis), view_(fine.view()), options_(task.options) {
+        options_.executor = threads.executor();
         problem_.mesh = &view_;
         problem_.curves = basis.curves().n_curves > 0 ? &basis.curves() : nullptr;
-        problem_.n_conditions = static_cast<std::int32_t>(conditions.size());
-        problem_.conditions = conditions.data();
+        problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
+        problem_.conditions = task.conditions.data();
     }
 
     void run(const Mesh& mesh) {
@@ -125,8 +116,8 @@ void run(const Arguments& arguments) {
     const Basis basis(arguments.operand(1), mesh);
     const Mesh fine = read_mesh(arguments.operand(2));
     const Threads threads(threads_of(arguments));
-    const std::vector<hm_condition> conditions = conditions_of(arguments, basis, mesh, fine);
-    Transfer transfer(fine, basis, conditions, threads);
+    const Task task = task_on(arguments, basis, mesh, fine);
+    Transfer transfer(fine, basis, task, threads);
     transfer.run(mesh);
     OutputFiles files;
     write_basis(files.add(path), transfer.transferred());

@@ -57,16 +57,13 @@ struct Analysis {
 
     bool has_conditions() const noexcept { return !conditions.empty(); }
     BasisCounts basis_counts() const noexcept;
-    // Faces on curves and rigid bodies: points [2 * faces].
+    bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
     Index count_wall_faces() const noexcept;
-    void list_wall_faces(Span<Index> points) const noexcept;
     Index count_used_points() const noexcept;
     std::uint64_t conditions_print() const noexcept;
 
 private:
     MatrixKind matrix_kind() const noexcept;
-    template <class Visit>
-    void for_each_wall_face(Visit visit) const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_parts(Fault& fault) noexcept;
