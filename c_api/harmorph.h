@@ -384,6 +384,31 @@ HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, i
 /* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 
+/* ---- Coarse to fine: functions solved on one mesh, interpolated to the points of a denser one of the same domain ----- */
+
+typedef struct hm_transfer_report {
+    uint64_t struct_size;
+    int32_t  points;               /* interpolated: neither on a curve nor fixed */
+    int32_t  outside;              /* of them and of the curve points: outside the coarse mesh */
+    double   max_distance;         /* [length] of those from the coarse mesh */
+    int32_t  max_distance_point;   /* where; -1: none is outside */
+    int32_t  boundary_error_point; /* where */
+    double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, N_i evaluated anew */
+    double   wall_correction;      /* [-] the same before N_i was restored: how well the coarse mesh resolves the functions */
+} hm_transfer_report;
+
+/* The fine analysis has the curves, conditions and options of the coarse basis. Bytes of working space. */
+HM_API hm_status hm_transfer_size(const hm_analysis *analysis, const hm_mesh *coarse_mesh, size_t *bytes, hm_error *err);
+/* Fills and seals a basis made of the analysis, without a plan. Points get the values of the coarse cell they are in, those
+ * beyond a curved boundary the nearest cell's, extrapolated linearly; farther than half that cell's longest side is
+ * refused (HM_BAD_MESH, error.item: the point, error.value: its distance). Curve points get N_i(u) itself, and points nearer
+ * to them than a coarse cell move along; fixed points get 0, slipping ones stay on their lines. Second order in the coarse
+ * spacing, and exact for functions that are linear. Uses the threads of the analysis. A refused call leaves the basis
+ * unsolved. report may be NULL. */
+HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const hm_analysis *analysis,
+                             const hm_basis *coarse, const hm_mesh *coarse_mesh, hm_transfer_report *report,
+                             hm_error *err);
+
 /* ---- Morph ------------------------------------------------------------------------------------------------------- */
 
 /* (x, y)_new = (x, y) + sum_i F_i (dx, dy)_i; move [2*functions] holds the control points' dx,dy pairs [length], then for

@@ -46,8 +46,9 @@ leaves_nothing() { # leaves_nothing NAME FILE: neither the file nor a temporary 
 # ---- Inputs ------------------------------------------------------------------------------------------------------
 
 # A ring of quads, some split into triangles, between a circle of radius 1 and one of radius 4.
-awk 'BEGIN {
-    n = 48; m = 12; pi = atan2(0, -1)
+make_ring() { # make_ring POINTS-ROUND CELLS-OUTWARDS
+    awk -v n="$1" -v m="$2" 'BEGIN {
+    pi = atan2(0, -1)
     print "% a ring\nNDIME= 2\nNELEM= " n * m + n
     for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
         a = j * n + i; b = j * n + (i + 1) % n
@@ -63,7 +64,9 @@ awk 'BEGIN {
     for (i = 0; i < n; i++) print "3 " i " " (i + 1) % n
     print "MARKER_TAG= far\nMARKER_ELEMS= " n
     for (i = 0; i < n; i++) print "3 " m * n + i " " m * n + (i + 1) % n
-}' >"$tmp/ring.su2"
+}'
+}
+make_ring 48 12 >"$tmp/ring.su2"
 ring=$tmp/ring.su2 curve=$tmp/ring.curve basis=$tmp/ring.basis
 
 # The same ring as other programs write it: carriage returns, points first, odd blanks, and things that are passed over.
@@ -92,7 +95,7 @@ awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
 runs "--version" 0 --version
-for command in fit solve morph export check demo; do
+for command in fit solve morph export check transfer demo; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
 done
@@ -212,6 +215,24 @@ broken bad '/MARKER_TAG= far/,/MARKER_ELEMS/d; s/MARKER_ELEMS= 48/MARKER_ELEMS= 
 refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
 head -c 3000 "$harmorph" >"$tmp/bad.su2"
 refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
+
+# ---- Coarse to fine ----------------------------------------------------------------------------------------------
+
+make_ring 110 31 >"$tmp/fine.su2"
+runs "transfer" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine.basis" --json
+has_keys "transfer: keys" points cells functions interpolated outside max_distance boundary_error wall_correction \
+    analysis_seconds transfer_seconds
+check "transfer: counts" says '"points": 3520, "cells": 3520, "functions": 12, "interpolated": 3300, "outside": 0'
+runs "transfer: its basis morphs the fine mesh" 0 morph "$tmp/fine.su2" "$tmp/fine.basis" --move "$tmp/small.txt" --json
+check "transfer: the wall moves as the B-spline" grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0)' "$tmp/out"
+runs "transfer: threads" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine2.basis" --threads 2
+check "transfer: threads give the same bits" cmp "$tmp/fine.basis" "$tmp/fine2.basis"
+check "transfer: says how many were interpolated" says '3300 of them interpolated'
+awk 'NF == 3 && index($0, ".") { $1 = 1.5 * $1; $2 = 1.5 * $2 } { print }' "$tmp/fine.su2" >"$tmp/larger.su2"
+refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
+sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
+refuses "transfer: a marker that is missing" 2 "'body'" transfer "$ring" "$basis" "$tmp/renamed.su2" -o "$tmp/x"
+refuses "transfer: a basis of another mesh" 3 'another mesh' transfer "$tmp/fine.su2" "$basis" "$ring" -o "$tmp/x"
 
 # ---- Bad curve, moves and basis files ----------------------------------------------------------------------------
 
