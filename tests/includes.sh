@@ -9,9 +9,10 @@ product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions wall
-graph places dissection fronts subtrees
+graph layers places dissection fronts subtrees
+rows symmetric_rows block_rows agglomeration
 matrix laplace basis residual
-multifrontal multifrontal_factor multifrontal_solve analysis harmonic
+multifrontal multifrontal_factor multifrontal_solve iteration multigrid multigrid_cycle analysis harmonic
 morph quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.

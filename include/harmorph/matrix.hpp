@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/fronts.hpp"
+#include "harmorph/symmetric_rows.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {
@@ -36,6 +37,9 @@ struct Matrix {
     void clear() const noexcept;
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
     void add(Index point, Index other, Real conductance) const noexcept;
+
+    // The unknowns' part; faces [entries] receives which of its entries are mesh edges.
+    SymmetricRows rows(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
 };
 
 }  // namespace harmorph
