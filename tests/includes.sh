@@ -12,7 +12,7 @@ edges orientation boundary conditions wall
 graph layers places dissection fronts subtrees
 rows symmetric_rows block_rows agglomeration
 matrix laplace basis residual
-multifrontal multifrontal_factor multifrontal_solve iteration multigrid multigrid_cycle analysis harmonic
+multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle analysis harmonic
 morph quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
