@@ -200,8 +200,12 @@ HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, con
 
 enum {                             /* hm_condition.kind; a point on several markers: the smallest wins */
     HM_ON_CURVE = 0,               /* F_i = N_i(u) */
-    HM_FIXED = 1,                  /* F_i = 0; also every marker without a condition */
-    HM_FREE = 2                    /* zero normal derivative: points are free to move off the line they are on */
+    HM_RIGID = 1,                  /* a body that only translates, turns and scales, see hm_morph */
+    HM_FIXED = 2,                  /* F_i = 0; also every marker without a condition */
+    HM_SLIP = 3,                   /* points stay on a straight line and slide. A marker may have several lines; where two
+                                      meet at an angle the point is fixed */
+    HM_FREE = 4,                   /* zero normal derivative: points are free to move off the line they are on */
+    HM_PERIODIC_PAIR = 5           /* this marker and its partner are translates of each other: both move alike, bit by bit */
 };
 
 typedef struct hm_condition {
@@ -209,26 +213,55 @@ typedef struct hm_condition {
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
     int32_t  first_curve, n_curves;/* on curve: the points lie on one of curves first .. first+n-1 */
+    int32_t  body;                 /* rigid: which body, from 0 without gaps; markers may share one */
+    int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
+    double   x, y;                 /* rigid: the point the body turns about [length] */
 } hm_condition;
 
 typedef struct hm_problem {
     uint64_t struct_size;
     const hm_mesh      *mesh;
-    const hm_curves    *curves;    /* NULL: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
+    const hm_curves    *curves;    /* NULL, and no rigid body: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
     int32_t             n_conditions;
-    const hm_condition *conditions;/* [n_conditions] at least one on a curve (if there are curves) */
+    const hm_condition *conditions;/* [n_conditions] at least one on a curve or rigid */
     int32_t             n_given;   /* curve points whose parameter is given; the others' are found by projection */
     const int32_t      *given_points;  /* [n_given] */
     const int32_t      *given_curves;  /* [n_given] */
     const double       *given_u;       /* [n_given] */
 } hm_problem;
 
-/* What goes together (everything else is HM_UNSUPPORTED):
- *   operator     scheme      engine     conditions
- *   HM_LAPLACE   HM_COMPACT  HM_DIRECT  on curve, fixed, free */
-enum { HM_LAPLACE = 0 };           /* operator_kind: the paper's harmonic functions */
+/* What goes together (everything else is HM_UNSUPPORTED). A function's value at a point is a linear map of the plane: 1, 2
+ * or 4 numbers (hm_basis_info.numbers_per_value). "complex": also where the table says real, if there are rigid bodies.
+ *   operator      scheme      engine         conditions                        values
+ *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT      all but free                      complex; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
+ *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_COMPACT  HM_MULTIGRID   all but slip                      real
+ *   HM_WEIGHTED   HM_COMPACT  HM_MULTIGRID   all but slip                      real
+ *
+ * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
+ * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
+enum {                             /* operator_kind */
+    HM_CONFORMAL = 0,              /* least departure from angle-preserving maps: minimises the integral of k |f_x + i f_y|^2
+                                      over complex functions f. Angles at the wall stay, heights of the first layer scale with
+                                      the wall's stretch. Deformations may be about 20 times those of HM_LAPLACE. It needs
+                                      every boundary held: beside a free one it is badly posed */
+    HM_LAPLACE = 1,                /* the paper's harmonic functions: the integral of |grad F|^2 */
+    HM_WEIGHTED = 2                /* the integral of k |grad F|^2 */
+};
+enum { HM_NO_WEIGHT = -1 };        /* exponent_quarters: k = 1. The conformal functions are then those of HM_LAPLACE */
 enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
-enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
+enum {                             /* engine */
+    HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
+    HM_MULTIGRID = 1               /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
+                                      20 to 35 iterations, whatever the size. A residual tells little of the error where
+                                      weights vary strongly */
+};
+enum {                             /* agglomeration: which cells the levels of HM_MULTIGRID merge */
+    HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where cells are stretched more than 2 to 1, else any */
+    HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with most mesh edges between them, however stretched */
+    HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
+};
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
@@ -243,7 +276,7 @@ typedef int32_t (*hm_progress)(void *user, int32_t phase, double fraction);
 
 typedef struct hm_options {
     uint64_t struct_size;
-    int32_t  operator_kind;        /* default HM_LAPLACE */
+    int32_t  operator_kind;        /* default HM_CONFORMAL */
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
     int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
@@ -251,6 +284,21 @@ typedef struct hm_options {
     hm_progress progress;          /* NULL: none; always called on the thread of the call */
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
+    int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4 (weighted) */
+    int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
+                                      its curve, so that the offset turns with the curve: rigid motions of all control points
+                                      then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
+                                      and where C' vanishes */
+    /* Engines that iterate, only: */
+    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: as many as there are */
+    int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
+    int32_t  block_width;          /* functions solved at a time: 4, 8 or 16; 0 means 8. Plan space for each thread's vectors
+                                      grows with it: 56 bytes per unknown and function */
+    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200 */
+    double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
+                                      and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
+    int32_t  history_length;
+    int32_t  reserved;             /* 0 */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -309,7 +357,11 @@ typedef struct hm_solve_report {
     int32_t  curve_points;         /* mesh points on curves */
     int32_t  refinements;          /* steps of iterative refinement that the residual called for */
     int32_t  reserved;             /* 0 */
-    int64_t  factor_entries;       /* numbers in the factor */
+    int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
+    int32_t  iterations;           /* engines that iterate: largest over the functions; 0: HM_DIRECT */
+    int32_t  levels;               /* of agglomeration */
+    int32_t  fine_sweeps;          /* of the smoother over the finest level, largest over the functions */
+    int32_t  reserved_too;         /* 0 */
 } hm_solve_report;
 
 /* Solves all functions in the basis, with the plan's factor. Both must come from one analysis. report may be NULL.
@@ -326,29 +378,38 @@ typedef struct hm_basis_info {
     uint64_t struct_size;
     uint64_t bytes;                /* of the block from the basis's address on */
     int32_t  solved;               /* 0 or 1 */
-    int32_t  points, cells, functions, curves, curve_points;
-    int32_t  numbers_per_value;    /* 1: real */
+    int32_t  points, cells, functions, curves, curve_points; /* curve_points: and those of rigid bodies */
+    int32_t  numbers_per_value;    /* 1: real f; 2: complex a + i b; 4: matrix xx, xy, yx, yy */
     int32_t  operator_kind, scheme, engine;
     int32_t  index_base;           /* of the mesh it was solved on: what points and cells in reports count from */
     const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
-    const int32_t *point_curve;    /* [curve_points] the curve each is on */
+    const int32_t *point_curve;    /* [curve_points] the curve each is on; curves + b: on rigid body b */
     const double  *point_u;        /* [curve_points] its parameter */
+    int32_t  exponent_quarters;    /* 0: no weight */
+    int32_t  bodies;               /* rigid ones; functions = control points + 2 * bodies */
+    int32_t  offset_correction;    /* 0 or 1 */
+    int32_t  reserved;             /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
  * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
-/* values [n_points] of function i (from 0). */
-HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, double *values, hm_error *err);
+/* The conditions the basis was solved with: out [capacity], out[0].struct_size set; *n: how many there are, also when
+ * capacity is too small (HM_BAD_ARGUMENT). With curves and parameters they make the problem again. */
+HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n, hm_error *err);
+/* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
+HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 
 /* ---- Morph ------------------------------------------------------------------------------------------------------- */
 
-/* x_new = x + sum_i F_i dx_i, likewise y; move [2*n_control] holds dx,dy pairs [length]. In place (x_new == x, equal
+/* (x, y)_new = (x, y) + sum_i F_i (dx, dy)_i; move [2*functions] holds the control points' dx,dy pairs [length], then for
+ * each rigid body its translation dx,dy [length] and s - 1 as a pair, s = scale * (cos a, sin a), a the angle of its turn
+ * counter-clockwise: the body's points z move to c + s (z - c) + (dx, dy), c its centre, exactly. In place (x_new == x, equal
  * strides) or to another array that does not overlap. Points whose sum is 0 keep their bits. Strides: 0 means 1. Also
  * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
                           double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
-/* The transpose: gradient [2*n_control] of an objective by the control points, from its gradient by the mesh points. */
+/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                             double *gradient, const hm_executor *executor, hm_error *err);
 /* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */

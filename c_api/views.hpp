@@ -48,6 +48,11 @@ const T* element(const T* array, Index i) noexcept {
     return reinterpret_cast<const T*>(bytes + static_cast<Size>(i) * static_cast<Size>(array->struct_size));
 }
 
+template <class T>
+T* element(T* array, Index i) noexcept {
+    return const_cast<T*>(element(static_cast<const T*>(array), i));
+}
+
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
     return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
 }
@@ -66,8 +71,7 @@ Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexc
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
 // executor NULL: one thread.
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
-Status view_options(const hm_options* given, Method& method, Progress& progress, Executor& executor,
-                    Fault& fault) noexcept;
+Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;
 Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept;
 
 }  // namespace harmorph

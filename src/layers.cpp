@@ -31,7 +31,7 @@ void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> rep
             if (!is_unknown(kinds[b])) reach(graph.unknown[a]);
         });
         for (Index u = 0; u < graph.n; ++u) {
-            if (kinds[graph.point[u]] == PointKind::free) reach(u);
+            if (kinds[graph.point(u)] == PointKind::free) reach(u);
         }
         for (Index read = 0; read < filled; ++read) {
             for (Index const v : graph.of(order[read])) reach(v);

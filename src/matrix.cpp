@@ -26,13 +26,22 @@ I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept 
     return begin;
 }
 
-// visit(wall slot, unknown) for every pair of a wall point and an unknown that share a cell.
+// visit(line of the wall, unknown) for every line of a wall point and every unknown of a point that share a cell.
 template <class Visit>
 void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
                        Span<const Index> slot, Visit visit) noexcept {
+    Index const components = graph.components;
+    auto const couple = [&](Index wall_point, Index other) {
+        if (slot[wall_point] == none) return;
+        for (Index q = 0; q < components; ++q) {
+            Index const unknown = graph.unknown[components * other + q];
+            if (unknown == none) continue;
+            for (Index p = 0; p < components; ++p) visit(components * slot[wall_point] + p, unknown);
+        }
+    };
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (slot[a] != none && graph.unknown[b] != none) visit(slot[a], graph.unknown[b]);
-        if (slot[b] != none && graph.unknown[a] != none) visit(slot[b], graph.unknown[a]);
+        couple(a, b);
+        couple(b, a);
     });
 }
 
@@ -40,22 +49,32 @@ void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> r
 
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
     n = unknowns;
-    arena.take(place, n_points);
+    kind = sizes.kind;
+    arena.take(place, Offset{components()} * n_points);
     arena.take(diagonal, n);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries);
     arena.take(value, sizes.entries);
-    arena.take(coupling_start, Offset{wall_points} + 1);
+    arena.take(imaginary, is_complex() ? sizes.entries : 0);
+    arena.take(coupling_start, Offset{components()} * wall_points + 1);
     arena.take(coupling_row, sizes.couplings);
     arena.take(coupling_value, sizes.couplings);
+    arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
+    arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
 void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                   Span<const Index> order, Span<const Index> position, Span<const Index> slot) noexcept {
+                   Span<const Index> order, Span<const Index> position, Span<const Index> slot,
+                   Span<const Vec2> tangent) noexcept {
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index const its = representative[point];
-        Index const unknown = graph.unknown[its];
-        place[point] = unknown != none ? position[unknown] : slot[its] != none ? wall(slot[its]) : none;
+        for (Index c = 0; c < components(); ++c) {
+            Index const unknown = graph.unknown[components() * its + c];
+            place[components() * point + c] = unknown != none     ? position[unknown]
+                                              : slot[its] != none ? wall(components() * slot[its] + c)
+                                                                  : none;
+        }
+        if (!frame.empty()) frame[point] = tangent[its];
     }
     Offset filled = 0;
     for (Index row = 0; row < n; ++row) {
@@ -68,20 +87,31 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
     start[n] = filled;
 
     fill(coupling_start, Index{0});
-    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index s, Index) { ++coupling_start[s]; });
+    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index) { ++coupling_start[line]; });
     counts_to_starts(coupling_start);
-    for_each_coupling(mesh, edges, representative, graph, slot,
-                      [&](Index s, Index unknown) { coupling_row[coupling_start[s]++] = position[unknown]; });
+    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index unknown) {
+        coupling_row[coupling_start[line]++] = position[unknown];
+    });
     rewind_starts(coupling_start);
-    for (Index s = 0; s + 1 < coupling_start.count(); ++s) {
-        sort_row(coupling_row.from(coupling_start[s], coupling_start[s + 1] - coupling_start[s]));
+    for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
+        sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
 }
 
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
     fill(value, 0.0);
+    fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
+    fill(coupling_imaginary, 0.0);
+}
+
+Offset Matrix::find(Index row, Index later) const noexcept {
+    return find_in_row<Offset>(column, start[row], start[row + 1], later);
+}
+
+Index Matrix::find_coupling(Index line, Index row) const noexcept {
+    return find_in_row<Index>(coupling_row, coupling_start[line], coupling_start[line + 1], row);
 }
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
@@ -89,26 +119,65 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
     if (i >= 0 && j >= 0) {
-        Index const row = smaller(i, j);
-        value[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] -= conductance;
+        value[find(smaller(i, j), larger(i, j))] -= conductance;
     } else if (i >= 0 && is_wall(j)) {
-        Index const s = wall(j);
-        coupling_value[find_in_row<Index>(coupling_row, coupling_start[s], coupling_start[s + 1], i)] -= conductance;
+        coupling_value[find_coupling(wall(j), i)] -= conductance;
     } else if (j >= 0 && is_wall(i)) {
-        Index const s = wall(i);
-        coupling_value[find_in_row<Index>(coupling_row, coupling_start[s], coupling_start[s + 1], j)] -= conductance;
+        coupling_value[find_coupling(wall(i), j)] -= conductance;
     }
 }
 
-SymmetricRows Matrix::rows(Edges const& edges, Span<std::uint8_t> faces) const noexcept {
+void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    if (is_complex()) return add_complex(point, other, conductance, circulation);
+    add_lines(point, other, conductance, circulation);
+}
+
+void Matrix::add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    Index const i = place[point], j = place[other];
+    if (i >= 0) diagonal[i] += conductance;
+    if (j >= 0) diagonal[j] += conductance;
+    if (i >= 0 && j >= 0) {
+        Offset const k = find(smaller(i, j), larger(i, j));
+        value[k] -= conductance;
+        imaginary[k] += i < j ? circulation : -circulation;
+    } else if (i >= 0 && is_wall(j)) {
+        Index const k = find_coupling(wall(j), i);
+        coupling_value[k] -= conductance;
+        coupling_imaginary[k] += circulation;
+    } else if (j >= 0 && is_wall(i)) {
+        Index const k = find_coupling(wall(i), j);
+        coupling_value[k] -= conductance;
+        coupling_imaginary[k] -= circulation;
+    }
+}
+
+// The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
+void Matrix::add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    Vec2 const entry = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+    Real const block[2][2] = {{entry.x, -entry.y}, {entry.y, entry.x}};
+    for (Index p = 0; p < 2; ++p) {
+        Index const i = place[2 * point + p], own_j = place[2 * other + p];
+        if (i >= 0) diagonal[i] += conductance;
+        if (own_j >= 0) diagonal[own_j] += conductance;
+        for (Index q = 0; q < 2; ++q) {
+            Index const j = place[2 * other + q];
+            if (i >= 0 && j >= 0) {
+                value[find(smaller(i, j), larger(i, j))] += block[p][q];
+            } else if (i >= 0 && is_wall(j)) {
+                coupling_value[find_coupling(wall(j), i)] += block[p][q];
+            } else if (j >= 0 && is_wall(i)) {
+                coupling_value[find_coupling(wall(i), j)] += block[p][q];
+            }
+        }
+    }
+}
+
+void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {
     fill(faces, std::uint8_t{0});
     edges.for_each([&](Index, Index low, Index high) {
         Index const i = place[low], j = place[high];
-        if (i < 0 || j < 0) return;
-        Index const row = smaller(i, j);
-        faces[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] = 1;
+        if (i >= 0 && j >= 0 && i != j) faces[find(smaller(i, j), larger(i, j))] = 1;
     });
-    return {n, diagonal, start, column, value, faces};
 }
 
 }  // namespace harmorph

@@ -4,14 +4,14 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 sort hash monotone kernel_call
+vec2 value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions wall
+edges orientation boundary conditions method distance distance_tree wall slip periodic
 graph layers places dissection fronts subtrees
 rows symmetric_rows block_rows agglomeration
-matrix laplace basis residual
+matrix stiffness basis residual right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle analysis harmonic
 morph quality admissible_step assessment crossing
 '

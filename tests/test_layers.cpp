@@ -22,7 +22,7 @@ std::vector<int> depth_of(harmorph::Analysis const& a) {
         if (!is_unknown(a.kinds[q])) set(a.graph.unknown[p], 0);
     });
     for (Index u = 0; u < a.graph.n; ++u)
-        if (a.kinds[a.graph.point[u]] == harmorph::PointKind::free) set(u, 0);
+        if (a.kinds[a.graph.point(u)] == harmorph::PointKind::free) set(u, 0);
     for (int layer = 0; reached < a.graph.n; ++layer)
         for (Index u = 0; u < a.graph.n; ++u)
             if (depth[static_cast<std::size_t>(u)] == layer)

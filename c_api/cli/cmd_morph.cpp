@@ -84,7 +84,7 @@ void run(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
-    const std::vector<double> moves = read_moves(moves_path, basis.functions());
+    const std::vector<double> moves = read_moves(moves_path, basis, mesh);
     const Threads threads(threads_of(arguments));
     const Morph morph(basis, mesh, moves, repeats, threads);
     if (morph.valid() || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);

@@ -1,6 +1,7 @@
 // The two pictures of the program, as SVG documents.
 #pragma once
 
+#include "csv.hpp"
 #include "morph.hpp"
 
 #include <string>
@@ -12,6 +13,6 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vecto
 
 // One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
-                             const std::vector<double>& values);
+                             const Column& column);
 
 } // namespace cli

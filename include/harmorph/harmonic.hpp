@@ -2,8 +2,10 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
+#include "harmorph/distance.hpp"
 #include "harmorph/multifrontal.hpp"
-#include "harmorph/residual.hpp"
+#include "harmorph/multigrid.hpp"
+#include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {
 
@@ -12,6 +14,7 @@ struct SolveReport {
     Real residual = 0;
     Index residual_function = none;
     Index refinements = 0;
+    IterationReport iteration;
     Offset factor_entries = 0;
 };
 
@@ -24,11 +27,15 @@ struct Plan {
     Offset factor_entries = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Span<Index> point_of;         // [n] mesh point of each position
+    Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
+    FaceDistance wall;            // faces that move, where the operator is weighted
+    Span<Real> conductivity;      // [n_cells] of weighted operators
     Matrix matrix;
-    Multifrontal engine;
-    Residual residual;            // in the place of the engine's stack
+    Multifrontal engine;          // this one
+    Span<std::uint8_t> faces;     // [entries] or, with these, which entries are mesh edges,
+    Multigrid multigrid;          // or this one
+    Residual residual;            // in the place of the engine's stack or vectors
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
@@ -38,7 +45,13 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
 
 private:
-    void set_right_hand_sides(Basis const& basis) const noexcept;
+    void lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept;
+    void init_engine(Analysis const& analysis) noexcept;
+    Status factor_engine(Fault& fault) noexcept;
+    Status solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept;
+    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+    void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
     Status refine(Basis const& basis, Fault& fault) noexcept;

@@ -8,9 +8,6 @@
 
 namespace harmorph {
 
-// How the equations are solved; the numbers are those of the C header.
-enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
-
 struct Iteration {
     MergingRules merging;
     Index block_width = 8;       // functions that are solved at a time: 4, 8 or 16
