@@ -9,10 +9,10 @@ Status missing(Fault& fault, const char* sentence) noexcept { return fault.refus
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
     bool const real = o.operator_kind != HM_CONFORMAL;
     bool const known = o.operator_kind >= HM_CONFORMAL && o.operator_kind <= HM_WEIGHTED;
-    bool const usual = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
+    bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
     bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
     bool const iterative = real && o.scheme == HM_COMPACT && o.engine == HM_MULTIGRID;
-    if (!known || !(usual || bounded || iterative)) {
+    if (!known || !(plain || bounded || iterative)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
