@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/airfoil.hpp>
-#include <fixtures/c_mesh.hpp>
 #include <fixtures/check.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/walls.hpp>
@@ -91,6 +90,15 @@ TEST_CASE("no motion is left alone to the last bit, rigid motion to rounding; sc
     CHECK(check(walls.deformed).min_corner > 0);
 }
 
+TEST_CASE("heights keep their order as long as the wall is stretched by more than 0.22") {
+    Walls walls(annulus(200, 24, 1, 2));
+    for (double const stretch : {0.25, 5.0, 0.15}) {
+        walls.deform([&](Point p) { return Point{stretch * p.x, stretch * p.y}; });
+        walls.restore();
+        CHECK((check(walls.deformed).min_corner > 0) == (stretch > 0.22));
+    }
+}
+
 TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no cell inverts") {
     for (double const first : {1e-5, 1e-3})
         for (double const a : {0.001, -0.001}) {
@@ -115,20 +123,69 @@ TEST_CASE("a viscous airfoil mesh: heights come back, sharp edge and all, and no
 }
 
 TEST_CASE("joined points move together") {
-    Naca4 naca;
-    CMesh const c = c_mesh(naca4(naca, 40), 12, 3, stretched(1e-3, 5, 30));
-    Walls walls(c.mesh);
-    walls.deform(Quadratic{0.05});
+    int const n_t = 48, n_r = 20;
+    Mesh mesh = annulus(n_r, n_t, 1, 2);
+    int const first_copy = mesh.n_points();
+    for (int ring = 0; ring <= n_r; ++ring) mesh.add_point(mesh.point(ring * n_t));
+    auto const cut = [&](std::int32_t& point) { point = point % n_t == 0 ? first_copy + point / n_t : point; };
+    for (std::size_t k = 0; k < mesh.cells.size(); ++k)   // the last column: beyond the cut the points are others
+        if (static_cast<int>(k / 4) % n_t == n_t - 1) cut(mesh.cells[k]);
+    for (std::size_t k = 0; k < mesh.faces.size(); ++k)
+        if (mesh.faces[k ^ 1] % n_t == n_t - 1) cut(mesh.faces[k]);
+    Walls walls(mesh);
+    walls.deform(Quadratic{0.1});
     Mesh const before = walls.deformed;
     walls.restore();
-    int joined = 0;
-    for (Index k = 0; k < c.mesh.n_points(); ++k) {
-        Index const its = walls.analysed->representative[k];
-        joined += its != k;
-        CHECK(distance(walls.deformed.point(k), walls.deformed.point(its)) == 0);
+    for (int ring = 0; ring <= n_r; ++ring) {
+        CHECK(walls.analysed->representative[first_copy + ring] == ring * n_t);
+        CHECK(distance(walls.deformed.point(first_copy + ring), walls.deformed.point(ring * n_t)) == 0);
     }
-    CHECK(joined > 0);
+    CHECK(moved(walls, before, n_t) > 0);
+}
+
+TEST_CASE("the reach: within the radius of curvature and a quarter of the extent, graded, 0 where walls end") {
+    Walls walls(hybrid_airfoil());
+    walls.restore();
+    harmorph::WallPoints const& wall = walls.heights.wall;
+    double largest = 0;
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        Point const here = walls.mesh.point(wall.point[slot]);
+        if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);   // 1.1019 * 0.12^2 at the nose
+        if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);                           // the sharp edge
+        largest = std::fmax(largest, walls.heights.reach[slot]);
+        Index const next = wall.slot[wall.next[slot]];
+        double const step = std::fabs(walls.heights.reach[next] - walls.heights.reach[slot]);
+        CHECK(step <= 0.5 * distance(here, walls.mesh.point(wall.next[slot])) + 1e-15);
+    }
+    CHECK((largest > 0.1 && largest <= 0.25));
+
+    Mesh mesh = square(8, Cells::quads);
+    for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)
+        if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0) mesh.face_markers[k] = body;
+    Walls open(mesh);
+    open.restore();
+    for (Index slot = 0; slot < open.heights.wall.count; ++slot) {
+        double const x = mesh.point(open.heights.wall.point[slot]).x;
+        if (x == 0 || x == 1) CHECK(open.heights.reach[slot] == 0);
+        if (x == 0.5) CHECK(open.heights.reach[slot] > 0.1);
+    }
+}
+
+TEST_CASE("nothing moves beside a boundary that is no wall") {
+    Mesh mesh = two_bodies(16, 12, {0.4, 0.3, 0}, {0.45, 0.35, 0.1});
+    for (std::int32_t& marker : mesh.face_markers) marker = marker == second_body ? std::int32_t{9} : marker;
+    std::vector<char> is_fixed(mesh.x.size(), 0);
+    for (std::size_t k = 0; k < mesh.faces.size(); ++k)
+        if (mesh.face_markers[k / 2] != body) is_fixed[static_cast<std::size_t>(mesh.faces[k])] = 1;
+    Walls walls(mesh);
+    walls.deform([](Point p) { return Point{1.2 * p.x, 1.2 * p.y}; });
+    Mesh const before = walls.deformed;
+    walls.restore();
     CHECK(!is_still(walls, before));
+    for (std::size_t k = 0; k < mesh.cells.size(); ++k) {
+        std::int32_t const next = mesh.cells[k % 4 == 3 ? k - 3 : k + 1];   // all cells are quads
+        if (is_fixed[static_cast<std::size_t>(next)]) CHECK(moved(walls, before, mesh.cells[k]) == 0);
+    }
 }
 
 TEST_CASE("two bodies: where the nearest changes nothing moves, and cells stay valid") {
