@@ -278,7 +278,7 @@ typedef struct hm_options {
     int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where C' vanishes */
+                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
