@@ -298,7 +298,7 @@ typedef struct hm_options {
     int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where C' vanishes */
+                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
     int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: as many as there are */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */

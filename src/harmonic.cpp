@@ -170,7 +170,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (same_counts && basis.header->topology == topology && basis.header->conditions == conditions) return Status::ok;
+    bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
+    if (same_counts && same_mesh && basis.header->method.agrees_with(method)) return Status::ok;
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 

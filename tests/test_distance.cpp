@@ -294,7 +294,7 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
     for (Index quarters = 0; quarters <= 16; ++quarters) {
         std::vector<double> const k = weights_of(mesh, tree, quarters);
-        double worst = 0;   // in what rounding of the coordinates may do to the distance
+        double worst = 0;   // in what rounding may do
         for (std::size_t cell = 0; cell < k.size(); ++cell) {
             double const rounding = 1e-14 + quarters * 4e-16 / distance[cell];   // of either barycentre: 3 in 2^-53
             double const fourth = (k[cell] * k[cell]) * (k[cell] * k[cell]);   // times (d / unit)^quarters is 1
