@@ -5,6 +5,7 @@
 #   make unit             the C++ tests alone
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
+#   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
@@ -14,7 +15,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules unit test check-link bench demo install uninstall clean
+.PHONY: all rules unit test check-link bench deform demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -90,6 +91,9 @@ bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
 	    sh tests/bench/run.sh
+
+deform: all
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/deform/run.sh
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo

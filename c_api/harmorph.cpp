@@ -28,14 +28,11 @@ struct Request {
         if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
         HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
         HARMORPH_TRY(view_options(options, problem.method, problem.progress, problem.executor, fault));
-        if (p.curves == nullptr) return Status::ok;
-        HARMORPH_TRY(view_curves(p.curves, curves, fault));
-        n_curves = curves.count();
-        if (p.n_conditions < 1 || p.conditions == nullptr) {
-            return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
+        if (p.curves != nullptr) {
+            HARMORPH_TRY(view_curves(p.curves, curves, fault));
+            n_curves = curves.count();
         }
-        condition = p.conditions;
-        n_conditions = p.n_conditions;
+        HARMORPH_TRY(read_conditions(p, fault));
         if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
             return fault.refuse(Status::bad_argument, "given parameters: negative number, or an array is NULL");
         }
@@ -44,9 +41,29 @@ struct Request {
         return Status::ok;
     }
 
+    // Without curves and rigid bodies nothing is to be solved, and conditions do not count.
+    Status read_conditions(hm_problem const& p, Fault& fault) noexcept {
+        if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
+            return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
+        }
+        for (Index i = 0; i < p.n_conditions; ++i) {
+            Condition its;
+            HARMORPH_TRY(view_condition(p.conditions, i, its, fault));
+            problem.demands.add(its);
+        }
+        if (n_curves == 0 && problem.demands.bodies == 0) return Status::ok;
+        if (p.n_conditions == 0) {
+            return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
+        }
+        condition = p.conditions;
+        n_conditions = p.n_conditions;
+        if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
+        return fault.refuse(Status::unsupported, "the conformal operator does not go with free boundaries; slipping ones do");
+    }
+
     void lay_out(Arena& arena, Span<Analysis>& place, Analysis& analysis) const noexcept {
         arena.take(place, 1);
-        analysis.lay_out(arena, problem.mesh, n_curves, n_conditions, problem.executor);
+        analysis.lay_out(arena, problem, n_curves, n_conditions);
     }
 
     Status copy_to(Analysis& analysis, Fault& fault) const noexcept {
@@ -73,10 +90,10 @@ Status analyse(const Request& request, void* block, Size bytes, hm_analysis** ou
     return Status::ok;
 }
 
-Status require_curves(const hm_analysis* analysis, const void* out, Fault& fault) noexcept {
+Status require_conditions(const hm_analysis* analysis, const void* out, Fault& fault) noexcept {
     if (analysis == nullptr || out == nullptr) return fault.refuse(Status::bad_argument, "an argument is NULL");
-    if (opened(analysis).has_curves()) return Status::ok;
-    return fault.refuse(Status::bad_argument, "the analysis is of the mesh alone: its problem had no curves");
+    if (opened(analysis).has_conditions()) return Status::ok;
+    return fault.refuse(Status::bad_argument, "the analysis is of the mesh alone: its problem had no conditions");
 }
 
 void lay_out_plan(Arena& arena, Analysis const& analysis, Span<Plan>& place, Plan& plan) noexcept {
@@ -105,6 +122,7 @@ const char* hm_status_name(hm_status status) {
         case HM_OK: return "HM_OK";
         case HM_NOT_CONVERGED: return "HM_NOT_CONVERGED";
         case HM_MOVED: return "HM_MOVED";
+        case HM_SHORT: return "HM_SHORT";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";
         case HM_BAD_MESH: return "HM_BAD_MESH";
@@ -114,6 +132,7 @@ const char* hm_status_name(hm_status status) {
         case HM_BLOCK_TOO_SMALL: return "HM_BLOCK_TOO_SMALL";
         case HM_NOT_POSITIVE: return "HM_NOT_POSITIVE";
         case HM_UNSUPPORTED: return "HM_UNSUPPORTED";
+        case HM_CROSSING: return "HM_CROSSING";
         default: return "unknown status";
     }
 }
@@ -205,7 +224,7 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, c
 
 hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     Fault fault;
-    if (!failed(require_curves(analysis, bytes, fault))) {
+    if (!failed(require_conditions(analysis, bytes, fault))) {
         Arena counting;
         Span<Plan> place;
         Plan plan;
@@ -218,7 +237,7 @@ hm_status hm_plan_size(const hm_analysis* analysis, size_t* bytes, hm_error* err
 hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
     Fault fault;
     if (block == nullptr) fault.refuse(Status::bad_argument, "block is NULL");
-    if (!failed(fault.status) && !failed(require_curves(analysis, plan, fault))) {
+    if (!failed(fault.status) && !failed(require_conditions(analysis, plan, fault))) {
         Arena arena(block, bytes);
         Span<Plan> place;
         Plan made;
@@ -234,7 +253,7 @@ hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analy
 
 hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     Fault fault;
-    if (!failed(require_curves(analysis, bytes, fault))) {
+    if (!failed(require_conditions(analysis, bytes, fault))) {
         Arena counting;
         Basis basis;
         basis.lay_out(counting, opened(analysis).basis_counts());
@@ -246,7 +265,7 @@ hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* er
 hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
     Fault fault;
     if (block == nullptr) fault.refuse(Status::bad_argument, "block is NULL");
-    if (!failed(fault.status) && !failed(require_curves(analysis, basis, fault))) {
+    if (!failed(fault.status) && !failed(require_conditions(analysis, basis, fault))) {
         Arena arena(block, bytes);
         Basis made;
         made.lay_out(arena, opened(analysis).basis_counts());

@@ -61,6 +61,7 @@ enum {
     HM_OK = 0,
     HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
+    HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -69,7 +70,8 @@ enum {
     HM_BAD_BASIS = -6,        /* the block is not a basis, truncated, damaged, foreign, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where it was seen */
-    HM_UNSUPPORTED = -9       /* options that do not go together */
+    HM_UNSUPPORTED = -9,      /* options that do not go together */
+    HM_CROSSING = -10         /* the moved boundary crosses itself; error.item: a point of a face that is crossed */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -200,8 +202,12 @@ HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, con
 
 enum {                             /* hm_condition.kind; a point on several markers: the smallest wins */
     HM_ON_CURVE = 0,               /* F_i = N_i(u) */
-    HM_FIXED = 1,                  /* F_i = 0; also every marker without a condition */
-    HM_FREE = 2                    /* zero normal derivative: points are free to move off the line they are on */
+    HM_RIGID = 1,                  /* a body that only translates, turns and scales, see hm_morph */
+    HM_FIXED = 2,                  /* F_i = 0; also every marker without a condition */
+    HM_SLIP = 3,                   /* points stay on a straight line and slide. A marker may have several lines; where two
+                                      meet at an angle the point is fixed */
+    HM_FREE = 4,                   /* zero normal derivative: points are free to move off the line they are on */
+    HM_PERIODIC_PAIR = 5           /* this marker and its partner are translates of each other: both move alike, bit by bit */
 };
 
 typedef struct hm_condition {
@@ -209,24 +215,41 @@ typedef struct hm_condition {
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
     int32_t  first_curve, n_curves;/* on curve: the points lie on one of curves first .. first+n-1 */
+    int32_t  body;                 /* rigid: which body, from 0 without gaps; markers may share one */
+    int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
+    double   x, y;                 /* rigid: the point the body turns about [length] */
 } hm_condition;
 
 typedef struct hm_problem {
     uint64_t struct_size;
     const hm_mesh      *mesh;
-    const hm_curves    *curves;    /* NULL: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
+    const hm_curves    *curves;    /* NULL, and no rigid body: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
     int32_t             n_conditions;
-    const hm_condition *conditions;/* [n_conditions] at least one on a curve (if there are curves) */
+    const hm_condition *conditions;/* [n_conditions] at least one on a curve or rigid */
     int32_t             n_given;   /* curve points whose parameter is given; the others' are found by projection */
     const int32_t      *given_points;  /* [n_given] */
     const int32_t      *given_curves;  /* [n_given] */
     const double       *given_u;       /* [n_given] */
 } hm_problem;
 
-/* What goes together (everything else is HM_UNSUPPORTED):
- *   operator     scheme      engine     conditions
- *   HM_LAPLACE   HM_COMPACT  HM_DIRECT  on curve, fixed, free */
-enum { HM_LAPLACE = 0 };           /* operator_kind: the paper's harmonic functions */
+/* What goes together (everything else is HM_UNSUPPORTED). A function's value at a point is a linear map of the plane: 1, 2
+ * or 4 numbers (hm_basis_info.numbers_per_value). "complex": also where the table says real, if there are rigid bodies.
+ *   operator      scheme      engine     conditions                            values
+ *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT  all but free                          complex; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
+ *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
+ *
+ * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
+ * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
+enum {                             /* operator_kind */
+    HM_CONFORMAL = 0,              /* least departure from angle-preserving maps: minimises the integral of k |f_x + i f_y|^2
+                                      over complex functions f. Angles at the wall stay, heights of the first layer scale with
+                                      the wall's stretch. Deformations may be about 20 times those of HM_LAPLACE. It needs
+                                      every boundary held: beside a free one it is badly posed */
+    HM_LAPLACE = 1,                /* the paper's harmonic functions: the integral of |grad F|^2 */
+    HM_WEIGHTED = 2                /* the integral of k |grad F|^2 */
+};
+enum { HM_NO_WEIGHT = -1 };        /* exponent_quarters: k = 1. The conformal functions are then those of HM_LAPLACE */
 enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
 enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
 
@@ -243,7 +266,7 @@ typedef int32_t (*hm_progress)(void *user, int32_t phase, double fraction);
 
 typedef struct hm_options {
     uint64_t struct_size;
-    int32_t  operator_kind;        /* default HM_LAPLACE */
+    int32_t  operator_kind;        /* default HM_CONFORMAL */
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
     int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
@@ -251,6 +274,11 @@ typedef struct hm_options {
     hm_progress progress;          /* NULL: none; always called on the thread of the call */
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
+    int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4 (weighted) */
+    int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
+                                      its curve, so that the offset turns with the curve: rigid motions of all control points
+                                      then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
+                                      and where C' vanishes */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -326,29 +354,38 @@ typedef struct hm_basis_info {
     uint64_t struct_size;
     uint64_t bytes;                /* of the block from the basis's address on */
     int32_t  solved;               /* 0 or 1 */
-    int32_t  points, cells, functions, curves, curve_points;
-    int32_t  numbers_per_value;    /* 1: real */
+    int32_t  points, cells, functions, curves, curve_points; /* curve_points: and those of rigid bodies */
+    int32_t  numbers_per_value;    /* 1: real f; 2: complex a + i b; 4: matrix xx, xy, yx, yy */
     int32_t  operator_kind, scheme, engine;
     int32_t  index_base;           /* of the mesh it was solved on: what points and cells in reports count from */
     const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
-    const int32_t *point_curve;    /* [curve_points] the curve each is on */
+    const int32_t *point_curve;    /* [curve_points] the curve each is on; curves + b: on rigid body b */
     const double  *point_u;        /* [curve_points] its parameter */
+    int32_t  exponent_quarters;    /* 0: no weight */
+    int32_t  bodies;               /* rigid ones; functions = control points + 2 * bodies */
+    int32_t  offset_correction;    /* 0 or 1 */
+    int32_t  reserved;             /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
  * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
-/* values [n_points] of function i (from 0). */
-HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, double *values, hm_error *err);
+/* The conditions the basis was solved with: out [capacity], out[0].struct_size set; *n: how many there are, also when
+ * capacity is too small (HM_BAD_ARGUMENT). With curves and parameters they make the problem again. */
+HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n, hm_error *err);
+/* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
+HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 
 /* ---- Morph ------------------------------------------------------------------------------------------------------- */
 
-/* x_new = x + sum_i F_i dx_i, likewise y; move [2*n_control] holds dx,dy pairs [length]. In place (x_new == x, equal
+/* (x, y)_new = (x, y) + sum_i F_i (dx, dy)_i; move [2*functions] holds the control points' dx,dy pairs [length], then for
+ * each rigid body its translation dx,dy [length] and s - 1 as a pair, s = scale * (cos a, sin a), a the angle of its turn
+ * counter-clockwise: the body's points z move to c + s (z - c) + (dx, dy), c its centre, exactly. In place (x_new == x, equal
  * strides) or to another array that does not overlap. Points whose sum is 0 keep their bits. Strides: 0 means 1. Also
  * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
                           double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
-/* The transpose: gradient [2*n_control] of an objective by the control points, from its gradient by the mesh points. */
+/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. */
 HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                             double *gradient, const hm_executor *executor, hm_error *err);
 /* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
@@ -388,6 +425,66 @@ HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const do
  * displacement, relative to them. Call it before the morph; nothing has moved yet. */
 HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy, int64_t stride,
                            const hm_executor *executor, hm_step_report *step, hm_quality_report *quality, hm_error *err);
+
+/* ---- Large movements that stay valid ------------------------------------------------------------------------------- */
+
+/* A ladder; the first rung that reaches the target is the last one that is climbed:
+ *   HM_RUNG_LINEAR     x + sum_i F_i dP_i, if its admissible step is above 1
+ *   HM_RUNG_OTHER      the same with other bases that the caller has solved (operators, exponents), in their order
+ *   HM_RUNG_SUBSTEPS   several steps, each at most half of what is admissible; the functions are solved again on the mesh of
+ *                      the step before, whose structure serves again. Points on curves and rigid bodies are always where the
+ *                      B-spline, or the body, of the control points at that moment is. On the way a body turns and scales
+ *                      about the centre of its control points as the best fitting similarity does, at an even rate; what
+ *                      is left of the movement grows linearly. Functions with real values move on straight lines.
+ *   HM_RUNG_UNTANGLED  the rest of the way at once; inner points then find places in which no cell is inverted (foldover-free
+ *                      energy of Garanzha et al., ACM Trans. Graph. 40 (2021); the initial cells are the shapes wanted)
+ * A boundary that crosses itself at the target is refused at once. */
+enum { HM_RUNG_LINEAR = 0, HM_RUNG_OTHER = 1, HM_RUNG_SUBSTEPS = 2, HM_RUNG_UNTANGLED = 3 };
+
+typedef struct hm_safe_options {
+    uint64_t struct_size;
+    int32_t  max_resolves;         /* how often the functions may be solved again; 0 means 10; negative: never */
+    int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of those not to be tried */
+    int32_t  n_others;             /* >= 0 */
+    int32_t  reserved;             /* 0 */
+    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves and conditions */
+} hm_safe_options;
+
+typedef struct hm_safe_report {
+    uint64_t struct_size;
+    int32_t  rung;                 /* HM_RUNG_... that moved the mesh last */
+    int32_t  other;                /* which of `others`, from 0; -1: none */
+    int32_t  steps, resolves;
+    double   step_fraction;        /* [0..1] of the way to the target; 1: all of it */
+    double   admissible;           /* [-] of the last step that was tried, in parts of it, see hm_step_report */
+    int32_t  cell, point;          /* what limits it; -1: nothing */
+    int32_t  untangled;            /* cells that were inverted before untangling */
+    int32_t  iterations;           /* of untangling */
+    int32_t  crossing_points[4];   /* see hm_quality_report */
+    int32_t  inverted;             /* cells of x_new: always 0 */
+    int32_t  min_quality_cell;
+    double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
+    double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
+    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
+    int32_t  angle_point;          /* where the angle changed most; -1: no point of the wall has such an edge */
+    int32_t  min_height_point, max_height_point;
+    int32_t  reserved;             /* 0 */
+} hm_safe_report;
+
+/* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
+HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
+/* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
+ * may be the mesh's own arrays. Returns HM_OK: all of `move`. HM_SHORT: the last valid mesh, report.step_fraction of the way.
+ * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
+ * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
+ *
+ * derivative NULL, or another basis of the same analysis (hm_basis_init): it receives the sum of the steps' functions, each
+ * times what its step is of the whole movement, with which hm_morph is the derivative of x_new by `move`, and hm_adjoint its
+ * transpose. Exact on the wall. Neglected elsewhere: that the functions of later steps depend on where earlier ones put
+ * the mesh, that lengths of steps and the turning of bodies depend on `move`, and what untangling moved. */
+HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, double *x_new, double *y_new,
+                               int64_t stride_new, hm_basis *derivative, void *work, size_t bytes,
+                               const hm_safe_options *options, hm_safe_report *report, hm_error *err);
 
 #ifdef __cplusplus
 }

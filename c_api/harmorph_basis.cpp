@@ -46,7 +46,7 @@ Status check_finite(const double* numbers, Index n, const char* sentence, Fault&
 }
 
 Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept {
-    return check_finite(move, 2 * basis.n_functions(), "the movement of control point # (from 0) is not finite", fault);
+    return check_finite(move, 2 * basis.n_functions(), "the movement of function # (from 0) is not finite", fault);
 }
 
 Bases bases_of(Basis const& basis) noexcept { return {basis.header != nullptr ? basis.header->index_base : 0, 0}; }
@@ -110,13 +110,16 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
         filled.solved = header.solved;
         filled.points = header.counts.points;
         filled.cells = header.counts.cells;
-        filled.functions = header.counts.functions;
+        filled.functions = header.counts.functions();
         filled.curves = header.counts.curves;
         filled.curve_points = header.counts.wall;
-        filled.numbers_per_value = 1;
-        filled.operator_kind = header.method.operator_kind;
-        filled.scheme = header.method.scheme;
-        filled.engine = header.method.engine;
+        filled.numbers_per_value = numbers_of(header.counts.kind);
+        filled.operator_kind = static_cast<std::int32_t>(header.method.operator_kind);
+        filled.scheme = static_cast<std::int32_t>(header.method.scheme);
+        filled.engine = static_cast<std::int32_t>(header.method.engine);
+        filled.exponent_quarters = header.method.quarters;
+        filled.bodies = header.counts.bodies;
+        filled.offset_correction = header.method.offset_correction;
         filled.index_base = header.index_base;
         filled.curve_point = b.wall_point.data();
         filled.point_curve = b.wall_curve.data();
@@ -140,14 +143,35 @@ hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve
             Curve const its = b.curve(i);
             curve[i] = {sizeof(hm_curve), its.degree, its.n_indices, its.indices, its.knots};
         }
-        hm_curves const filled = {sizeof(hm_curves), 0, b.n_functions(), b.control.data(),
+        hm_curves const filled = {sizeof(hm_curves), 0, b.header->counts.control, b.control.data(),
                                   b.weights.empty() ? nullptr : b.weights.data(), n, curve};
         write_struct(filled, out);
     }
     return tell(err, fault);
 }
 
-hm_status hm_basis_values(const hm_basis* basis, int32_t function, double* values, hm_error* err) {
+hm_status hm_basis_conditions(const hm_basis* basis, hm_condition* out, int32_t capacity, int32_t* n, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (n == nullptr || capacity < 0) fault.refuse(Status::bad_argument, "n is NULL or capacity negative");
+    if (!failed(fault.status) && (capacity == 0 || !failed(check_report(out, fault))) && !failed(open_basis(basis, b, fault))) {
+        *n = b.conditions.count();
+        if (*n > capacity) {
+            fault.refuse(Status::bad_argument, "out has room for #, the basis has @ conditions", Counts::from_zero, capacity, *n);
+        } else {
+            for (Index i = *n; i-- > 0;) {  // the first one tells the size of all
+                Condition const& its = b.conditions[i];
+                hm_condition* const to = element(out, i);
+                to->struct_size = out->struct_size;
+                write_struct(hm_condition{0, its.marker, static_cast<std::int32_t>(its.kind), its.first_curve, its.n_curves,
+                                          its.body, its.partner, its.centre.x, its.centre.y}, to);
+            }
+        }
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t number, double* values, hm_error* err) {
     Fault fault;
     Basis b;
     if (values == nullptr) fault.refuse(Status::bad_argument, "values is NULL");
@@ -155,8 +179,12 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, double* value
         if (function < 0 || function >= b.n_functions()) {
             fault.refuse(Status::bad_argument, "there is no function #; the basis has @", Counts::from_zero, function,
                          b.n_functions());
+        } else if (number < 0 || number >= numbers_of(b.kind())) {
+            fault.refuse(Status::bad_argument, "values have no number #; they have @", Counts::from_zero, number,
+                         numbers_of(b.kind()));
         } else {
-            for (Index point = 0; point < b.n_points(); ++point) values[point] = b.row(point)[function];
+            Index const place = number * b.n_functions() + function;
+            for (Index point = 0; point < b.n_points(); ++point) values[point] = b.row(point)[place];
         }
     }
     return tell(err, fault);

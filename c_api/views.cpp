@@ -5,6 +5,28 @@ namespace {
 
 Status missing(Fault& fault, const char* sentence) noexcept { return fault.refuse(Status::bad_argument, sentence); }
 
+// Operator, weight, scheme and engine, and whether they go together.
+Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
+    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || o.scheme != HM_COMPACT || o.engine != HM_DIRECT) {
+        return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
+    }
+    if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
+        return fault.refuse(Status::bad_argument, "options.exponent_quarters must be between -1 and 16, not #",
+                            Counts::from_zero, o.exponent_quarters);
+    }
+    method.operator_kind = static_cast<Operator>(o.operator_kind);
+    if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
+        return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
+    }
+    if (o.offset_correction != 0 && !method.conformal()) {
+        return fault.refuse(Status::unsupported, "the offset correction goes with the conformal operator only");
+    }
+    constexpr std::int32_t usual[] = {6, 0, 4};
+    method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, 0);
+    method.offset_correction = o.offset_correction != 0 ? 1 : 0;
+    return Status::ok;
+}
+
 }  // namespace
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
@@ -82,10 +104,15 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
         return fault.refuse(Status::bad_argument, "struct_size of condition # is not set", Counts::from_zero, number);
     }
-    if (c.kind < HM_ON_CURVE || c.kind > HM_FREE) {
+    if (c.kind < HM_ON_CURVE || c.kind > HM_PERIODIC_PAIR) {
         return fault.refuse(Status::bad_argument, "condition # has the unknown kind @", Counts::from_zero, number, c.kind);
     }
-    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves};
+    constexpr Index most_bodies = Index{1} << 20;
+    if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
+        return fault.refuse(Status::bad_condition, "condition # names rigid body @: bodies count from 0 without gaps",
+                            Counts::from_zero, number, c.body);
+    }
+    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves, c.body, c.partner, {c.x, c.y}};
     return Status::ok;
 }
 
@@ -108,12 +135,9 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
     method = Method{};
     executor = Executor{};
     progress = Progress{};
-    if (given == nullptr) return Status::ok;
-    hm_options o;
-    if (!read_struct(given, o)) return missing(fault, "options.struct_size is not set");
-    if (o.operator_kind != HM_LAPLACE || o.scheme != HM_COMPACT || o.engine != HM_DIRECT) {
-        return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
-    }
+    hm_options o = {};
+    if (given != nullptr && !read_struct(given, o)) return missing(fault, "options.struct_size is not set");
+    HARMORPH_TRY(view_operator(o, method, fault));
     if (!(o.tolerance >= 0 && o.tolerance < 1)) {
         return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~", Counts::from_zero,
                             none, none, o.tolerance);
@@ -123,9 +147,6 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
                             Counts::from_zero, o.kernel);
     }
     method.kernel = static_cast<Kernel>(o.kernel);
-    method.operator_kind = o.operator_kind;
-    method.scheme = o.scheme;
-    method.engine = o.engine;
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     progress = {o.progress, o.progress_user};
     return view_executor(o.executor, executor, fault);

@@ -48,6 +48,11 @@ const T* element(const T* array, Index i) noexcept {
     return reinterpret_cast<const T*>(bytes + static_cast<Size>(i) * static_cast<Size>(array->struct_size));
 }
 
+template <class T>
+T* element(T* array, Index i) noexcept {
+    return const_cast<T*>(element(static_cast<const T*>(array), i));
+}
+
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
     return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
 }

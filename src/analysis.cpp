@@ -5,8 +5,10 @@
 
 namespace harmorph {
 
-void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions,
-                       Executor const& executor) noexcept {
+void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept {
+    Mesh const& mesh = its_problem.mesh;
+    Demands const& demands = its_problem.demands;
+    Executor const& executor = its_problem.executor;
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
     arena.take(representative, mesh.n_points);
@@ -15,15 +17,18 @@ void Analysis::lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_c
     boundary.lay_out(arena, mesh);
     orientation_work.lay_out(arena, mesh);
     arena.take(kinds, mesh.n_points);
-    if (n_curves == 0) return;
+    if (n_conditions == 0) return;
+    Index const components = its_problem.method.components(demands);
+    arena.take(tangent, components == 2 ? mesh.n_points : 0);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
-    graph.lay_out(arena, mesh);
-    arena.take(order, mesh.n_points);
-    tree.lay_out(arena, mesh.n_points);
-    dissection_work.lay_out(arena, mesh.n_points);
-    border.lay_out(arena, mesh.n_points);
-    arena.take(border_start, mesh.n_points / 2 + 2);
+    Index const most_unknowns = components * mesh.n_points;
+    graph.lay_out(arena, mesh, components);
+    arena.take(order, most_unknowns);
+    tree.lay_out(arena, most_unknowns);
+    dissection_work.lay_out(arena, most_unknowns);
+    border.lay_out(arena, most_unknowns);
+    arena.take(border_start, most_unknowns / 2 + 2);
     subtrees.lay_out(arena, executor.is_serial() ? 1 : executor.n_threads);
 }
 
@@ -31,7 +36,7 @@ Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
     problem = its_problem;
     HARMORPH_TRY(problem.progress.report(Phase::structure, 0, fault));
     HARMORPH_TRY(analyse_mesh(fault));
-    if (!has_curves()) return problem.progress.report(Phase::structure, 1, fault);
+    if (!has_conditions()) return problem.progress.report(Phase::structure, 1, fault);
     HARMORPH_TRY(analyse_unknowns(fault));
     HARMORPH_TRY(problem.progress.report(Phase::structure, 1, fault));
     return analyse_order(fault);
@@ -70,23 +75,29 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
                             inverted, none, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
+    find_levers(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
+    if (!tangent.empty()) {
+        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
+    }
+    if (problem.demands.periodic) {
+        HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, fault));
+    }
     graph.build(mesh, edges, representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     topology = topology_print(mesh);
-    matrix = Matrix::count(graph);
+    matrix = Matrix::count(graph, matrix_kind());
     return Status::ok;
 }
 
 // Every part of the mesh must hang on a known value.
 Status Analysis::check_parts(Fault& fault) noexcept {
-    bool any_free = false;
-    for (Condition const& condition : conditions) any_free = any_free || condition.kind == ConditionKind::free;
-    if (!any_free) return Status::ok;
+    Demands const& demands = problem.demands;
+    if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
     Index const floating = graph.first_floating(problem.mesh, edges, representative, kinds, dissection_work.moved,
                                                 dissection_work.side);
     if (floating == none) return Status::ok;
-    return fault.refuse(Status::bad_condition, "point # is in a part of the mesh whose boundaries are all free", Counts::mesh,
+    return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
 }
 
@@ -109,6 +120,8 @@ std::uint64_t Analysis::conditions_print() const noexcept {
         hash.add(static_cast<std::uint64_t>(wall.point[slot]));
         hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
         hash.add(bits_of(wall.u[slot]));
+        hash.add(bits_of(wall.lever[slot].x));
+        hash.add(bits_of(wall.lever[slot].y));
     }
     return hash.value();
 }
@@ -117,18 +130,36 @@ BasisCounts Analysis::basis_counts() const noexcept {
     BasisCounts counts;
     counts.points = problem.mesh.n_points;
     counts.cells = problem.mesh.n_cells;
-    counts.functions = n_functions();
+    counts.control = curves.empty() ? 0 : curves[0].n_control;
+    counts.bodies = problem.demands.bodies;
+    counts.kind = problem.method.value_kind(problem.demands);
     counts.curves = curves.count();
     for (Curve const& curve : curves) {
         counts.indices += curve.n_indices;
         counts.knots += curve.n_indices + curve.degree + 1;
     }
-    counts.weights = curves[0].weights != nullptr ? n_functions() : 0;
+    counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
     counts.wall = wall.count;
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
     counts.conditions = conditions.count();
     return counts;
+}
+
+MatrixKind Analysis::matrix_kind() const noexcept {
+    if (problem.demands.slip) return MatrixKind::two_lines;
+    return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
+}
+
+bool Analysis::is_wall_face(Index face) const noexcept {
+    const Condition* const condition = condition_of(conditions, boundary.marker[face]);
+    return condition != nullptr && (condition->kind == ConditionKind::on_curve || condition->kind == ConditionKind::rigid);
+}
+
+Index Analysis::count_wall_faces() const noexcept {
+    Index n = 0;
+    for (Index face = 0; face < boundary.count; ++face) n += is_wall_face(face) ? 1 : 0;
+    return n;
 }
 
 Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept {

@@ -16,12 +16,21 @@ std::uint64_t checksum_of(BasisHeader const& header) noexcept {
 }
 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points,  counts.cells, counts.functions, counts.curves, counts.indices,   counts.knots,
-                         counts.weights, counts.wall,  counts.boundary,  counts.loops,  counts.conditions};
+    Index const all[] = {counts.points,  counts.cells,   counts.control, counts.bodies,   counts.curves, counts.indices,
+                         counts.knots,   counts.weights, counts.wall,    counts.boundary, counts.loops,  counts.conditions};
     for (Index const count : all) {
         if (count < 0) return false;
     }
-    return true;
+    return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
+}
+
+Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
+    Vec2 sum;
+    for (Index k = 0; k < functions.order; ++k) {
+        const Real* const its = curve.control + 2 * functions.control[k];
+        sum = sum + functions.value[1][k] * Vec2{its[0], its[1]};
+    }
+    return sum;
 }
 
 }  // namespace
@@ -33,16 +42,17 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(shape, counts.curves);
     arena.take(indices, counts.indices);
     arena.take(knots, counts.knots);
-    arena.take(control, 2 * Offset{counts.functions});
+    arena.take(control, 2 * Offset{counts.control});
     arena.take(weights, counts.weights);
     arena.take(conditions, counts.conditions);
     arena.take(wall_point, counts.wall);
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);
+    arena.take(wall_lever, counts.wall);
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
     arena.take(reversed, counts.cells);
-    arena.take(value, Offset{counts.points} * counts.functions);
+    arena.take(value, Offset{counts.points} * (Offset{numbers_of(counts.kind)} * counts.functions()));
 }
 
 Size Basis::bytes(BasisCounts const& counts) noexcept {
@@ -67,12 +77,47 @@ Curve Basis::curve(Index number) const noexcept {
     Curve curve;
     curve.degree = its.degree;
     curve.n_indices = its.n_indices;
-    curve.n_control = n_functions();
+    curve.n_control = header->counts.control;
     curve.indices = indices.data() + its.first_index;
     curve.knots = knots.data() + its.first_knot;
     curve.control = control.data();
     curve.weights = weights.empty() ? nullptr : weights.data();
     return curve;
+}
+
+// On a curve N_i, and where the point's offset e turns with the curve N_i + e N_i' / C'.
+BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
+    BoundaryFunctions out;
+    Vec2 const lever = wall_lever[slot];
+    if (!is_on_curve(slot)) {
+        Index const translation = header->counts.control + 2 * (wall_curve[slot] - header->counts.curves);
+        out.order = 2;
+        out.function[0] = translation;
+        out.value[0] = {1, 0};
+        out.function[1] = translation + 1;
+        out.value[1] = lever;
+        return out;
+    }
+    bool const turns = lever.x != 0 || lever.y != 0;
+    Curve const its = curve(wall_curve[slot]);
+    CurveBasis const functions = curve_basis(its, wall_u[slot], turns ? 1 : 0);
+    Vec2 const per_derivative = turns ? quotient(lever, derivative_of(its, functions)) : Vec2{};
+    out.order = functions.order;
+    for (Index k = 0; k < functions.order; ++k) {
+        out.function[k] = functions.control[k];
+        out.value[k] = {functions.value[0][k], 0};
+        if (turns) out.value[k] = out.value[k] + functions.value[1][k] * per_derivative;
+    }
+    return out;
+}
+
+Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
+    Vec2 sum;
+    for (Index k = 0; k < order; ++k) {
+        const Real* const its = move + 2 * function[k];
+        sum = sum + product(value[k], {its[0], its[1]});
+    }
+    return sum;
 }
 
 void Basis::seal() const noexcept {

@@ -2,31 +2,88 @@
 
 namespace harmorph {
 
+namespace {
+
+bool has_faces(Boundary const& boundary, Index marker) noexcept {
+    for (Index face = 0; face < boundary.count; ++face) {
+        if (boundary.marker[face] == marker) return true;
+    }
+    return false;
+}
+
+Status check_marker(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
+    Index const marker = conditions[i].marker;
+    for (Condition const& earlier : conditions.first(i)) {
+        if (earlier.marker == marker) {
+            return fault.refuse(Status::bad_condition, "marker # has two conditions", Counts::from_zero, marker);
+        }
+    }
+    if (has_faces(boundary, marker)) return Status::ok;
+    return fault.refuse(Status::bad_condition, "condition @ names marker #, which no boundary face has", Counts::from_zero,
+                        marker, i);
+}
+
+// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
+Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
+    Condition const& its = conditions[i];
+    if (!is_finite(its.centre.x) || !is_finite(its.centre.y)) {
+        return fault.refuse(Status::bad_condition, "the centre in condition # is not finite", Counts::from_zero, i);
+    }
+    Index previous = its.body == 0 ? 0 : none;
+    for (Condition const& other : conditions) {
+        if (other.kind != ConditionKind::rigid) continue;
+        if (other.body == its.body - 1) previous = other.body;
+        if (other.body == its.body && (other.centre.x != its.centre.x || other.centre.y != its.centre.y)) {
+            return fault.refuse(Status::bad_condition, "markers # and @ are one rigid body, but turn about two centres",
+                                Counts::from_zero, its.marker, other.marker);
+        }
+    }
+    if (its.body >= 0 && previous != none) return Status::ok;
+    return fault.refuse(Status::bad_condition, "condition # names rigid body @: bodies count from 0 without gaps",
+                        Counts::from_zero, i, its.body);
+}
+
+Status check_partner(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
+    Condition const& its = conditions[i];
+    if (its.partner == its.marker) {
+        return fault.refuse(Status::bad_condition, "marker # is its own periodic partner", Counts::from_zero, its.marker);
+    }
+    if (condition_of(conditions, its.partner) != nullptr) {
+        return fault.refuse(Status::bad_condition, "marker #, the periodic partner of @, has a condition of its own",
+                            Counts::from_zero, its.partner, its.marker);
+    }
+    if (has_faces(boundary, its.partner)) return Status::ok;
+    return fault.refuse(Status::bad_condition, "marker @ is to be the periodic partner of #, but no boundary face has it",
+                        Counts::from_zero, its.marker, its.partner);
+}
+
+}  // namespace
+
+void Demands::add(Condition const& condition) noexcept {
+    if (condition.kind == ConditionKind::rigid) bodies = larger(bodies, condition.body + 1);
+    slip = slip || condition.kind == ConditionKind::slip;
+    free = free || condition.kind == ConditionKind::free;
+    periodic = periodic || condition.kind == ConditionKind::periodic;
+}
+
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary, Fault& fault) noexcept {
-    bool any_curve = false;
+    bool any_wall = false;
     for (Index i = 0; i < conditions.count(); ++i) {
         Condition const& condition = conditions[i];
-        for (Index earlier = 0; earlier < i; ++earlier) {
-            if (conditions[earlier].marker == condition.marker) {
-                return fault.refuse(Status::bad_condition, "marker # has two conditions", Counts::from_zero, condition.marker);
-            }
-        }
-        bool found = false;
-        for (Index face = 0; face < boundary.count && !found; ++face) found = boundary.marker[face] == condition.marker;
-        if (!found) {
-            return fault.refuse(Status::bad_condition, "condition @ names marker #, which no boundary face has",
-                                Counts::from_zero, condition.marker, i);
-        }
+        HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
+        if (condition.kind == ConditionKind::rigid) HARMORPH_TRY(check_body(conditions, i, fault));
+        if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
+        any_wall = any_wall || condition.kind == ConditionKind::rigid;
         if (condition.kind != ConditionKind::on_curve) continue;
-        any_curve = true;
+        any_wall = true;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition, "condition # names curves that do not exist; there are @",
                                 Counts::from_zero, i, n_curves);
         }
     }
-    if (!any_curve) return fault.refuse(Status::bad_condition, "no condition puts a marker on a curve: there is nothing to solve");
-    return Status::ok;
+    if (any_wall) return Status::ok;
+    return fault.refuse(Status::bad_condition, "no condition puts a marker on a curve or makes it a rigid body: nothing moves");
 }
 
 const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept {
@@ -46,14 +103,25 @@ void classify(Mesh const& mesh, Boundary const& boundary, Span<const Index> repr
     auto const strengthen = [&](Index point, PointKind kind) {
         if (kind < kinds[point]) kinds[point] = kind;
     };
+    auto const kind_of = [&](Index marker) {
+        const Condition* const condition = condition_of(conditions, marker);
+        for (Condition const& other : conditions) {
+            if (other.kind == ConditionKind::periodic && other.partner == marker) return PointKind::inside;
+        }
+        switch (condition == nullptr ? ConditionKind::fixed : condition->kind) {
+            case ConditionKind::on_curve:
+            case ConditionKind::rigid: return PointKind::on_wall;
+            case ConditionKind::slip: return PointKind::slip;
+            case ConditionKind::free: return PointKind::free;
+            case ConditionKind::periodic: return PointKind::inside;
+            default: return PointKind::fixed;
+        }
+    };
     for (Index loop = 0; loop < boundary.n_loops; ++loop) {
         PointKind kind = PointKind::fixed;
         for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
             bool const new_marker = face == boundary.loop_start[loop] || boundary.marker[face] != boundary.marker[face - 1];
-            if (new_marker) {
-                const Condition* const condition = condition_of(conditions, boundary.marker[face]);
-                kind = condition == nullptr ? PointKind::fixed : static_cast<PointKind>(condition->kind);
-            }
+            if (new_marker) kind = kind_of(boundary.marker[face]);
             strengthen(boundary.point[face], kind);
             strengthen(boundary.point[boundary.after(face, loop)], kind);
         }

@@ -4,48 +4,75 @@
 
 namespace harmorph {
 
-void Graph::lay_out(Arena& arena, Mesh const& mesh) noexcept {
-    Size const n_points = static_cast<Size>(mesh.n_points);
+namespace {
+
+// visit(unknown or none, line, unknown or none, line) for every two lines of two points that share a cell.
+template <Index components, class Visit>
+void for_each_two_lines(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const Index> unknown,
+                        Visit visit) noexcept {
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        if (a == b) return;
+        for (Index p = components * a; p < components * (a + 1); ++p) {
+            for (Index q = components * b; q < components * (b + 1); ++q) visit(unknown[p], p, unknown[q], q);
+        }
+    });
+}
+
+}  // namespace
+
+void Graph::lay_out(Arena& arena, Mesh const& mesh, Index n_components) noexcept {
+    components = n_components;
+    Size const lines = static_cast<Size>(components) * static_cast<Size>(mesh.n_points);
     Size const diagonals = 2 * static_cast<Size>(mesh.n_cells);
-    Size const pairs = mesh.max_sides() + diagonals;
-    arena.take(point, n_points);
-    arena.take(unknown, n_points);
-    arena.take(start, n_points + 1);
+    Size const pairs = static_cast<Size>(components * components) * (mesh.max_sides() + diagonals);
+    arena.take(line, lines);
+    arena.take(unknown, lines);
+    arena.take(start, lines + 1);
     arena.take(neighbour, 2 * pairs);
-    arena.take(beside_curve, n_points);
+    arena.take(beside_curve, lines);
 }
 
 void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
                   Span<const PointKind> kinds) noexcept {
+    if (components == 1) {
+        connect<1>(mesh, edges, representative, kinds);
+    } else {
+        connect<2>(mesh, edges, representative, kinds);
+    }
+}
+
+template <Index n_components>
+void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
+                    Span<const PointKind> kinds) noexcept {
     n = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
-        bool const is = is_unknown(kinds[k]);
-        unknown[k] = is ? n : none;
-        if (is) point[n++] = k;
+        for (Index c = 0; c < n_components; ++c) {
+            bool const is = is_unknown(kinds[k]) && (c == 0 || kinds[k] != PointKind::slip);
+            unknown[n_components * k + c] = is ? n : none;
+            if (is) line[n++] = n_components * k + c;
+        }
     }
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
     couplings = 0;
     auto const couple = [&](Index u, Index other) {
-        if (kinds[other] != PointKind::on_curve) return;
+        if (kinds[other / n_components] != PointKind::on_wall) return;
         beside_curve[u] = 1;
         ++couplings;
     };
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        Index const i = unknown[a], j = unknown[b];
+    for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index p, Index j, Index q) {
         if (i != none && j != none) {
             ++starts[i];
             ++starts[j];
         } else if (i != none) {
-            couple(i, b);
+            couple(i, q);
         } else if (j != none) {
-            couple(j, a);
+            couple(j, p);
         }
     });
     counts_to_starts(starts);
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        Index const i = unknown[a], j = unknown[b];
+    for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index, Index j, Index) {
         if (i == none || j == none) return;
         neighbour[starts[i]++] = j;
         neighbour[starts[j]++] = i;
@@ -62,15 +89,19 @@ Index Graph::first_floating(Mesh const& mesh, Edges const& edges, Span<const Ind
         reached[u] = 1;
         queue[filled++] = u;
     };
+    auto const reach_lines = [&](Index known, Index other) {
+        if (is_unknown(kinds[known])) return;
+        for (Index c = 0; c < components; ++c) reach(unknown[components * other + c]);
+    };
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (!is_unknown(kinds[a])) reach(unknown[b]);
-        if (!is_unknown(kinds[b])) reach(unknown[a]);
+        reach_lines(a, b);
+        reach_lines(b, a);
     });
     for (Index read = 0; read < filled; ++read) {
         for (Index const v : of(queue[read])) reach(v);
     }
     for (Index u = 0; u < n; ++u) {
-        if (reached[u] == 0) return point[u];
+        if (reached[u] == 0) return point(u);
     }
     return none;
 }

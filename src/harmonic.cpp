@@ -1,6 +1,6 @@
 #include "harmorph/harmonic.hpp"
 
-#include "harmorph/laplace.hpp"
+#include "harmorph/stiffness.hpp"
 
 namespace harmorph {
 namespace {
@@ -12,15 +12,21 @@ constexpr Index most_refinements = 2;
 }  // namespace
 
 void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
-    Index const n = analysis.graph.n;
-    arena.take(point_of, n);
-    arena.take(reversed, analysis.problem.mesh.n_cells);
+    Index const n = analysis.graph.n, n_cells = analysis.problem.mesh.n_cells;
+    BasisCounts const counts = analysis.basis_counts();
+    arena.take(line_of, n);
+    arena.take(reversed, n_cells);
+    bool const weighted = analysis.problem.method.quarters > 0;
+    wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
+    arena.take(conductivity, weighted ? n_cells : 0);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
-    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, analysis.n_functions());
+    Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
+    Index const columns = matrix.is_complex() ? counts.functions() : line_length;
+    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns, matrix.is_complex());
     Size const shared = arena.mark();
     engine.lay_out_stack(arena);
     arena.release(shared);
-    residual.lay_out(arena, n);
+    residual.lay_out(arena, n, matrix.is_complex());
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
@@ -31,11 +37,14 @@ void Plan::init(Analysis const& analysis) noexcept {
     topology = analysis.topology;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
+    region_counts = RegionCounts::of(mesh, analysis.edges);
     factored = false;
-    for (Index k = 0; k < point_of.count(); ++k) point_of[k] = analysis.graph.point[analysis.order[k]];
+    for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
+    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    n_wall_faces = wall.count;
     matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
-                 analysis.wall_work.slot);
+                 analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.executor = analysis.problem.executor;
     engine.tree.count = analysis.tree.count;
@@ -49,14 +58,18 @@ void Plan::init(Analysis const& analysis) noexcept {
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    Index const inverted = assemble_laplace(mesh, points, reversed, matrix);
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
+    }
+    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
     if (inverted != none) {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
     }
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = engine.factorise(matrix, progress, fault);
-    if (status == Status::not_positive) fault.item = point_of[fault.item];
+    if (status == Status::not_positive) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
@@ -66,20 +79,18 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
-        return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
-    }
+    HARMORPH_TRY(check_fit(basis, fault));
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
-    set_right_hand_sides(basis);
-    Index const width = basis.n_functions();
-    HARMORPH_TRY(engine.solve({basis.value.data(), point_of.data(), width, width}, progress, fault));
+    Lines const all = lines(basis);
+    set_right_hand_sides(matrix, all);
+    Index const columns = all.columns(matrix);
+    HARMORPH_TRY(engine.solve({basis.value.data(), line_of.data(), all.length(), columns, columns}, progress, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     report.unknowns = matrix.n;
-    report.functions = width;
+    report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
     HARMORPH_TRY(measure_residual(basis, report, fault));
     while (report.residual > refined_above && report.refinements < most_refinements) {
@@ -87,6 +98,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
         ++report.refinements;
         HARMORPH_TRY(measure_residual(basis, report, fault));
     }
+    if (matrix.kind == MatrixKind::two_lines) turn_slipping_lines(basis);
     copy_joined_points(basis);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
@@ -96,59 +108,69 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
                         Counts::from_zero, report.residual_function, none, report.residual);
 }
 
-// Known values to their rows, and what they pass on to their neighbours' rows.
-void Plan::set_right_hand_sides(Basis const& basis) const noexcept {
-    fill(basis.value, 0.0);
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
-        CurveBasis const functions = basis.boundary_functions(slot);
-        Real* const own = basis.row(basis.wall_point[slot]);
-        for (Index k = 0; k < functions.order; ++k) own[functions.control[k]] += functions.value[0][k];
-        for (Index c = matrix.coupling_start[slot]; c < matrix.coupling_start[slot + 1]; ++c) {
-            Real* const row = basis.row(point_of[matrix.coupling_row[c]]);
-            for (Index k = 0; k < functions.order; ++k) {
-                row[functions.control[k]] -= matrix.coupling_value[c] * functions.value[0][k];
-            }
+Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
+    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
+    if (same_counts && basis.header->topology == topology && basis.header->conditions == conditions) return Status::ok;
+    return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
+}
+
+// A slipping point has moved along its tangent: from its one line to those of x and y.
+void Plan::turn_slipping_lines(Basis const& basis) const noexcept {
+    Lines const all = lines(basis);
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        bool const slips = matrix.place[2 * point] >= 0 && matrix.place[2 * point + 1] == none;
+        if (!slips || all.of[matrix.place[2 * point]] != 2 * point) continue;
+        Vec2 const along = matrix.frame[point];
+        Real* const x = all.line(2 * point);
+        Real* const y = all.line(2 * point + 1);
+        for (Index k = 0; k < all.length(); ++k) {
+            y[k] = along.y * x[k];
+            x[k] = along.x * x[k];
         }
     }
 }
 
 void Plan::copy_joined_points(Basis const& basis) const noexcept {
-    Size const width = static_cast<Size>(basis.n_functions());
+    Size const length = static_cast<Size>(basis.row_length());
+    Index const components = matrix.components();
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const place = matrix.place[point];
+        Index const place = matrix.place[components * point];
         if (place == none) continue;
-        Index const its = Matrix::is_wall(place) ? basis.wall_point[Matrix::wall(place)] : point_of[place];
-        if (its != point) copy(Span<Real>(basis.row(point), width), Span<const Real>(basis.row(its), width));
+        Index const its = Matrix::is_wall(place) ? basis.wall_point[Matrix::wall(place) / components] : point_of(place);
+        if (its != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(its), length));
     }
 }
 
 Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept {
-    Index const n_functions = basis.n_functions();
+    Lines const all = lines(basis);
+    Index const n_columns = all.columns(matrix);
     report.residual = 0;
     report.residual_function = none;
-    for (Index first = 0; first < n_functions; first += Residual::width) {
-        Index const n = smaller(Residual::width, n_functions - first);
-        Residual::Norms const norms = residual.compute(matrix, basis, point_of, first, n);
+    for (Index first = 0; first < n_columns; first += Residual::width) {
+        Index const n = smaller(Residual::width, n_columns - first);
+        Residual::Norms const norms = residual.compute(matrix, all, first, n);
         for (Index k = 0; k < n; ++k) {
             Real const relative = norms.relative(k);
             bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
             if (!worse) continue;
             report.residual = relative;
-            report.residual_function = first + k;
+            report.residual_function = (first + k) % basis.n_functions();
         }
         if (report.refinements > 0) continue;  // fractions never go back
-        HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_functions, fault));
+        HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
 }
 
 // One step of iterative refinement: what is left of the equations is solved for, and added.
 Status Plan::refine(Basis const& basis, Fault& fault) noexcept {
-    for (Index first = 0; first < basis.n_functions(); first += Residual::width) {
-        Index const n = smaller(Residual::width, basis.n_functions() - first);
-        residual.compute(matrix, basis, point_of, first, n);
-        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, Residual::width, n}, Progress{}, fault));
-        residual.add_to(basis, point_of, first, n);
+    Lines const all = lines(basis);
+    for (Index first = 0; first < all.columns(matrix); first += Residual::width) {
+        Index const n = smaller(Residual::width, all.columns(matrix) - first);
+        residual.compute(matrix, all, first, n);
+        Index const row_length = matrix.is_complex() ? 2 * Residual::width : Residual::width;
+        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, row_length, n, Residual::width}, Progress{}, fault));
+        residual.add_to(matrix, all, first, n);
     }
     return Status::ok;
 }
@@ -176,13 +198,16 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
         first_index += curve.n_indices;
         first_knot += n_knots;
     }
-    Curve const& any = analysis.curves[0];
-    copy(basis.control, Span<const Real>(any.control, basis.control.size()));
-    if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
+    if (counts.curves > 0) {
+        Curve const& any = analysis.curves[0];
+        copy(basis.control, Span<const Real>(any.control, basis.control.size()));
+        if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
+    }
     copy(basis.conditions, Span<const Condition>(analysis.conditions));
     copy(basis.wall_point, Span<const Index>(analysis.wall.point.first(counts.wall)));
     copy(basis.wall_curve, Span<const Index>(analysis.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(analysis.wall.u.first(counts.wall)));
+    copy(basis.wall_lever, Span<const Vec2>(analysis.wall.lever.first(counts.wall)));
     copy(basis.boundary_point, Span<const Index>(analysis.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(analysis.boundary.loop_start.first(counts.loops + 1)));
     copy(basis.reversed, Span<const std::uint8_t>(analysis.reversed));

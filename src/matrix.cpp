@@ -26,39 +26,55 @@ I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept 
     return begin;
 }
 
-// visit(wall slot, unknown) for every pair of a wall point and an unknown that share a cell.
+// visit(line of the wall, unknown) for every line of a wall point and every unknown of a point that share a cell.
 template <class Visit>
 void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
                        Span<const Index> slot, Visit visit) noexcept {
+    Index const components = graph.components;
+    auto const couple = [&](Index wall_point, Index other) {
+        if (slot[wall_point] == none) return;
+        for (Index q = 0; q < components; ++q) {
+            Index const unknown = graph.unknown[components * other + q];
+            if (unknown == none) continue;
+            for (Index p = 0; p < components; ++p) visit(components * slot[wall_point] + p, unknown);
+        }
+    };
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (slot[a] != none && graph.unknown[b] != none) visit(slot[a], graph.unknown[b]);
-        if (slot[b] != none && graph.unknown[a] != none) visit(slot[b], graph.unknown[a]);
+        couple(a, b);
+        couple(b, a);
     });
 }
 
 }  // namespace
 
-void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes,
-                     bool is_complex) noexcept {
+void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
     n = unknowns;
-    arena.take(place, n_points);
+    kind = sizes.kind;
+    arena.take(place, Offset{components()} * n_points);
     arena.take(diagonal, n);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries);
     arena.take(value, sizes.entries);
-    arena.take(imaginary, is_complex ? sizes.entries : 0);
-    arena.take(coupling_start, Offset{wall_points} + 1);
+    arena.take(imaginary, is_complex() ? sizes.entries : 0);
+    arena.take(coupling_start, Offset{components()} * wall_points + 1);
     arena.take(coupling_row, sizes.couplings);
     arena.take(coupling_value, sizes.couplings);
-    arena.take(coupling_imaginary, is_complex ? sizes.couplings : 0);
+    arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
+    arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
 void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                   Span<const Index> order, Span<const Index> position, Span<const Index> slot) noexcept {
+                   Span<const Index> order, Span<const Index> position, Span<const Index> slot,
+                   Span<const Vec2> tangent) noexcept {
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index const its = representative[point];
-        Index const unknown = graph.unknown[its];
-        place[point] = unknown != none ? position[unknown] : slot[its] != none ? wall(slot[its]) : none;
+        for (Index c = 0; c < components(); ++c) {
+            Index const unknown = graph.unknown[components() * its + c];
+            place[components() * point + c] = unknown != none     ? position[unknown]
+                                              : slot[its] != none ? wall(components() * slot[its] + c)
+                                                                  : none;
+        }
+        if (!frame.empty()) frame[point] = tangent[its];
     }
     Offset filled = 0;
     for (Index row = 0; row < n; ++row) {
@@ -71,13 +87,14 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
     start[n] = filled;
 
     fill(coupling_start, Index{0});
-    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index s, Index) { ++coupling_start[s]; });
+    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index) { ++coupling_start[line]; });
     counts_to_starts(coupling_start);
-    for_each_coupling(mesh, edges, representative, graph, slot,
-                      [&](Index s, Index unknown) { coupling_row[coupling_start[s]++] = position[unknown]; });
+    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index unknown) {
+        coupling_row[coupling_start[line]++] = position[unknown];
+    });
     rewind_starts(coupling_start);
-    for (Index s = 0; s + 1 < coupling_start.count(); ++s) {
-        sort_row(coupling_row.from(coupling_start[s], coupling_start[s + 1] - coupling_start[s]));
+    for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
+        sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
 }
 
@@ -115,6 +132,11 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
 }
 
 void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    if (is_complex()) return add_complex(point, other, conductance, circulation);
+    add_lines(point, other, conductance, circulation);
+}
+
+void Matrix::add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept {
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
@@ -122,6 +144,21 @@ void Matrix::add(Index point, Index other, Real conductance, Real circulation) c
     if (its.value == nullptr) return;
     *its.value -= conductance;
     *its.imaginary += its.turned ? -circulation : circulation;
+}
+
+// The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
+void Matrix::add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    Vec2 const its = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+    Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
+    for (Index p = 0; p < 2; ++p) {
+        Index const i = place[2 * point + p], own_j = place[2 * other + p];
+        if (i >= 0) diagonal[i] += conductance;
+        if (own_j >= 0) diagonal[own_j] += conductance;
+        for (Index q = 0; q < 2; ++q) {
+            Entry const at = entry(i, place[2 * other + q]);
+            if (at.value != nullptr) *at.value += block[p][q];
+        }
+    }
 }
 
 }  // namespace harmorph

@@ -12,34 +12,33 @@ constexpr Index least_range = 8192;      // points that are worth a thread
 constexpr Offset worth_asking = Offset{1} << 16;  // values; fewer are done before the processor has told what it is
 
 Kernel kernel_for(Basis const& basis) noexcept {
-    return Offset{basis.n_points()} * basis.n_functions() < worth_asking ? Kernel::baseline : best_kernel();
+    return Offset{basis.n_points()} * basis.row_length() < worth_asking ? Kernel::baseline : best_kernel();
 }
 
 // A sum of 0 keeps the bits: -0.0 + 0.0 would not.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-Vec2 moved_along_curve(CurveBasis const& functions, const Real* move) noexcept {
-    Vec2 sum;
-    for (Index k = 0; k < functions.order; ++k) {
-        const Real* const its = move + 2 * functions.control[k];
-        sum = sum + functions.value[0][k] * Vec2{its[0], its[1]};
+// The movements of numbers first .. first+width-1 of a row of values.
+Movements movements_of(Basis const& basis, const Real* move, Index first, Index width) noexcept {
+    Movements by = {};
+    for (Index k = 0; k < width; ++k) {
+        Index const plane = (first + k) / basis.n_functions(), function = (first + k) % basis.n_functions();
+        Vec2 const moved = moved_by(basis.kind(), plane, {move[2 * function], move[2 * function + 1]});
+        by.x[k] = moved.x;
+        by.y[k] = moved.y;
     }
-    return sum;
+    return by;
 }
 
 // Points begin .. begin+n-1, n <= block_points.
 void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin,
                  Index n) noexcept {
-    Index const n_functions = basis.n_functions();
+    Index const row_length = basis.row_length();
     Vec2 sum[block_points] = {};
-    for (Index first = 0; first < n_functions; first += Movements::most) {
-        Index const width = smaller(Movements::most, n_functions - first);
-        Movements by = {};
-        for (Index k = 0; k < width; ++k) {
-            by.x[k] = move[2 * (first + k)];
-            by.y[k] = move[2 * (first + k) + 1];
-        }
-        multiply_rows(kernel, {basis.row(begin) + first, n_functions, n, width}, by, sum);
+    for (Index first = 0; first < row_length; first += Movements::most) {
+        Index const width = smaller(Movements::most, row_length - first);
+        Movements const by = movements_of(basis, move, first, width);
+        multiply_rows(kernel, {basis.row(begin) + first, row_length, n, width}, by, sum);
     }
     for (Index p = 0; p < n; ++p) {
         Vec2 const old = from.given() ? from[begin + p] : Vec2{};
@@ -47,7 +46,7 @@ void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points fro
     }
 }
 
-// total += what points begin .. begin+n-1 give to functions first .. first+width-1.
+// total += what points begin .. begin+n-1 give to numbers first .. first+width-1 of their rows.
 void add_part(Kernel kernel, Basis const& basis, Points gradient_by_points, Index begin, Index n, Index first, Index width,
               Movements& total) noexcept {
     Movements sum = {};
@@ -55,7 +54,7 @@ void add_part(Kernel kernel, Basis const& basis, Points gradient_by_points, Inde
         Index const count = smaller(block_points, begin + n - p);
         Vec2 by[block_points];
         for (Index i = 0; i < count; ++i) by[i] = gradient_by_points[p + i];
-        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.n_functions(), count, width}, by, sum);
+        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.row_length(), count, width}, by, sum);
     }
     for (Index k = 0; k < width; ++k) {
         total.x[k] += sum.x[k];
@@ -75,10 +74,11 @@ void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, 
 }
 
 void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
-    Index const n_functions = basis.n_functions(), n_points = basis.n_points();
+    Index const n_functions = basis.n_functions(), row_length = basis.row_length(), n_points = basis.n_points();
     Kernel const kernel = kernel_for(basis);
-    for (Index first = 0; first < n_functions; first += Movements::most) {
-        Index const width = smaller(Movements::most, n_functions - first);
+    for (Index i = 0; i < 2 * n_functions; ++i) gradient[i] = 0;
+    for (Index first = 0; first < row_length; first += Movements::most) {
+        Index const width = smaller(Movements::most, row_length - first);
         Movements sum[adjoint_ranges];
         executor.for_each(adjoint_ranges, [&](Index range) {
             auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / adjoint_ranges); };
@@ -91,8 +91,9 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
         for (Index k = 0; k < width; ++k) {
             Vec2 total;
             for (Movements const& its : sum) total = total + Vec2{its.x[k], its.y[k]};
-            gradient[2 * (first + k)] = total.x;
-            gradient[2 * (first + k) + 1] = total.y;
+            Index const plane = (first + k) / n_functions, function = (first + k) % n_functions;
+            gradient[2 * function] += dot(total, moved_by(basis.kind(), plane, {1, 0}));
+            gradient[2 * function + 1] += dot(total, moved_by(basis.kind(), plane, {0, 1}));
         }
     }
 }
@@ -101,7 +102,7 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
     BoundaryError worst;
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
-        Vec2 const curve_moved = moved_along_curve(basis.boundary_functions(slot), move);
+        Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
         Real const error = length(to[point] - from[point] - curve_moved);
         if (worst.point == none || error > worst.error) worst = {error, point};
     }
@@ -110,28 +111,39 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
 
 BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     BasisMeasures measures;
-    Index const n_functions = basis.n_functions();
+    Index const n_functions = basis.n_functions(), n_control = basis.header->counts.control;
+    ValueKind const kind = basis.kind();
     auto const raise = [](BoundaryError& worst, Real error, Index point) {
         if (worst.point == none || !(error <= worst.error)) worst = {error, point};  // NaN is the worst
     };
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
-        CurveBasis const functions = basis.boundary_functions(slot);
+        BoundaryFunctions const functions = basis.boundary_functions(slot);
         const Real* const values = basis.row(point);
-        Real sum = 0;
-        for (Index i = 0; i < n_functions; ++i) {
-            Real expected = 0;
-            for (Index k = 0; k < functions.order; ++k) expected += functions.control[k] == i ? functions.value[0][k] : 0;
-            raise(measures.value, absolute(values[i] - expected), point);
-            sum += values[i];
+        for (Index plane = 0; plane < numbers_of(kind); ++plane) {
+            Real sum = 0;
+            for (Index i = 0; i < n_functions; ++i) {
+                Real const value = values[plane * n_functions + i];
+                Real expected = 0;
+                for (Index k = 0; k < functions.order; ++k) {
+                    expected += functions.function[k] == i ? numbers_of(kind, functions.value[k]).plane[plane] : 0;
+                }
+                raise(measures.value, absolute(value - expected), point);
+                sum += i < n_control ? value : 0;
+            }
+            if (!basis.is_on_curve(slot)) continue;
+            Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
+            if (!(defect <= measures.partition_defect)) measures.partition_defect = defect;
         }
-        if (!(absolute(sum - 1) <= measures.partition_defect)) measures.partition_defect = absolute(sum - 1);
+        if (!basis.is_on_curve(slot)) continue;
         Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
         raise(measures.distance, length(points[point] - foot), point);
     }
-    for (Real const value : basis.value) {
-        measures.min_value = smaller(measures.min_value, value);
-        measures.max_value = larger(measures.max_value, value);
+    for (Index point = 0; point < basis.n_points(); ++point) {
+        for (Real const value : Span<const Real>(basis.row(point), static_cast<Size>(n_control))) {
+            measures.min_value = smaller(measures.min_value, value);
+            measures.max_value = larger(measures.max_value, value);
+        }
     }
     return measures;
 }

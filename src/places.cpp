@@ -29,15 +29,15 @@ void Places::find_layers(Graph const& graph) const noexcept {
 
 // Coordinates about the first point, which are small numbers where the mesh is fine.
 void Places::find(Graph const& graph, Points points) const noexcept {
-    Vec2 const origin = points[graph.point[0]];
+    Vec2 const origin = points[graph.point(0)];
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = points[graph.point[u]] - origin;
+        Vec2 const p = points[graph.point(u)] - origin;
         largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
     }
     Real const scale = largest > 1e30 || largest < 1e-30 ? 1 / largest : 1;  // single precision ends at 1e38
     for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = scale * (points[graph.point[u]] - origin);
+        Vec2 const p = scale * (points[graph.point(u)] - origin);
         float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
         place[u] = {{x, y, x + y, x - y}};
     }

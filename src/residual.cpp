@@ -3,10 +3,61 @@
 namespace harmorph {
 namespace {
 
-void add_squares(Span<const Real> rows, Real* sums) noexcept {
-    for (Size i = 0; i < rows.size(); i += Residual::width) {
-        for (Index k = 0; k < Residual::width; ++k) sums[k] += rows[i + static_cast<Size>(k)] * rows[i + static_cast<Size>(k)];
+constexpr Index width = Residual::width;
+
+// Real arithmetic for one plane of numbers, complex for two: the second plane follows `plane` numbers after the first.
+template <Index planes>
+struct Columns {
+    Index n;
+
+    // row -= (re + i im) x
+    void subtract(Real re, Real im, const Real* x, Offset plane, Real* row) const noexcept {
+        for (Index k = 0; k < n; ++k) {
+            row[k] -= re * x[k];
+            if constexpr (planes == 2) {
+                row[k] += im * x[plane + k];
+                row[width + k] -= re * x[plane + k] + im * x[k];
+            }
+        }
     }
+
+    void add_squares(Span<const Real> rows, Real* sums) const noexcept {
+        for (Size i = 0; i < rows.size(); i += width) {
+            for (Index k = 0; k < width; ++k) {
+                sums[k] += rows[i + static_cast<Size>(k)] * rows[i + static_cast<Size>(k)];
+            }
+        }
+    }
+};
+
+template <Index planes>
+Residual::Norms compute_planes(Matrix const& matrix, Lines const& lines, Index first, Index n, Span<Real> value) noexcept {
+    Columns<planes> const columns{n};
+    Offset const plane = lines.columns(matrix);
+    auto const row_of = [&](Index position) { return value.data() + Offset{position} * (planes * width); };
+    Residual::Norms norms;
+    fill(value, 0.0);
+    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
+        const Real* const known = lines.wall(wall) + first;
+        for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
+            Real const imaginary = planes == 2 ? matrix.coupling_imaginary[c] : 0;
+            columns.subtract(matrix.coupling_value[c], imaginary, known, plane, row_of(matrix.coupling_row[c]));
+        }
+    }
+    columns.add_squares(value, norms.right_hand_side);
+    for (Index i = 0; i < matrix.n; ++i) {
+        const Real* const own = lines.at(i) + first;
+        Real* const row = row_of(i);
+        columns.subtract(matrix.diagonal[i], 0, own, plane, row);
+        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+            Index const j = matrix.column[e];
+            Real const imaginary = planes == 2 ? matrix.imaginary[e] : 0;
+            columns.subtract(matrix.value[e], imaginary, lines.at(j) + first, plane, row);
+            columns.subtract(matrix.value[e], -imaginary, own, plane, row_of(j));
+        }
+    }
+    columns.add_squares(value, norms.rest);
+    return norms;
 }
 
 }  // namespace
@@ -15,39 +66,20 @@ Real Residual::Norms::relative(Index k) const noexcept {
     return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
 }
 
-Residual::Norms Residual::compute(Matrix const& matrix, Basis const& basis, Span<const Index> point_of, Index first,
-                                  Index n) const noexcept {
-    auto const row_of = [&](Index position) { return value.data() + Offset{position} * width; };
-    Norms norms;
-    fill(value, 0.0);
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
-        const Real* const known = basis.row(basis.wall_point[slot]) + first;
-        for (Index c = matrix.coupling_start[slot]; c < matrix.coupling_start[slot + 1]; ++c) {
-            Real* const row = row_of(matrix.coupling_row[c]);
-            for (Index k = 0; k < n; ++k) row[k] -= matrix.coupling_value[c] * known[k];
-        }
-    }
-    add_squares(value, norms.right_hand_side);
-    for (Index i = 0; i < matrix.n; ++i) {
-        const Real* const own = basis.row(point_of[i]) + first;
-        Real* const row = row_of(i);
-        for (Index k = 0; k < n; ++k) row[k] -= matrix.diagonal[i] * own[k];
-        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-            Index const j = matrix.column[e];
-            const Real* const other = basis.row(point_of[j]) + first;
-            Real* const other_row = row_of(j);
-            for (Index k = 0; k < n; ++k) row[k] -= matrix.value[e] * other[k];
-            for (Index k = 0; k < n; ++k) other_row[k] -= matrix.value[e] * own[k];
-        }
-    }
-    add_squares(value, norms.rest);
-    return norms;
+Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+    return matrix.is_complex() ? compute_planes<2>(matrix, lines, first, n, value)
+                               : compute_planes<1>(matrix, lines, first, n, value);
 }
 
-void Residual::add_to(Basis const& basis, Span<const Index> point_of, Index first, Index n) const noexcept {
-    for (Index i = 0; i < point_of.count(); ++i) {
-        Real* const row = basis.row(point_of[i]) + first;
-        for (Index k = 0; k < n; ++k) row[k] += value[Offset{i} * width + k];
+void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+    Index const planes = matrix.is_complex() ? 2 : 1;
+    Offset const plane = lines.columns(matrix);
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Index p = 0; p < planes; ++p) {
+            Real* const to = lines.at(i) + p * plane + first;
+            const Real* const from = value.data() + (Offset{i} * planes + p) * width;
+            for (Index k = 0; k < n; ++k) to[k] += from[k];
+        }
     }
 }
 

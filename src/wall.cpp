@@ -16,6 +16,12 @@ public:
         for (Index piece = 0; piece < n_pieces_; ++piece) project_piece(piece, condition);
     }
 
+    void add_rigid(Condition const& condition) noexcept {
+        auto const visit = [&](Index, Index point) { put(point, curves_.count() + condition.body, 0); };
+        boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == condition.marker; }, visit,
+                                 [](Index, bool) {});
+    }
+
 private:
     bool belongs(Index face, Condition const& condition) const noexcept {
         const Condition* const its = condition_of(conditions_, boundary_.marker[face]);
@@ -120,6 +126,10 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
                                 Counts::mesh, point);
         }
         Index const curve = given.curve[i];
+        if (wall.curve[slot] >= curves.count()) {
+            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on a rigid body",
+                                Counts::mesh, point);
+        }
         if (curve < 0 || curve >= curves.count()) {
             return fault.refuse(Status::bad_condition, "given parameter # is on curve @, which does not exist",
                                 Counts::from_zero, i, curve);
@@ -141,6 +151,7 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(point, n);
     arena.take(curve, n);
     arena.take(u, n);
+    arena.take(lever, n);
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -171,7 +182,39 @@ Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condit
         }
         if (is_first) parametriser.run(conditions[i]);
     }
+    for (Condition const& condition : conditions) {
+        if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
+    }
     return apply_given(given, curves, representative, work, wall, fault);
+}
+
+Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
+    if (!is_periodic(curve) && (u == curve.begin() || u == curve.end())) return {};
+    Index equal = 0;
+    for (Index k = 0; k < curve.n_indices + curve.degree + 1; ++k) equal += curve.knots[k] == u ? 1 : 0;
+    if (equal >= curve.degree) return {};
+    Vec2 at[2];
+    curve_point(curve, u, 1, at);
+    Vec2 const offset = point - at[0];
+    constexpr Real least_turning_radius = 1e-3;  // of the parameter's range, by which offsets are much smaller
+    return length(at[1]) * (curve.end() - curve.begin()) * least_turning_radius > length(offset) ? offset : Vec2{};
+}
+
+void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+                 Wall& wall) noexcept {
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        Index const curve = wall.curve[slot];
+        Vec2 const point = points[wall.point[slot]];
+        wall.lever[slot] = {};
+        if (curve < curves.count()) {
+            if (offset_correction) wall.lever[slot] = offset_from(curves[curve], wall.u[slot], point);
+            continue;
+        }
+        for (Condition const& condition : conditions) {
+            bool const its = condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
+            if (its) wall.lever[slot] = point - condition.centre;
+        }
+    }
 }
 
 }  // namespace harmorph

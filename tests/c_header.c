@@ -72,7 +72,7 @@ int main(void) {
     check(HM_CELLS_ROWS == 0 && HM_CLOSED_AUTO == 0, "defaults are 0");
     check(HM_LAPLACE == 0 && HM_COMPACT == 0 && HM_DIRECT == 0, "defaults of the options are 0");
     check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_CANCELLED < 0 && HM_UNSUPPORTED < 0, "signs of statuses");
-    check(HM_ON_CURVE < HM_FIXED && HM_FIXED < HM_FREE, "order of conditions");
+    check(HM_ON_CURVE < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE, "order of conditions");
     check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");
 
     options.progress = never_cancel;

@@ -4,15 +4,16 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 sort hash monotone kernel_call
+vec2 angle value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary conditions wall
+edges orientation boundary distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
 graph places dissection fronts subtrees
-matrix laplace basis residual
-multifrontal multifrontal_factor multifrontal_solve analysis harmonic
-morph quality admissible_step assessment crossing
+matrix stiffness basis residual right_hand_sides path
+multifrontal multifrontal_factor multifrontal_solve analysis newton_system untangle harmonic
+morph weighted_sum quality admissible_step assessment crossing
+safe_morph
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'

@@ -63,7 +63,7 @@ TEST_CASE("a copy at another address is the same basis") {
     REQUIRE(copy->attach(&mesh) == HM_OK);
     std::vector<double> values, x(its.mesh.x.size()), y(its.mesh.x.size());
     for (std::int32_t i = 0; i < 20; ++i) {
-        REQUIRE(hm_basis_values(copy->basis, i, x.data(), nullptr) == HM_OK);
+        REQUIRE(hm_basis_values(copy->basis, i, 0, x.data(), nullptr) == HM_OK);
         values.insert(values.end(), x.begin(), x.end());
     }
     CHECK(same_bits(values, expected));
@@ -173,7 +173,7 @@ TEST_CASE("each reason has its own sentence") {
     copy.set(bad);
     CHECK((copy.attach() == HM_BAD_BASIS && copy.says("contradict")));
     for (harmorph::Index harmorph::BasisCounts::*count :
-         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::functions, &harmorph::BasisCounts::loops}) {
+         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control, &harmorph::BasisCounts::loops}) {
         for (harmorph::Index const wrong : {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {   // no overflow, no reading far away
             bad = good;
             bad.counts.*count = wrong;
@@ -241,7 +241,7 @@ TEST_CASE("before it is solved it can do nothing, and is not attached") {
     CHECK(hm_morph(attempt.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) ==
           HM_BAD_BASIS);
     CHECK(hm_adjoint(attempt.basis, x.data(), y.data(), 1, move.data(), nullptr, nullptr) == HM_BAD_BASIS);
-    CHECK(hm_basis_values(attempt.basis, 0, x.data(), nullptr) == HM_BAD_BASIS);
+    CHECK(hm_basis_values(attempt.basis, 0, 0, x.data(), nullptr) == HM_BAD_BASIS);
     CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y) && move[3] == 0.1));
     Copy copy(attempt.basis, static_cast<std::size_t>(info.bytes));
     CHECK((copy.attach() == HM_BAD_BASIS && copy.says("not been solved")));
@@ -264,6 +264,6 @@ TEST_CASE("written to a file and read back") {
     const hm_basis* basis = nullptr;
     REQUIRE(hm_basis_attach(&basis, block.data(), bytes, &mesh, nullptr) == HM_OK);
     std::vector<double> values(its.mesh.x.size());
-    REQUIRE(hm_basis_values(basis, 3, values.data(), nullptr) == HM_OK);
+    REQUIRE(hm_basis_values(basis, 3, 0, values.data(), nullptr) == HM_OK);
     CHECK(same_bits(values, solved.values(3)));
 }

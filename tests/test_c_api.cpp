@@ -22,8 +22,8 @@ TEST_CASE("versions and names") {
     CHECK(names.size() == 12);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
-    CHECK(std::string(hm_status_name(3)) == "unknown status");
-    CHECK(std::string(hm_status_name(-10)) == "unknown status");
+    CHECK(std::string(hm_status_name(4)) == "unknown status");
+    CHECK(std::string(hm_status_name(-11)) == "unknown status");
 }
 
 TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may always be NULL") {
@@ -91,10 +91,10 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
         hm_basis_curves(solved.basis, nullptr, &curve, 1, nullptr),
         hm_basis_curves(solved.basis, &curves, nullptr, 1, nullptr),
         hm_basis_curves(solved.basis, &curves, &curve, 0, nullptr),
-        hm_basis_values(nullptr, 0, x.data(), nullptr),
-        hm_basis_values(solved.basis, 0, nullptr, nullptr),
-        hm_basis_values(solved.basis, -1, x.data(), nullptr),
-        hm_basis_values(solved.basis, 4, x.data(), nullptr),
+        hm_basis_values(nullptr, 0, 0, x.data(), nullptr),
+        hm_basis_values(solved.basis, 0, 0, nullptr, nullptr),
+        hm_basis_values(solved.basis, -1, 0, x.data(), nullptr),
+        hm_basis_values(solved.basis, 4, 0, x.data(), nullptr),
         hm_morph(nullptr, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
         hm_morph(solved.basis, nullptr, x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
         hm_morph(solved.basis, move.data(), x.data(), nullptr, 1, x.data(), y.data(), 1, nullptr, nullptr),

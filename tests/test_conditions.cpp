@@ -19,7 +19,7 @@ TEST_CASE("markers without a condition are fixed; everything else is inside") {
     Case its = tiny_case();
     its.mesh.add_point({3, 3});   // used by no cell
     Analysed const seen(its);
-    CHECK(count(seen, PointKind::on_curve) == 8);
+    CHECK(count(seen, PointKind::on_wall) == 8);
     CHECK(count(seen, PointKind::fixed) == 24);
     CHECK(count(seen, PointKind::inside) == 16);
     CHECK(count(seen, PointKind::free) == 0);
@@ -36,13 +36,13 @@ TEST_CASE("a point on several markers: on a curve before fixed before free") {
     its.set_free(top);
     for (int order = 0; order < 2; ++order) {   // whichever is named first
         Analysed const seen(its);
-        CHECK(seen->kinds[0] == PointKind::on_curve);    // bottom and left, which is fixed
-        CHECK(seen->kinds[6] == PointKind::on_curve);    // bottom and right, which is free
+        CHECK(seen->kinds[0] == PointKind::on_wall);    // bottom and left, which is fixed
+        CHECK(seen->kinds[6] == PointKind::on_wall);    // bottom and right, which is free
         CHECK(seen->kinds[42] == PointKind::fixed);      // left and top
         CHECK(seen->kinds[48] == PointKind::free);       // right and top
         CHECK(seen->kinds[7] == PointKind::fixed);
         CHECK(seen->kinds[13] == PointKind::free);
-        CHECK(count(seen, PointKind::on_curve) == 7);
+        CHECK(count(seen, PointKind::on_wall) == 7);
         CHECK(count(seen, PointKind::fixed) == 6);
         CHECK(count(seen, PointKind::free) == 11);
         CHECK(seen->graph.n == 25 + 11);
@@ -56,8 +56,8 @@ TEST_CASE("joined points are one: the other names count as unused") {
     its.mesh = c.mesh;
     Analysed const seen(its);
     CHECK(count(seen, PointKind::unused) == c.n_wake + 1);
-    CHECK(count(seen, PointKind::on_curve) == 48);
-    CHECK(seen->kinds[c.n_wake] == PointKind::on_curve);   // the trailing edge
+    CHECK(count(seen, PointKind::on_wall) == 48);
+    CHECK(seen->kinds[c.n_wake] == PointKind::on_wall);   // the trailing edge
     CHECK(seen->kinds[1] == PointKind::inside);            // on the wake
     CHECK(seen->kinds[0] == PointKind::fixed);             // where the wake meets the far field
 }
@@ -78,7 +78,7 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
                 for (int b = 0; b < cell.n; ++b) {
                     harmorph::Index const u = graph.unknown[cell.point[a]], v = graph.unknown[cell.point[b]];
                     if (u != harmorph::none && v != harmorph::none && u != v) expected.push_back({u, v});
-                    if (u != harmorph::none && seen->kinds[cell.point[b]] == PointKind::on_curve)
+                    if (u != harmorph::none && seen->kinds[cell.point[b]] == PointKind::on_wall)
                         near_wall[static_cast<std::size_t>(u)] = 1;
                 }
         }
@@ -86,8 +86,8 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
         expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
         for (harmorph::Index u = 0; u < graph.n; ++u) {
             for (harmorph::Index const v : graph.of(u)) found.push_back({u, v});
-            CHECK(graph.unknown[graph.point[u]] == u);
-            if (u > 0) CHECK(graph.point[u] > graph.point[u - 1]);
+            CHECK(graph.unknown[graph.line[u]] == u);
+            if (u > 0) CHECK(graph.point(u) > graph.point(u - 1));
             CHECK(graph.beside_curve[u] == near_wall[static_cast<std::size_t>(u)]);
         }
         std::sort(found.begin(), found.end());

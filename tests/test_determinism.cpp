@@ -29,7 +29,9 @@ TEST_CASE("a basis solved twice is the same block, byte by byte, even between it
 
 TEST_CASE("what lay in the blocks before does not matter") {
     Case its = two_body_case();
-    Solved const reference(its);
+    hm_options usual{};
+    usual.struct_size = sizeof usual;
+    Solved const reference(its, &usual);
     hm_problem const problem = its.problem();
     for (int const garbage : {0x00, 0xFF, 0x7F, 0x3F}) {
         std::vector<unsigned char> blocks[3];
@@ -92,8 +94,7 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     std::vector<double> const expected = reference.all_values();
     int tried = 0;
     for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512}) {
-        hm_options options{};
-        options.struct_size = sizeof options;
+        hm_options options = laplace();
         options.kernel = kernel;
         Attempt const first(its.problem(), &options);
         if (first.status == HM_UNSUPPORTED) continue;
@@ -116,8 +117,7 @@ TEST_CASE("any number of threads, in any order of their tasks: the same bits, in
     for (std::int32_t const threads : {1, 2, 3, 8, 256}) {
         Backwards order;
         hm_executor const executor = order.executor(threads);
-        hm_options options{};
-        options.struct_size = sizeof options;
+        hm_options options = laplace();
         options.executor = &executor;
         Solved const solved(its.problem(mesh), &options);
         CHECK((threads > 1) == (order.calls > 0));

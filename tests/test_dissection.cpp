@@ -68,7 +68,7 @@ TEST_CASE("graphs of meshes") {
         harmorph::Graph const& graph = seen->graph;
         HandMadeGraph copy;
         for (Index u = 0; u < graph.n; ++u) {
-            Point const p = its.mesh.point(graph.point[u]);
+            Point const p = its.mesh.point(graph.point(u));
             copy.add_point(p.x, p.y);
         }
         for (Index u = 0; u < graph.n; ++u)

@@ -25,8 +25,7 @@ struct Listener {
         return self.events.size() - 1 == self.stop_at ? 42 : 0;
     }
     hm_options options() {
-        hm_options out{};
-        out.struct_size = sizeof out;
+        hm_options out = laplace();
         out.progress = call;
         out.progress_user = this;
         return out;
@@ -36,7 +35,7 @@ struct Listener {
 std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
     std::vector<double> out, one(n_points);
     for (std::int32_t i = 0; i < n_functions; ++i) {
-        REQUIRE(hm_basis_values(basis, i, one.data(), nullptr) == HM_OK);
+        REQUIRE(hm_basis_values(basis, i, 0, one.data(), nullptr) == HM_OK);
         out.insert(out.end(), one.begin(), one.end());
     }
     return out;
@@ -46,15 +45,14 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, s
 
 TEST_CASE("a tolerance below rounding is a warning, and the functions are there") {
     Case its = airfoil_case();
-    hm_options options{};
-    options.struct_size = sizeof options;
+    hm_options options = laplace();
     options.tolerance = 1e-18;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
     CHECK((attempt.error.code == HM_NOT_CONVERGED && attempt.error.value == attempt.report.residual));
     CHECK((attempt.report.residual > 1e-18 && attempt.report.residual < 1e-12));
     std::vector<double> values(its.mesh.x.size());
-    CHECK(hm_basis_values(attempt.basis, 0, values.data(), nullptr) == HM_OK);
+    CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_OK);
 }
 
 TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
@@ -121,7 +119,7 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             CHECK((status == HM_CANCELLED && !cancelled));
             cancelled = true;
             std::vector<double> values(its.mesh.x.size());
-            CHECK(hm_basis_values(attempt.basis, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
+            CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
             REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) == HM_OK);   // the factor stays
         }
         CHECK(cancelled);

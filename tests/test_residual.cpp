@@ -38,16 +38,16 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
     harmorph::Arena counting;
     harmorph::Residual residual;
-    residual.lay_out(counting, plan.matrix.n);
+    residual.lay_out(counting, plan.matrix.n, false);
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.matrix.n);
+    residual.lay_out(placing, plan.matrix.n, false);
 
     constexpr Index width = harmorph::Residual::width;
     Index const function = width + 1, wrong = plan.matrix.n / 2;   // of the second group of functions
     double const by = 1e-3;
-    basis.row(plan.point_of[wrong])[function] += by;
-    harmorph::Residual::Norms const norms = residual.compute(plan.matrix, basis, plan.point_of, width, width);
+    basis.row(plan.line_of[wrong])[function] += by;
+    harmorph::Residual::Norms const norms = residual.compute(plan.matrix, {basis, plan.line_of, 1}, width, width);
     double squares = 0, b = 0, worst = 0;
     std::vector<double> const known =
         laplace.couplings_times([&](Index slot) { return basis.row(basis.wall_point[slot])[function]; });
@@ -69,8 +69,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
     for (double const error : {0.0, 1e-9, 1e-6, 1e-1}) {
         Case its = ring_case(12, 48, 0.5, 2, Cells::hybrid, 3, 19);
         Progressed progressed;
-        hm_options options{};
-        options.struct_size = sizeof options;
+        hm_options options = laplace();
         options.progress = Progressed::call;
         options.progress_user = &progressed;
         Solved const reference(its);
@@ -87,7 +86,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
             CHECK(status == HM_OK);
             CHECK(attempt.report.residual < 1e-12);
             std::vector<double> values(its.mesh.x.size());
-            REQUIRE(hm_basis_values(attempt.basis, 7, values.data(), nullptr) == HM_OK);
+            REQUIRE(hm_basis_values(attempt.basis, 7, 0, values.data(), nullptr) == HM_OK);
             CHECK(largest_difference(values, reference.values(7)) < 1e-12);
         } else {
             CHECK(status == HM_NOT_CONVERGED);   // and says so where it does not help

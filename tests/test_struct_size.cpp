@@ -12,7 +12,7 @@ namespace {
 std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, std::size_t n_points) {
     std::vector<double> out, one(n_points);
     for (std::int32_t i = 0; i < n_functions; ++i) {
-        REQUIRE(hm_basis_values(basis, i, one.data(), nullptr) == HM_OK);
+        REQUIRE(hm_basis_values(basis, i, 0, one.data(), nullptr) == HM_OK);
         out.insert(out.end(), one.begin(), one.end());
     }
     return out;
@@ -31,7 +31,7 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     hm_problem problem = its.problem(mesh);
     problem.struct_size = offsetof(hm_problem, n_given);
     problem.n_given = 1000;
-    hm_options options{};
+    hm_options options = laplace();
     options.struct_size = offsetof(hm_options, tolerance);
     options.tolerance = 5;
     Attempt const attempt(problem, &options);
@@ -53,9 +53,12 @@ TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone
         hm_condition condition;
         double more[3] = {1, 2, 3};
     };
+    its.add_condition(top, HM_FIXED);
     Longer conditions[2];   // an array whose elements are as long as the first one says
-    conditions[0].condition = {sizeof(Longer), body, HM_ON_CURVE, 0, 1};
-    conditions[1].condition = {sizeof(Longer), top, HM_FIXED, 0, 0};
+    for (std::size_t k = 0; k < 2; ++k) {
+        conditions[k].condition = its.conditions[k];
+        conditions[k].condition.struct_size = sizeof(Longer);
+    }
     hm_problem problem = its.problem(mesh.mesh);
     problem.n_conditions = 2;
     problem.conditions = &conditions[0].condition;

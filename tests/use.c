@@ -222,8 +222,8 @@ static void attach(const hm_basis *basis, const hm_mesh *mesh) {
     bytes = block_of((size_t)info.bytes);
     memcpy(bytes, basis, (size_t)info.bytes);
     require(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error), "a copy is attached", &error);
-    require(hm_basis_values(basis, 3, first, &error), "values of the basis", &error);
-    require(hm_basis_values(copy, 3, second, &error), "values of the copy", &error);
+    require(hm_basis_values(basis, 3, 0, first, &error), "values of the basis", &error);
+    require(hm_basis_values(copy, 3, 0, second, &error), "values of the copy", &error);
     check(memcmp(first, second, sizeof first) == 0, "they are the same", &error);
     check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS, "cut short: refused", &error);
     bytes[info.bytes / 2] ^= 1;

@@ -20,6 +20,11 @@ std::string help_line(const Option& option) {
 
 } // namespace
 
+std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others) {
+    some.insert(some.end(), others.begin(), others.end());
+    return some;
+}
+
 Arguments::Arguments(const Command& command, const std::vector<std::string>& words) : command_(command) {
     bool options_ended = false;
     for (std::size_t at = 0; at < words.size(); ++at) {

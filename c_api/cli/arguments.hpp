@@ -15,6 +15,8 @@ struct Option {
     const char* help;
 };
 
+std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others);
+
 class Arguments;
 
 struct Command {

@@ -30,18 +30,22 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
 } // namespace
 
 Basis::Basis(const std::string& path, const Mesh& mesh)
-    : path_(path), block_(read_block(path)), curves_(sized<hm_curves>()) {
+    : path_(path), block_(read_block(path)), info_(sized<hm_basis_info>()), curves_(sized<hm_curves>()) {
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = call(path_, hm_basis_attach, &basis_, block_.data(), block_.size(), &view) == HM_MOVED;
-    const hm_basis_info info = info_of(basis_, path_);
-    if (info.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
-    curve_.assign(static_cast<std::size_t>(info.curves), sized<hm_curve>());
-    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info.curves);
+    info_ = info_of(basis_, path_);
+    if (info_.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
+    curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>()); // never none
+    call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
+    conditions_.assign(mesh.markers.size() + 1, sized<hm_condition>()); // at least one, whose size tells that of all
+    std::int32_t n = 0;
+    call(path_, hm_basis_conditions, basis_, conditions_.data(), static_cast<std::int32_t>(conditions_.size()), &n);
+    conditions_.resize(static_cast<std::size_t>(n));
 }
 
-std::vector<double> Basis::values(std::int32_t function, const Mesh& mesh) const {
+std::vector<double> Basis::values(std::int32_t function, std::int32_t number, const Mesh& mesh) const {
     std::vector<double> values(mesh.x.size());
-    call(path_, hm_basis_values, basis_, function, values.data());
+    call(path_, hm_basis_values, basis_, function, number, values.data());
     return values;
 }
 

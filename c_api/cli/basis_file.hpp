@@ -19,16 +19,21 @@ public:
     const hm_basis* get() const { return basis_; }
     const hm_curves& curves() const { return curves_; } // those it was solved with
     bool mesh_has_moved() const { return mesh_has_moved_; }
-    std::int32_t functions() const { return curves_.n_control; }
-    std::vector<double> values(std::int32_t function, const Mesh& mesh) const; // at every point of the mesh
+    const hm_basis_info& info() const { return info_; }
+    const std::vector<hm_condition>& conditions() const { return conditions_; } // on the mesh's markers
+    std::int32_t functions() const { return info_.functions; }
+    // One of the numbers of a function's value at every point of the mesh.
+    std::vector<double> values(std::int32_t function, std::int32_t number, const Mesh& mesh) const;
 
 private:
     std::string path_;
     Block block_;
     const hm_basis* basis_ = nullptr;
     bool mesh_has_moved_ = false;
+    hm_basis_info info_;
     std::vector<hm_curve> curve_;
     hm_curves curves_;
+    std::vector<hm_condition> conditions_;
 };
 
 void write_basis(std::ostream& out, const hm_basis* basis);

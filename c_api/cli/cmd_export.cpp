@@ -13,6 +13,26 @@ namespace cli {
 
 namespace {
 
+// The numbers of a function's value: a real one, a complex one or a 2 x 2 matrix.
+std::vector<Column> columns_of(const Basis& basis, const Mesh& mesh, std::int32_t function) {
+    static const std::vector<std::string> complex = {"value", "imaginary"}, matrix = {"xx", "xy", "yx", "yy"};
+    const std::int32_t numbers = basis.info().numbers_per_value;
+    std::vector<Column> columns;
+    for (std::int32_t number = 0; number < numbers; ++number) {
+        const auto& names = numbers == 4 ? matrix : complex;
+        columns.push_back({names[static_cast<std::size_t>(number)], basis.values(function, number, mesh)});
+    }
+    return columns;
+}
+
+PointData point_data(const std::vector<Column>& columns) {
+    PointData data = {"function", columns.size(), {}};
+    for (std::size_t point = 0; point < columns[0].values.size(); ++point) {
+        for (const Column& column : columns) data.values.push_back(column.values[point]);
+    }
+    return data;
+}
+
 void run(const Arguments& arguments) {
     arguments.text("--function"); // there is no default
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg")) {
@@ -21,15 +41,17 @@ void run(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
-    const std::int32_t number = arguments.whole("--function", 1, 1, basis.functions());
-    const std::vector<double> values = basis.values(number - 1, mesh);
+    const std::int32_t function = arguments.whole("--function", 1, 1, basis.functions()) - 1;
+    const std::vector<Column> columns = columns_of(basis, mesh, function);
+    const auto number = static_cast<std::size_t>(
+        arguments.whole("--number", 1, 1, static_cast<std::int32_t>(columns.size())) - 1);
     OutputFiles files;
-    if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, values);
+    if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
     if (arguments.has("--vtu")) {
-        write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, {"function", 1, values});
+        write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
     }
     if (arguments.has("--svg")) {
-        files.add(arguments.text("--svg")) << function_picture(mesh, basis, number - 1, values);
+        files.add(arguments.text("--svg")) << function_picture(mesh, basis, function, columns[number]);
     }
     files.commit();
 }
@@ -42,9 +64,11 @@ const Command export_command = {
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are.\n",
     {{"--function", "I", "which function (required)"},
-     {"--csv", "FILE", "table with the columns point,x,y,value; points as numbered in the mesh file"},
-     {"--vtu", "FILE", "mesh and function for ParaView"},
-     {"--svg", "FILE", "picture: filled cells with a colour bar"}},
+     {"--csv", "FILE", "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
+                       "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
+     {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
+     {"--svg", "FILE", "picture of one number: filled cells with a colour bar"},
+     {"--number", "K", "which number the picture shows, in the order of the table (default 1)"}},
     "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n",
     run};
 

@@ -1,11 +1,11 @@
 // harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
 #include "basis_file.hpp"
 #include "commands.hpp"
-#include "curve_file.hpp"
 #include "json.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "solver.hpp"
+#include "task.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,46 +14,6 @@
 namespace cli {
 
 namespace {
-
-void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, hm_condition condition) {
-    for (const hm_condition& other : task.conditions) {
-        if (other.marker == condition.marker) {
-            arguments.refuse("marker " + quoted(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
-                             " has two conditions: name it once, after --curve or --free");
-        }
-    }
-    task.conditions.push_back(condition);
-}
-
-// binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
-void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
-    const std::size_t equals = binding.find('=');
-    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + quoted(binding));
-    auto condition = sized<hm_condition>();
-    condition.kind = HM_ON_CURVE;
-    condition.first_curve = static_cast<std::int32_t>(task.curves.curves.size());
-    task.curves.append(read_curves(binding.substr(equals + 1)));
-    condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size()) - condition.first_curve;
-    for (const std::int32_t marker : mesh.find_markers(binding.substr(0, equals))) {
-        condition.marker = marker;
-        add_condition(arguments, mesh, task, condition);
-    }
-}
-
-Task task_of(const Arguments& arguments, const Mesh& mesh) {
-    Task task;
-    task.tolerance = arguments.positive("--tol", 1e-10);
-    for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
-    for (const std::string& tags : arguments.all("--free")) {
-        for (const std::int32_t marker : mesh.find_markers(tags)) {
-            auto condition = sized<hm_condition>();
-            condition.marker = marker;
-            condition.kind = HM_FREE;
-            add_condition(arguments, mesh, task, condition);
-        }
-    }
-    return task;
-}
 
 // Points a few percent of the curves' extent away are hardly meant to lie on them.
 void warn_if_far(const Task& task, const hm_solve_report& report) {
@@ -109,7 +69,7 @@ void print_for_people(const Solver& solver, const Mesh& mesh, const SolveTimes& 
 void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
-    if (!arguments.has("--curve")) arguments.refuse("--curve is missing");
+    if (!arguments.has("--curve") && !arguments.has("--rigid")) arguments.refuse("--curve or --rigid is missing");
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Task task = task_of(arguments, mesh);
     const Threads threads(threads_of(arguments));
@@ -129,7 +89,7 @@ void run(const Arguments& arguments) {
     }
     if (!converged) {
         throw Failure(exit_unusable, "not converged: the residual " + brief(solver.report().residual) + " is above " +
-                                         brief(task.tolerance));
+                                         brief(task.options.tolerance));
     }
 }
 
@@ -147,9 +107,8 @@ const Command solve_command = {
     "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, open N);\n"
     "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, and\n"
     "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
-    {{"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (required; may be repeated)"},
-     {"--free", "C[,D..]", "markers whose points may move off their line (may be repeated)"},
-     {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"},
+    task_options() +
+    std::vector<Option>{
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
      threads_option,
      {"-o", "BASIS", "file to write (required)"},

@@ -6,10 +6,14 @@
 
 namespace cli {
 
-void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<double>& values) {
-    out << "point,x,y,value\n";
-    for (std::size_t point = 0; point < values.size(); ++point) {
-        out << point << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]) << ',' << exact(values[point]) << '\n';
+void write_csv(std::ostream& out, const Mesh& mesh, const std::vector<Column>& columns) {
+    out << "point,x,y";
+    for (const Column& column : columns) out << ',' << column.name;
+    out << '\n';
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        out << point << ',' << exact(mesh.x[point]) << ',' << exact(mesh.y[point]);
+        for (const Column& column : columns) out << ',' << exact(column.values[point]);
+        out << '\n';
     }
 }
 

@@ -96,16 +96,24 @@ void mark_control_point(Plot& plot, const hm_curves& curves, std::int32_t functi
     draw_number(plot, curves, function, -20, "font-size=\"16\" font-weight=\"bold\" fill=\"#111\"");
 }
 
+std::string operator_name(const hm_basis_info& info) {
+    if (info.operator_kind == HM_LAPLACE) return "Harmonic";
+    return std::string(info.operator_kind == HM_CONFORMAL ? "Conformal" : "Weighted harmonic") + ", exponent " +
+           brief(info.exponent_quarters / 4.0) + ",";
+}
+
 } // namespace
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
-                             const std::vector<double>& values) {
+                             const Column& column) {
     const hm_curves& curves = basis.curves();
+    const std::vector<double>& values = column.values;
     const auto ends = std::minmax_element(values.begin(), values.end());
     const Range range = {*ends.first, *ends.second};
     Plot plot(window_round({&curves}, .4),
-              "Function " + std::to_string(function + 1) + " of " + std::to_string(basis.functions()),
-              "Harmonic in the mesh; on the curve it is the B-spline basis function of control point " +
+              "Function " + std::to_string(function + 1) + " of " + std::to_string(basis.functions()) +
+                  (basis.info().numbers_per_value > 1 ? ", " + column.name : ""),
+              operator_name(basis.info()) + " in the mesh; on the curve it is the B-spline basis function of control point " +
                   std::to_string(function + 1) + "; values " + brief(range.low) + " to " + brief(range.high),
               bar_space);
     plot.begin_inside();
@@ -113,7 +121,7 @@ std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t 
     draw_outlines(plot, curves, "stroke=\"white\" stroke-width=\"2.5\"");
     draw_control_polygons(plot, curves, "stroke=\"white\" stroke-width=\".8\" stroke-dasharray=\"4 4\"");
     draw_control_points(plot, curves, 3.5, "fill=\"white\" stroke=\"#333\"");
-    mark_control_point(plot, curves, function);
+    if (function < curves.n_control) mark_control_point(plot, curves, function);
     plot.end_inside();
     draw_colour_bar(plot, range);
     return plot.svg().document();

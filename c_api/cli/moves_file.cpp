@@ -3,30 +3,88 @@
 #include "numbers.hpp"
 #include "text_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <ostream>
 
 namespace cli {
 
-std::vector<double> read_moves(const std::string& path, std::int32_t n_control) {
-    const TextFile file(path);
-    LineReader lines(file, '#');
-    std::vector<double> moves(2 * static_cast<std::size_t>(n_control));
-    std::vector<bool> moved(static_cast<std::size_t>(n_control));
-    while (lines.next()) {
-        const auto& words = lines.words();
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+class MovesReader {
+public:
+    MovesReader(const TextFile& file, const Basis& basis, const Mesh& mesh)
+        : basis_(basis), mesh_(mesh), lines_(file, '#'), moves_(2 * static_cast<std::size_t>(basis.functions())),
+          moved_(static_cast<std::size_t>(basis.functions())) {}
+
+    std::vector<double> read() {
+        while (lines_.next()) {
+            if (lines_.words()[0] == "rigid") {
+                read_body();
+            } else {
+                read_control_point();
+            }
+        }
+        return moves_;
+    }
+
+private:
+    void read_control_point() {
+        const auto& words = lines_.words();
+        const std::int32_t n_control = basis_.curves().n_control;
         std::int32_t index = 0;
-        if (words.size() != 3) lines.expected("index dx dy");
+        if (words.size() != 3) lines_.expected("index dx dy");
         if (!parse(words[0], index) || index < 1 || index > n_control) {
-            lines.expected("a control point between 1 and " + std::to_string(n_control), words[0]);
+            lines_.expected("a control point between 1 and " + std::to_string(n_control), words[0]);
         }
         const auto point = static_cast<std::size_t>(index - 1);
-        if (moved[point]) lines.fail("control point " + std::to_string(index) + " is moved a second time");
-        moved[point] = true;
-        for (std::size_t i = 0; i < 2; ++i) {
-            if (!parse(words[i + 1], moves[2 * point + i])) lines.expected("a finite number", words[i + 1]);
-        }
+        if (moved_[point]) lines_.fail("control point " + std::to_string(index) + " is moved a second time");
+        moved_[point] = true;
+        for (std::size_t i = 0; i < 2; ++i) moves_[2 * point + i] = number(words[i + 1]);
     }
-    return moves;
+
+    void read_body() {
+        const auto& words = lines_.words();
+        if (words.size() < 5 || words.size() > 6) lines_.expected("rigid MARKER dx dy degrees [scale]");
+        const auto function = static_cast<std::size_t>(function_of(std::string(words[1])));
+        if (moved_[function]) lines_.fail("the body of " + quoted(std::string(words[1])) + " is moved a second time");
+        moved_[function] = true;
+        const double angle = number(words[4]) * pi / 180, scale = words.size() > 5 ? number(words[5]) : 1;
+        moves_[2 * function] = number(words[2]);
+        moves_[2 * function + 1] = number(words[3]);
+        moves_[2 * function + 2] = scale * std::cos(angle) - 1;
+        moves_[2 * function + 3] = scale * std::sin(angle);
+    }
+
+    std::int32_t function_of(const std::string& tag) const {
+        for (const hm_condition& condition : basis_.conditions()) {
+            if (condition.kind == HM_RIGID && mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
+                return basis_.curves().n_control + 2 * condition.body;
+            }
+        }
+        lines_.expected("a marker of a rigid body", tag);
+    }
+
+    template <class Word> double number(const Word& word) const {
+        double value = 0;
+        if (!parse(word, value)) lines_.expected("a finite number", word);
+        return value;
+    }
+
+    const Basis& basis_;
+    const Mesh& mesh_;
+    LineReader lines_;
+    std::vector<double> moves_;
+    std::vector<bool> moved_;
+};
+
+} // namespace
+
+std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
+    const TextFile file(path);
+    return MovesReader(file, basis, mesh).read();
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves) {

@@ -1,5 +1,8 @@
-// Files of movements: lines "index dx dy", the control point counted from 1; points that are not named stay.
+// Files of movements: lines "index dx dy", the control point counted from 1, and "rigid MARKER dx dy degrees [scale]"; points
+// and bodies that are not named stay.
 #pragma once
+
+#include "basis_file.hpp"
 
 #include <cstdint>
 #include <iosfwd>
@@ -8,7 +11,7 @@
 
 namespace cli {
 
-std::vector<double> read_moves(const std::string& path, std::int32_t n_control); // dx,dy pairs [2*n_control]
-void write_moves(std::ostream& out, const std::vector<double>& moves);
+std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh); // pairs [2*functions]
+void write_moves(std::ostream& out, const std::vector<double>& moves); // of control points
 
 } // namespace cli

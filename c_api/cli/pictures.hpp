@@ -1,6 +1,8 @@
 // The two pictures of the program, as SVG documents.
 #pragma once
 
+#include "csv.hpp"
+#include "geometry.hpp"
 #include "morph.hpp"
 
 #include <string>
@@ -9,9 +11,12 @@ namespace cli {
 
 // The mesh before in blue and after in red, with the curves and their numbered control points, zoomed to the body.
 std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph);
+// The same, of what lies in the window.
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph,
+                          const Box& window);
 
 // One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
-                             const std::vector<double>& values);
+                             const Column& column);
 
 } // namespace cli

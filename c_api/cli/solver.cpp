@@ -4,20 +4,22 @@ namespace cli {
 
 Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
     : mesh_(mesh), mesh_view_(mesh.view()), curves_view_(task.curves), problem_(sized<hm_problem>()),
-      options_(sized<hm_options>()), report_(sized<hm_solve_report>()) {
+      options_(task.options), report_(sized<hm_solve_report>()) {
     problem_.mesh = &mesh_view_;
-    problem_.curves = curves_view_.get();
+    problem_.curves = task.curves.curves.empty() ? nullptr : curves_view_.get();
     problem_.n_conditions = static_cast<std::int32_t>(task.conditions.size());
     problem_.conditions = task.conditions.data();
-    options_.tolerance = task.tolerance;
+    problem_.n_given = static_cast<std::int32_t>(task.given_points.size());
+    problem_.given_points = task.given_points.data();
+    problem_.given_curves = task.given_curves.data();
+    problem_.given_u = task.given_u.data();
     options_.executor = threads.executor();
     progress_.listen(options_);
 }
 
 hm_status Solver::run() {
     const Stopwatch watch;
-    analyse();
-    lay_out();
+    prepare();
     call(mesh_, hm_plan_factor, plan_, nullptr, nullptr, std::int64_t{0});
     const double before_solving = watch.seconds();
     const hm_status status = call(mesh_, hm_plan_solve, plan_, basis_, &report_);
@@ -27,6 +29,11 @@ hm_status Solver::run() {
     times_.setup = before_solving - times_.factor;
     times_.solve = progress_.seconds(HM_PHASE_SOLVE);
     return status;
+}
+
+void Solver::prepare() {
+    analyse();
+    lay_out();
 }
 
 void Solver::analyse() {

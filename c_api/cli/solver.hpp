@@ -1,20 +1,14 @@
 // Solves the harmonic functions of a mesh: the library's whole pipeline, in memory.
 #pragma once
 
-#include "curves.hpp"
 #include "library.hpp"
 #include "progress.hpp"
+#include "task.hpp"
 #include "threads.hpp"
 
 #include <vector>
 
 namespace cli {
-
-struct Task {
-    Curves curves;
-    std::vector<hm_condition> conditions;
-    double tolerance = 0; // of the relative residual
-};
 
 struct SolveTimes { // seconds
     double setup = 0;   // structure of the mesh, operator
@@ -29,6 +23,9 @@ public:
 
     hm_status run(); // from the mesh to the basis; once more does the same in the same memory
 
+    void prepare();  // up to the plan, without numbers
+
+    hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
     const hm_solve_report& report() const { return report_; }
     const SolveTimes& times() const { return times_; }

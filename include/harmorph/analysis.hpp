@@ -7,7 +7,9 @@
 #include "harmorph/fronts.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/orientation.hpp"
+#include "harmorph/periodic.hpp"
 #include "harmorph/progress.hpp"
+#include "harmorph/slip.hpp"
 #include "harmorph/subtrees.hpp"
 #include "harmorph/wall.hpp"
 
@@ -18,20 +20,22 @@ struct Problem {
     Mesh mesh;
     GivenParameters given;
     Method method;
+    Demands demands;
     Progress progress;
     Executor executor;
 };
 
 struct Analysis {
     Problem problem;
-    Span<Curve> curves;           // set by the caller before run(); none: the analysis stops after the mesh
-    Span<Condition> conditions;   // set by the caller before run()
+    Span<Curve> curves;           // set by the caller before run()
+    Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Span<Index> representative;   // [n_points] joined points: the smallest of them
     Span<std::uint8_t> reversed;  // [n_cells]
     Edges edges;
     Boundary boundary;
     std::uint64_t topology = 0;   // fingerprint of the mesh
-    Span<PointKind> kinds;        // [n_points] without curves: what is used by cells and what is not
+    Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
+    Span<Vec2> tangent;           // [n_points] where there are slip lines
     Wall wall;
     Graph graph;
     Span<Index> order;            // [n] unknown at each position
@@ -48,16 +52,18 @@ struct Analysis {
     DissectionWork dissection_work;
 
     // Sizes from the counts alone.
-    void lay_out(Arena& arena, Mesh const& mesh, Index n_curves, Index n_conditions, Executor const& executor) noexcept;
+    void lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept;
     Status run(Problem const& its_problem, Fault& fault) noexcept;
 
-    bool has_curves() const noexcept { return !curves.empty(); }
-    Index n_functions() const noexcept { return curves[0].n_control; }
+    bool has_conditions() const noexcept { return !conditions.empty(); }
     BasisCounts basis_counts() const noexcept;
+    bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
+    Index count_wall_faces() const noexcept;
     Index count_used_points() const noexcept;
     std::uint64_t conditions_print() const noexcept;
 
 private:
+    MatrixKind matrix_kind() const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_parts(Fault& fault) noexcept;

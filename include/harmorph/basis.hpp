@@ -3,22 +3,28 @@
 
 #include "harmorph/arena.hpp"
 #include "harmorph/bspline.hpp"
-#include "harmorph/conditions.hpp"
-#include "harmorph/processor.hpp"
+#include "harmorph/method.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {
 
-// How the functions were solved; the numbers are those of the C header.
-struct Method {
-    std::int32_t operator_kind = 0, scheme = 0, engine = 0;
-    Kernel kernel = Kernel::automatic;
-    Real tolerance = 1e-10;
+struct BasisCounts {
+    Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
+          boundary = 0, loops = 0, conditions = 0;
+    ValueKind kind = ValueKind::real;
+
+    // One of each control point, and two of each rigid body: its translation, and its turn.
+    Index functions() const noexcept { return control + 2 * bodies; }
 };
 
-struct BasisCounts {
-    Index points = 0, cells = 0, functions = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0, boundary = 0,
-          loops = 0, conditions = 0;
+// The functions that are not 0 at a point of the wall, and their values as complex numbers.
+struct BoundaryFunctions {
+    Index order = 0;
+    Index function[max_order];
+    Vec2 value[max_order];
+
+    // Where the movements of functions, [2 * functions] x,y pairs, move the point.
+    Vec2 moved(const Real* move) const noexcept;
 };
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
@@ -49,15 +55,16 @@ struct Basis {
     Span<CurveShape> shape;        // [curves]
     Span<Index> indices;           // of all curves, control points counted from 0
     Span<Real> knots;              // of all curves
-    Span<Real> control;            // [2 * functions]
-    Span<Real> weights;            // [functions] or empty
+    Span<Real> control;            // [2 * control points]
+    Span<Real> weights;            // [control points] or empty
     Span<Condition> conditions;
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
+    Span<Vec2> wall_lever;
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
     Span<std::uint8_t> reversed;   // [cells]
-    Span<Real> value;              // [points x functions], a row for each point
+    Span<Real> value;              // [points x row_length()], see ValueKind
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     static Size bytes(BasisCounts const& counts) noexcept;
@@ -66,11 +73,14 @@ struct Basis {
     static const Basis view(const void* block) noexcept;
 
     Index n_points() const noexcept { return header->counts.points; }
-    Index n_functions() const noexcept { return header->counts.functions; }
-    Real* row(Index point) const noexcept { return value.data() + Offset{point} * n_functions(); }
+    Index n_functions() const noexcept { return header->counts.functions(); }
+    ValueKind kind() const noexcept { return header->counts.kind; }
+    Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
+    Real* row(Index point) const noexcept { return value.data() + Offset{point} * row_length(); }
     Curve curve(Index number) const noexcept;
-    // The boundary functions at a point of the wall, evaluated from its parameter.
-    CurveBasis boundary_functions(Index slot) const noexcept { return curve_basis(curve(wall_curve[slot]), wall_u[slot], 0); }
+    bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
+    // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.
+    BoundaryFunctions boundary_functions(Index slot) const noexcept;
 
     void seal() const noexcept;  // solved, with checksum
     void unseal() const noexcept;

@@ -1,4 +1,6 @@
 // The unknowns and which of them share a cell: the pattern of the matrix, and what the dissection cuts.
+// A point has one unknown (a real or a complex number), or, where movements along x and y are coupled by slip lines, two:
+// lines 2 * point and 2 * point + 1 of function values. One that slips has only the first, along its tangent.
 #pragma once
 
 #include "harmorph/conditions.hpp"
@@ -7,9 +9,10 @@
 namespace harmorph {
 
 // Two points of one cell: an edge, or the diagonal of a quad. visit(a, b) for each edge once and for each cell's diagonals.
+// A periodic pair may show the same two points twice.
 template <class Visit>
 void for_each_pair(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Visit visit) noexcept {
-    edges.for_each([&](Index, Index low, Index high) { visit(low, high); });
+    edges.for_each([&](Index, Index low, Index high) { visit(representative[low], representative[high]); });
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Cell const cell = mesh.cell(i);
         if (cell.n != 4) continue;
@@ -20,20 +23,27 @@ void for_each_pair(Mesh const& mesh, Edges const& edges, Span<const Index> repre
 
 struct Graph {
     Index n = 0;             // unknowns
-    Index couplings = 0;     // pairs of an unknown and a point on a curve
-    Span<Index> point;       // [n] mesh point of each unknown, increasing
-    Span<Index> unknown;     // [n_points] unknown of each point, or none
+    Index components = 1;    // lines of a point
+    Index couplings = 0;     // pairs of an unknown and a line of a point on the wall
+    Span<Index> line;        // [n] of each unknown, increasing
+    Span<Index> unknown;     // [components * n_points] unknown of each line, or none
     Span<Offset> start;      // [n + 1]
     Span<Index> neighbour;   // both directions
-    Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on a curve
+    Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on the wall
 
-    void lay_out(Arena& arena, Mesh const& mesh) noexcept;
+    Index point(Index u) const noexcept { return components == 1 ? line[u] : line[u] / components; }
+
+    void lay_out(Arena& arena, Mesh const& mesh, Index n_components) noexcept;
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds) noexcept;
     // First mesh point of a part that is next to no known value, where constants would be solutions too; or none. Only free
     // boundaries leave such parts. queue, reached [n]: working space.
     Index first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
                          Span<Index> queue, Span<std::uint8_t> reached) const noexcept;
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
+
+private:
+    template <Index n_components>
+    void connect(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds) noexcept;
 };
 
 }  // namespace harmorph

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
+#include "harmorph/distance.hpp"
 #include "harmorph/multifrontal.hpp"
-#include "harmorph/residual.hpp"
+#include "harmorph/region.hpp"
+#include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {
 
@@ -22,10 +24,14 @@ struct Plan {
     BasisCounts basis_counts;
     std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
     Offset factor_entries = 0;
+    RegionCounts region_counts;     // for untangling
+    Index n_wall_faces = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Span<Index> point_of;         // [n] mesh point of each position
+    Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
+    FaceDistance wall;            // faces that move
+    Span<Real> conductivity;      // [n_cells] of weighted operators
     Matrix matrix;
     Multifrontal engine;
     Residual residual;            // in the place of the engine's stack
@@ -36,9 +42,13 @@ struct Plan {
     // On Status::bad_mesh (an inverted cell of moved coordinates), not_positive or cancelled there is no factor.
     Status factor(Points points, Fault& fault) noexcept;
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+    // Is the basis of the same analysis, or of one that is equal?
+    Status check_fit(Basis const& basis, Fault& fault) const noexcept;
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
 
 private:
-    void set_right_hand_sides(Basis const& basis) const noexcept;
+    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
+    void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
     Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
     Status refine(Basis const& basis, Fault& fault) noexcept;

@@ -1,55 +1,75 @@
-// The Hermitian matrix of the unknowns in the order of elimination, and its columns of known curve values.
+// The Hermitian matrix of the unknowns in the order of elimination, and its columns of known values on the wall.
 #pragma once
 
 #include "harmorph/fronts.hpp"
+#include "harmorph/value_kind.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {
 
-// Row i holds its entries in later columns; what stands below the diagonal is implied. A coupling is the entry of an
-// unknown's row in the column of a wall point: it belongs to the right-hand side. Imaginary parts are there only if the
-// matrix is complex.
-struct Matrix {
-    Index n = 0;
-    Span<Index> place;           // [n_points] position of an unknown; wall(k) for wall point k; none where F = 0
-    Span<Real> diagonal;         // [n]
-    Span<Offset> start;          // [n + 1]
-    Span<Index> column;
-    Span<Real> value, imaginary;
-    Span<Index> coupling_start;  // [wall points + 1]
-    Span<Index> coupling_row;
-    Span<Real> coupling_value, coupling_imaginary;
+// What the unknowns are, and so what an entry is.
+//   real       one real number for a point: operators that move x and y alike
+//   complex    one complex number for a point: the conformal operator
+//   two_lines  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
+enum class MatrixKind : std::int32_t { real, complex, two_lines };
 
+// Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
+// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side.
+struct Matrix {
     struct Sizes {
         Offset entries = 0;
         Index couplings = 0;
+        MatrixKind kind = MatrixKind::real;
     };
 
-    static constexpr Index wall(Index slot) noexcept { return -2 - slot; }  // its own inverse
+    Index n = 0;
+    MatrixKind kind = MatrixKind::real;
+    Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
+    Span<Real> diagonal;         // [n]
+    Span<Offset> start;          // [n + 1]
+    Span<Index> column;
+    Span<Real> value;
+    Span<Real> imaginary;        // complex only
+    Span<Index> coupling_start;  // [components * wall points + 1]
+    Span<Index> coupling_row;
+    Span<Real> coupling_value;
+    Span<Real> coupling_imaginary;
+    Span<Vec2> frame;            // [n_points] two lines only: direction of a point's first line; its second is normal to it
+
+    Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
+    bool is_complex() const noexcept { return kind == MatrixKind::complex; }
+
+    static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Graph const& graph) noexcept { return {graph.start[graph.n] / 2, graph.couplings}; }
-    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes,
-                 bool is_complex = false) noexcept;
-    // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown.
+    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
+        return {graph.start[graph.n] / 2, graph.couplings, kind};
+    }
+    void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
+    // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
+    // lines, two lines only.
     void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-               Span<const Index> order, Span<const Index> position, Span<const Index> slot) noexcept;
+               Span<const Index> order, Span<const Index> position, Span<const Index> slot,
+               Span<const Vec2> tangent) noexcept;
 
-    bool is_complex() const noexcept { return !imaginary.empty() || !coupling_imaginary.empty(); }
     void clear() const noexcept;
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
+    // Real matrices only.
     void add(Index point, Index other, Real conductance) const noexcept;
-    // And a circulation, of a complex matrix: + i times it at (point, other), - at (other, point).
+    // And a circulation from one to the other: + i circulation in the first one's row, - i in the other's. Not for real
+    // matrices.
     void add(Index point, Index other, Real conductance, Real circulation) const noexcept;
 
 private:
-    // Where two points meet; nowhere (value null) if neither is unknown, or one's value is 0.
+    // Where two lines meet; nowhere (value null) if neither is unknown, or one's value is 0.
     struct Entry {
         Real* value = nullptr;
         Real* imaginary = nullptr;
-        bool turned = false;  // it stands for (other, point)
+        bool turned = false;  // it stands for the second's row
     };
     Entry entry(Index i, Index j) const noexcept;
+    void add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept;
+    void add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept;
 };
 
 }  // namespace harmorph

@@ -6,23 +6,43 @@
 
 namespace harmorph {
 
-// Residuals of a few functions at a time, in whole rows.
+// The values of a basis as the equations see them: a line of numbers for each unknown, a column for each right-hand side.
+// Lines are the rows of values, or their halves where a point has two unknowns. Complex ones hold the columns' real parts,
+// then their imaginary parts.
+struct Lines {
+    Basis const& basis;
+    Span<const Index> of;  // [n] line of each position
+    Index components;      // lines of a point
+
+    Index length() const noexcept { return basis.row_length() / components; }
+    Real* line(Index number) const noexcept { return basis.value.data() + Offset{number} * length(); }
+    Real* at(Index position) const noexcept { return line(of[position]); }
+    Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? basis.n_functions() : length(); }
+    // Of a line of the wall: its slot's point.
+    Real* wall(Index number) const noexcept {
+        return line(components * basis.wall_point[number / components] + number % components);
+    }
+};
+
+// Residuals of a few columns at a time, in whole rows.
 struct Residual {
     static constexpr Index width = 6;
 
-    Span<Real> value;  // [n x width] rows by position: b - A F
+    Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
 
-    void lay_out(Arena& arena, Index unknowns) noexcept { arena.take(value, Offset{unknowns} * width); }
+    void lay_out(Arena& arena, Index unknowns, bool complex) noexcept {
+        arena.take(value, Offset{unknowns} * (complex ? 2 * width : width));
+    }
 
-    // Functions first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
+    // Columns first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
     struct Norms {
         Real right_hand_side[width] = {}, rest[width] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
     };
-    Norms compute(Matrix const& matrix, Basis const& basis, Span<const Index> point_of, Index first, Index n) const noexcept;
+    Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
     // F += value, as corrections.
-    void add_to(Basis const& basis, Span<const Index> point_of, Index first, Index n) const noexcept;
+    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
 };
 
 }  // namespace harmorph

@@ -17,6 +17,12 @@ constexpr Vec2 operator*(Real s, Vec2 a) noexcept { return {s * a.x, s * a.y}; }
 constexpr Real dot(Vec2 a, Vec2 b) noexcept { return a.x * b.x + a.y * b.y; }
 constexpr Real cross(Vec2 a, Vec2 b) noexcept { return a.x * b.y - a.y * b.x; }
 constexpr Real square(Vec2 a) noexcept { return dot(a, a); }
+
+// As complex numbers x + i y.
+constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
+constexpr Vec2 product(Vec2 a, Vec2 b) noexcept { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
+constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * product(a, conjugate(b)); }
+
 inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 
 // Area of triangle a, b, c; positive when it runs counter-clockwise.

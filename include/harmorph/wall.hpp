@@ -1,4 +1,5 @@
-// The points on curves, and where on them: parameters given by the caller or found by projection along the boundary.
+// The points that are moved: on curves, with parameters given by the caller or found by projection along the boundary, and
+// on rigid bodies.
 #pragma once
 
 #include "harmorph/conditions.hpp"
@@ -9,11 +10,16 @@ namespace harmorph {
 struct Wall {
     Index count = 0;
     Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
-    Span<Index> curve;
-    Span<Real> u;
+    Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body
+    Span<Real> u;       // on a curve
+    Span<Vec2> lever;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
+
+// How far a point is off its curve, where the offset is to turn with the curve: 0 at corners and where C' vanishes, where
+// it is not known what turns.
+Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
 // Working arrays of parametrise().
 struct WallWork {
@@ -35,11 +41,15 @@ struct GivenParameters {
     Span<const Real> u;
 };
 
-// Finds curve and parameter of every point on a marker that is on curves. Curves meet, begin and end at break points of
+// Finds curve and parameter of every point on a marker that is on curves, and the points of rigid bodies. Curves meet, begin and end at break points of
 // the boundary: the points nearest to the ends of curves that are not periodic. Each segment between breaks belongs to
 // the curve it is closest to.
 Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
                    GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;
+
+// wall.lever of all points.
+void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+                 Wall& wall) noexcept;
 
 }  // namespace harmorph

@@ -1,0 +1,192 @@
+#include "task.hpp"
+
+#include "curve_file.hpp"
+#include "numbers.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace cli {
+
+namespace {
+
+hm_condition condition_on(std::int32_t marker, std::int32_t kind) {
+    auto condition = sized<hm_condition>();
+    condition.marker = marker;
+    condition.kind = kind;
+    return condition;
+}
+
+void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, const hm_condition& condition) {
+    for (const hm_condition& other : task.conditions) {
+        if (other.marker == condition.marker) {
+            arguments.refuse("marker " + quoted(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
+                             " has two conditions: name it once");
+        }
+    }
+    task.conditions.push_back(condition);
+}
+
+// binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
+void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+    const std::size_t equals = binding.find('=');
+    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + quoted(binding));
+    const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
+    task.curves.append(read_curves(binding.substr(equals + 1)));
+    for (const std::int32_t marker : mesh.find_markers(binding.substr(0, equals))) {
+        hm_condition condition = condition_on(marker, HM_ON_CURVE);
+        condition.first_curve = first_curve;
+        condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size()) - first_curve;
+        add_condition(arguments, mesh, task, condition);
+    }
+}
+
+// The middle of the box round the markers' points.
+void centre_of(const Mesh& mesh, const std::vector<std::int32_t>& markers, double& x, double& y) {
+    double low[2] = {0, 0}, high[2] = {0, 0};
+    bool first = true;
+    for (std::int32_t face = 0; face < mesh.faces(); ++face) {
+        const auto its = static_cast<std::size_t>(face);
+        if (std::find(markers.begin(), markers.end(), mesh.face_markers[its]) == markers.end()) continue;
+        for (std::size_t end = 2 * its; end < 2 * its + 2; ++end) {
+            const auto point = static_cast<std::size_t>(mesh.face_points[end]);
+            const double at[2] = {mesh.x[point], mesh.y[point]};
+            for (std::size_t i = 0; i < 2; ++i) {
+                low[i] = first ? at[i] : std::min(low[i], at[i]);
+                high[i] = first ? at[i] : std::max(high[i], at[i]);
+            }
+            first = false;
+        }
+    }
+    x = .5 * (low[0] + high[0]);
+    y = .5 * (low[1] + high[1]);
+}
+
+// binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and what it turns about.
+void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding, std::int32_t body) {
+    const std::size_t equals = binding.find('=');
+    const std::vector<std::int32_t> markers = mesh.find_markers(binding.substr(0, equals));
+    double x = 0, y = 0;
+    centre_of(mesh, markers, x, y);
+    if (equals != std::string::npos) {
+        const std::string centre = binding.substr(equals + 1);
+        const std::size_t comma = centre.find(',');
+        if (comma == std::string::npos || !parse(centre.substr(0, comma), x) || !parse(centre.substr(comma + 1), y)) {
+            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + quoted(binding));
+        }
+    }
+    for (const std::int32_t marker : markers) {
+        hm_condition condition = condition_on(marker, HM_RIGID);
+        condition.body = body;
+        condition.x = x;
+        condition.y = y;
+        add_condition(arguments, mesh, task, condition);
+    }
+}
+
+// binding: "A:B". Tags may hold colons.
+void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+    const auto number_of = [&mesh](const std::string& tag) {
+        const auto found = std::find(mesh.markers.begin(), mesh.markers.end(), tag);
+        return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
+    };
+    for (std::size_t colon = binding.find(':'); colon != std::string::npos; colon = binding.find(':', colon + 1)) {
+        hm_condition condition = condition_on(number_of(binding.substr(0, colon)), HM_PERIODIC_PAIR);
+        condition.partner = number_of(binding.substr(colon + 1));
+        if (condition.marker >= 0 && condition.partner >= 0) return add_condition(arguments, mesh, task, condition);
+    }
+    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + quoted(binding));
+}
+
+std::int32_t operator_of(const Arguments& arguments) {
+    if (!arguments.has("--operator")) return HM_CONFORMAL;
+    const std::string name = arguments.text("--operator");
+    if (name == "conformal") return HM_CONFORMAL;
+    if (name == "laplace") return HM_LAPLACE;
+    if (name == "weighted") return HM_WEIGHTED;
+    arguments.refuse("--operator is laplace, weighted or conformal, found " + quoted(name));
+}
+
+std::int32_t quarters_of(const Arguments& arguments) {
+    if (!arguments.has("--exponent")) return 0;
+    double exponent = 0;
+    const bool is_number = parse(arguments.text("--exponent"), exponent);
+    const auto quarters = is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
+    if (quarters < 0 || quarters != 4 * exponent) {
+        arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, found " +
+                         quoted(arguments.text("--exponent")));
+    }
+    return quarters == 0 ? HM_NO_WEIGHT : quarters;
+}
+
+} // namespace
+
+Task::Task() : options(sized<hm_options>()) {}
+
+std::vector<Option> task_options() {
+    return {
+    {"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (may be repeated)"},
+    {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle) and scales\n"
+                                 "(may be repeated)"},
+    {"--slip", "C[,D..]", "markers on straight lines, along which points slide (may be repeated)"},
+    {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike (may be repeated)"},
+    {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
+    {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
+                               "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
+    {"--exponent", "Q", "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
+    {"--offset-correction", nullptr, "conformal: what the mesh is off its curve turns with the curve"},
+    {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
+}
+
+Task task_of(const Arguments& arguments, const Mesh& mesh) {
+    Task task;
+    task.options.tolerance = arguments.positive("--tol", 1e-10);
+    task.options.operator_kind = operator_of(arguments);
+    task.options.exponent_quarters = quarters_of(arguments);
+    task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
+    for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
+    std::int32_t body = 0;
+    for (const std::string& binding : arguments.all("--rigid")) make_rigid(arguments, mesh, task, binding, body++);
+    for (const std::string& binding : arguments.all("--periodic")) make_periodic(arguments, mesh, task, binding);
+    const auto add = [&](const char* option, std::int32_t kind) {
+        for (const std::string& tags : arguments.all(option)) {
+            for (const std::int32_t marker : mesh.find_markers(tags)) {
+                add_condition(arguments, mesh, task, condition_on(marker, kind));
+            }
+        }
+    };
+    add("--slip", HM_SLIP);
+    add("--free", HM_FREE);
+    return task;
+}
+
+Task task_of(const Basis& basis) {
+    Task task;
+    const hm_basis_info& info = basis.info();
+    const hm_curves& curves = basis.curves();
+    task.options.operator_kind = info.operator_kind;
+    task.options.scheme = info.scheme;
+    task.options.engine = info.engine;
+    task.options.exponent_quarters = info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
+    task.options.offset_correction = info.offset_correction;
+    task.conditions = basis.conditions();
+    task.curves.control.assign(curves.control, curves.control + 2 * curves.n_control);
+    if (curves.weights) task.curves.weights.assign(curves.weights, curves.weights + curves.n_control);
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        const hm_curve& from = curves.curve[i];
+        Curve curve;
+        curve.degree = from.degree;
+        curve.indices.assign(from.indices, from.indices + from.n_indices);
+        curve.knots.assign(from.knots, from.knots + from.n_indices + from.degree + 1);
+        task.curves.curves.push_back(curve);
+    }
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        if (info.point_curve[k] >= info.curves) continue; // on a rigid body
+        task.given_points.push_back(info.curve_point[k]);
+        task.given_curves.push_back(info.point_curve[k]);
+        task.given_u.push_back(info.point_u[k]);
+    }
+    return task;
+}
+
+} // namespace cli

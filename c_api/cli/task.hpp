@@ -1,0 +1,25 @@
+// What is to be solved: curves, conditions, operator; from the command line, or once more as a basis was solved.
+#pragma once
+
+#include "arguments.hpp"
+#include "basis_file.hpp"
+#include "curves.hpp"
+
+#include <vector>
+
+namespace cli {
+
+struct Task {
+    Curves curves;
+    std::vector<hm_condition> conditions;
+    std::vector<std::int32_t> given_points, given_curves; // parameters that are known
+    std::vector<double> given_u;
+    hm_options options;
+    Task();
+};
+
+std::vector<Option> task_options();
+Task task_of(const Arguments& arguments, const Mesh& mesh);
+Task task_of(const Basis& basis);
+
+} // namespace cli

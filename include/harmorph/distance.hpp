@@ -1,0 +1,90 @@
+// Exact distances to the nearest of chosen boundary faces, and weights of cells that grow towards these faces.
+#pragma once
+
+#include "harmorph/boundary.hpp"
+#include "harmorph/executor.hpp"
+
+namespace harmorph {
+
+// A tree of eights over the faces in the order of their loops, in which faces that follow each other lie close together
+// (where they do not, it is slower, not wrong):
+//
+//   height 0   groups of eight faces
+//   height 1   nodes of eight chords: each lies along a group, and the group within a radius of it
+//   height 2+  nodes of eight boxes: each is round the groups below a node of the next lower height; up to one root
+//
+// Boxes and radii are wide enough for rounding, so that distances depend on the faces alone, to the last bit.
+struct FaceDistance {
+    static constexpr Index lanes = 8, most_heights = 12;
+    static constexpr Real far_away = 1e300;  // in units: its square is infinite
+    static constexpr Real slack = 1e-12;     // relative; more than rounding leaves of any comparison here
+
+    struct Face {
+        Index point[2];
+    };
+    struct Segments {
+        Real x[lanes], y[lanes];              // where they begin
+        Real along_x[lanes], along_y[lanes];  // from there to the end
+        Real inverse[lanes];                  // 1 / length^2, or 0
+
+        void set(Index lane, Vec2 from, Vec2 to) noexcept;
+    };
+    struct Chords {
+        Segments axis;
+        Real radius[lanes];
+
+        void clear(Index lane) noexcept;  // nothing is near it
+        void copy(Index lane, Chords const& other, Index its_lane) noexcept;
+    };
+    struct Boxes {
+        Real low_x[lanes], low_y[lanes], high_x[lanes], high_y[lanes];
+
+        void clear(Index lane) noexcept;
+        void copy(Index lane, Boxes const& other, Index its_lane) noexcept;
+    };
+
+    Index count = 0;
+    Span<Face> faces;       // [max_faces], of which `count` are used
+    Real unit = 0;          // largest power of two within the extent of the faces; 0: no extent
+    Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
+    Index root_height = 0;
+    Index height_start[most_heights] = {};  // in `boxes`
+    Span<Segments> groups;
+    Span<Chords> chords;
+    Span<Boxes> boxes;
+
+    void lay_out(Arena& arena, Size max_faces) noexcept;
+
+    // Takes the faces for which is_chosen(face) holds.
+    template <class IsChosen>
+    void choose(Boundary const& boundary, IsChosen is_chosen) noexcept;
+    // After choose(), and whenever coordinates have changed. O(count).
+    void build(Points points) noexcept;
+
+    // No face: infinity. Rounding leaves errors of a few units in the last place of the distance and of the faces' lengths.
+    Real distance(Vec2 from) const noexcept;
+
+private:
+    void find_unit(Points points) noexcept;
+    void set_chord(Chords& node, Index lane, Points points, Index group) const noexcept;
+    void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
+};
+
+// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16. Below
+// 1e-30 units d counts as that, which no valid mesh can show: so k is finite always. No faces or all at one place: k = 1.
+// Fastest where cells with neighbouring numbers are neighbours.
+void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
+                 Executor const& executor) noexcept;
+
+template <class IsChosen>
+void FaceDistance::choose(Boundary const& boundary, IsChosen is_chosen) noexcept {
+    count = 0;
+    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
+        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            if (!is_chosen(face)) continue;
+            faces[count++] = {{boundary.point[face], boundary.point[boundary.after(face, loop)]}};
+        }
+    }
+}
+
+}  // namespace harmorph

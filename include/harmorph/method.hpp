@@ -1,0 +1,35 @@
+// How the functions are to be solved, and what that makes of values and equations.
+#pragma once
+
+#include "harmorph/conditions.hpp"
+#include "harmorph/processor.hpp"
+#include "harmorph/value_kind.hpp"
+
+namespace harmorph {
+
+// The numbers are those of the C header, which explains them.
+enum class Operator : std::int32_t { conformal = 0, laplace = 1, weighted = 2 };
+enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2 };
+enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
+
+struct Method {
+    Operator operator_kind = Operator::conformal;
+    Scheme scheme = Scheme::compact;
+    Engine engine = Engine::direct;
+    Kernel kernel = Kernel::automatic;
+    std::int32_t quarters = 0;           // k = d^(-quarters / 4)
+    std::int32_t offset_correction = 0;  // 1: a wall off its curve turns with it
+    Real tolerance = 1e-10;
+
+    bool conformal() const noexcept { return operator_kind == Operator::conformal; }
+
+    // The smallest kind of value that can express what is asked for.
+    ValueKind value_kind(Demands const& demands) const noexcept {
+        if (demands.slip) return ValueKind::matrix;
+        return conformal() || demands.bodies > 0 ? ValueKind::complex : ValueKind::real;
+    }
+    // A row of values has one or two lines, each with the numbers of one unknown.
+    Index components(Demands const& demands) const noexcept { return demands.slip ? 2 : 1; }
+};
+
+}  // namespace harmorph

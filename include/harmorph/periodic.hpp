@@ -1,0 +1,14 @@
+// Periodic pairs: two boundaries, one of which is the other moved by a translation. Their points move alike.
+#pragma once
+
+#include "harmorph/conditions.hpp"
+
+namespace harmorph {
+
+// Ties every point of a periodic partner to its image: both have one representative [n_points] from now on, and kinds are
+// those of the stronger of the two. tangent: of slip lines, or empty. chain [points on boundaries]: working space.
+// Refuses pairs that are not one piece each or no translates of each other, and walls that end on them.
+Status tie_periodic(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
+                    Span<Index> representative, Span<PointKind> kinds, Span<Vec2> tangent, Fault& fault) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,145 @@
+// The tree of FaceDistance: how it is laid out and built.
+#include "harmorph/distance.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index lanes = FaceDistance::lanes;
+
+Index in_eights(Size n) noexcept { return static_cast<Index>((n + lanes - 1) / lanes); }
+
+Real power_of_two_below(Real x) noexcept {
+    std::uint64_t const exponent = bits_of(x) & 0x7ff0000000000000u;
+    Real power;
+    std::memcpy(&power, &exponent, sizeof power);
+    return power;
+}
+
+Real distance_from_segment(Vec2 from, Vec2 to, Vec2 point) noexcept {
+    Vec2 const along = to - from;
+    Real const t = dot(point - from, along) / square(along);
+    return length(point - from - (t > 0 ? smaller(t, 1.0) : 0) * along);  // NaN of no length: 0
+}
+
+struct Extent {
+    Vec2 low{infinity, infinity}, high{-infinity, -infinity};
+
+    void include(Vec2 p) noexcept {
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+    }
+    Vec2 size() const noexcept { return high - low; }
+};
+
+}  // namespace
+
+void FaceDistance::Segments::set(Index lane, Vec2 from, Vec2 to) noexcept {
+    Vec2 const along = to - from;
+    Real const its_inverse = 1 / square(along);
+    x[lane] = from.x;
+    y[lane] = from.y;
+    along_x[lane] = along.x;
+    along_y[lane] = along.y;
+    inverse[lane] = is_finite(its_inverse) ? its_inverse : 0;
+}
+
+void FaceDistance::Chords::clear(Index lane) noexcept {
+    axis.set(lane, {far_away, far_away}, {far_away, far_away});
+    radius[lane] = 0;
+}
+
+void FaceDistance::Chords::copy(Index lane, Chords const& other, Index its_lane) noexcept {
+    axis.x[lane] = other.axis.x[its_lane];
+    axis.y[lane] = other.axis.y[its_lane];
+    axis.along_x[lane] = other.axis.along_x[its_lane];
+    axis.along_y[lane] = other.axis.along_y[its_lane];
+    axis.inverse[lane] = other.axis.inverse[its_lane];
+    radius[lane] = other.radius[its_lane];
+}
+
+void FaceDistance::Boxes::clear(Index lane) noexcept {
+    low_x[lane] = low_y[lane] = far_away;
+    high_x[lane] = high_y[lane] = -far_away;
+}
+
+void FaceDistance::Boxes::copy(Index lane, Boxes const& other, Index its_lane) noexcept {
+    low_x[lane] = other.low_x[its_lane];
+    low_y[lane] = other.low_y[its_lane];
+    high_x[lane] = other.high_x[its_lane];
+    high_y[lane] = other.high_y[its_lane];
+}
+
+void FaceDistance::lay_out(Arena& arena, Size max_faces) noexcept {
+    Index const n_groups = in_eights(max_faces), n_chords = in_eights(static_cast<Size>(n_groups));
+    Index n_boxes = 0;
+    for (Index n = n_chords; n > 1; n_boxes += n) n = in_eights(static_cast<Size>(n));
+    arena.take(faces, max_faces);
+    arena.take(groups, n_groups);
+    arena.take(chords, n_chords);
+    arena.take(boxes, n_boxes);
+}
+
+void FaceDistance::build(Points points) noexcept {
+    find_unit(points);
+    root_height = 0;
+    if (count == 0) return;
+    auto const at = [&](Index point) { return inverse_unit * points[point]; };
+    Index const n_groups = in_eights(static_cast<Size>(count));
+    for (Index lane = 0; lane < lanes * n_groups; ++lane) {
+        Face const& face = faces[smaller(lane, count - 1)];  // the last lanes hold the last face again
+        groups[lane / lanes].set(lane % lanes, at(face.point[0]), at(face.point[1]));
+    }
+    Index n_nodes = in_eights(static_cast<Size>(n_groups)), n_boxes = 0;
+    for (Index lane = 0; lane < lanes * n_nodes; ++lane) set_chord(chords[lane / lanes], lane % lanes, points, lane);
+    Offset faces_below = lanes * lanes;  // of a lane's node
+    for (root_height = 1; n_nodes > 1; faces_below *= lanes) {
+        height_start[++root_height] = n_boxes;
+        n_nodes = in_eights(static_cast<Size>(n_nodes));
+        for (Index lane = 0; lane < lanes * n_nodes; ++lane) {
+            set_box(boxes[n_boxes + lane / lanes], lane % lanes, points, lane * faces_below, (lane + 1) * faces_below);
+        }
+        n_boxes += n_nodes;
+    }
+}
+
+void FaceDistance::find_unit(Points points) noexcept {
+    Extent all;
+    for (Face const& face : faces.first(count)) {
+        for (Index const point : face.point) all.include(points[point]);
+    }
+    unit = count == 0 ? 0 : power_of_two_below(larger(all.size().x, all.size().y));
+    inverse_unit = unit > 0 && is_finite(1 / unit) ? 1 / unit : 1;
+}
+
+// From the beginning of the group's first face to the end of its last.
+void FaceDistance::set_chord(Chords& node, Index lane, Points points, Index group) const noexcept {
+    node.clear(lane);
+    Index const first = lanes * group, n = smaller(lanes, count - first);
+    if (n <= 0) return;
+    Vec2 const from = inverse_unit * points[faces[first].point[0]];
+    Vec2 const to = inverse_unit * points[faces[first + n - 1].point[1]];
+    Real radius = 0;  // the distance from a chord is convex: of each face, an end is farthest
+    for (Face const& face : faces.from(first, n)) {
+        for (Index const point : face.point) {
+            radius = larger(radius, distance_from_segment(from, to, inverse_unit * points[point]));
+        }
+    }
+    node.axis.set(lane, from, to);
+    node.radius[lane] = radius + slack * (radius + length(to - from));
+}
+
+void FaceDistance::set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept {
+    node.clear(lane);
+    if (first >= count) return;
+    Extent box;
+    for (Face const& face : faces.from(first, smaller(last, Offset{count}) - first)) {
+        for (Index const point : face.point) box.include(inverse_unit * points[point]);
+    }
+    Real const margin = slack * (box.size().x + box.size().y);
+    node.low_x[lane] = box.low.x - margin;
+    node.low_y[lane] = box.low.y - margin;
+    node.high_x[lane] = box.high.x + margin;
+    node.high_y[lane] = box.high.y + margin;
+}
+
+}  // namespace harmorph
