@@ -61,13 +61,12 @@ struct Multifrontal {
         Number* stack;
         Number* rows;
         Number* packing;
-        Index* target;
-        Index* run_end;
+        dense::Targets targets;
     };
     template <class Number>
     Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
         FrontalNumbers<Number> const& its = numbers<Number>();
-        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), target.data(), run_end.data()};
+        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), {target.data(), run_end.data()}};
     }
     template <class Number>
     Lane<Number> lane(Index number) const noexcept {
@@ -77,8 +76,7 @@ struct Multifrontal {
                 its.stack.data() + planes * (kept + n * subtrees.stack_entries),
                 its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
                 its.packing.data() + n * planes * dense::packing_entries,
-                target.data() + n * largest_border,
-                run_end.data() + n * largest_border};
+                {target.data() + n * largest_border, run_end.data() + n * largest_border}};
     }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
     template <class Number, class Body>
@@ -112,8 +110,8 @@ struct Multifrontal {
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Where a child's border goes in its parent's front: target, and the runs of neighbours there.
-    void find_targets(Index child, Index parent, Index* to, Index* ends) const noexcept;
+    // Where a child's border goes in its parent's front.
+    void find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept;
 
 private:
     template <class Number>
