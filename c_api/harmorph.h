@@ -256,6 +256,11 @@ enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
 };
+enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+    HM_DOUBLE = 0,
+    HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
+                                      takes a few more solves. For large meshes */
+};
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
     HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
@@ -279,6 +284,8 @@ typedef struct hm_options {
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
                                       and where C' vanishes */
+    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the factor */
+    int32_t  reserved;             /* 0 */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */

@@ -147,6 +147,10 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
                             Counts::from_zero, o.kernel);
     }
     method.kernel = static_cast<Kernel>(o.kernel);
+    if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
+        return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
+    }
+    method.precision = static_cast<Precision>(o.precision);
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     progress = {o.progress, o.progress_user};
     return view_executor(o.executor, executor, fault);

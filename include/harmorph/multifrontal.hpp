@@ -4,13 +4,11 @@
 
 #include "harmorph/dense.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/method.hpp"
 #include "harmorph/progress.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {
-
-// What the factor is stored and computed in; the numbers are those of the C header.
-enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 
 // Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
 struct Rows {
