@@ -276,6 +276,11 @@ enum {                             /* agglomeration: which cells the levels of H
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
 };
+enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+    HM_DOUBLE = 0,
+    HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
+                                      takes a few more solves. For large meshes */
+};
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
     HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
@@ -308,7 +313,7 @@ typedef struct hm_options {
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
-    int32_t  reserved;             /* 0 */
+    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */

@@ -26,19 +26,22 @@ struct Lines {
 
 // Residuals of a few columns at a time, in whole rows.
 struct Residual {
-    static constexpr Index width = 6;
+    static constexpr Index widest = 24;
 
+    Index width = 6;   // at most `widest`
     Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
 
-    void lay_out(Arena& arena, Index unknowns, bool complex) noexcept {
+    void lay_out(Arena& arena, Index unknowns, bool complex, Index its_width = 6) noexcept {
+        width = its_width;
         arena.take(value, Offset{unknowns} * (complex ? 2 * width : width));
     }
 
     // Columns first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
     struct Norms {
-        Real right_hand_side[width] = {}, rest[width] = {};
+        Real right_hand_side[widest] = {}, rest[widest] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
+        Real largest(Index n) const noexcept;  // of the first n; NaN if one is
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
     // F += value, as corrections.
