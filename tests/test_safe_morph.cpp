@@ -1,6 +1,7 @@
 // Safe morphs: no inverted cell whatever happens, each rung where it is the one that helps, and the truth about how far it got.
 #include <doctest/doctest.h>
 
+#include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 
@@ -139,12 +140,26 @@ TEST_CASE("another basis is the one that helps") {
     CHECK((safe.report.rung == HM_RUNG_OTHER && safe.report.other == 1 && safe.report.steps == 1));
     CHECK(largest_difference(safe.moved(), displacement(useful, move)) < 1e-15);
     CHECK((safe.is_valid() && safe.boundary_error(move) < 1e-15));
+    Attempt real, of;   // a derivative with real values cannot take its complex ones
+    hm_options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
+    REQUIRE(real.run(its.problem(), &paper));
+    CHECK(safe.run(move, real.basis) == HM_SHORT);
     safe.safe_options.n_others = 1;
     CHECK(safe.run(move) == HM_SHORT);   // with the other one alone: nothing else is allowed
     CHECK((safe.untouched() && safe.report.step_fraction == 0 && safe.report.steps == 0));
     safe.safe_options.skipped_rungs |= without({HM_RUNG_OTHER});
     safe.safe_options.n_others = 2;
     CHECK(safe.run(move) == HM_SHORT);
+
+    Safe weaker(its, sharper);   // of the same kind: its functions are the derivative
+    weaker.safe_options.n_others = 2;
+    weaker.safe_options.others = others;
+    weaker.safe_options.skipped_rungs = without({HM_RUNG_LINEAR, HM_RUNG_SUBSTEPS, HM_RUNG_UNTANGLED});
+    REQUIRE(of.run(its.problem(), &sharper));
+    REQUIRE(weaker.run(move, of.basis) == HM_OK);
+    CHECK((weaker.report.rung == HM_RUNG_OTHER && weaker.report.other == 1));
+    std::vector<double> const further = some_move(4, 1, 7);
+    CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) < 1e-15);
 }
 
 TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spline is") {
@@ -271,6 +286,92 @@ TEST_CASE("hundreds of random movements of growing size: valid, or refused with 
                            << by_rung[2] << " " << by_rung[3]);
         CHECK((reached > 10 && refused > 5));
     }
+}
+
+TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sides of the wake stay one") {
+    CMesh const c = c_mesh(naca4({}, 24), 12, 8, stretched(5e-3, 8, 12));
+    Case its = airfoil_case(24, 12);
+    its.mesh = c.mesh;
+    Safe safe(its);
+    int by_rung[4] = {};
+    for (unsigned trial = 0; trial < 60; ++trial) {
+        std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 0.05 * trial), {0.25, 0}, {0.01 * trial, 0});
+        std::vector<double> const more = some_move(12, 0.0005 * trial, 200 + trial);
+        for (std::size_t k = 0; k < move.size(); ++k) move[k] += more[k];
+        hm_status const status = safe.run(move);
+        REQUIRE((status == HM_OK || status == HM_SHORT || status == HM_CROSSING));
+        if (status == HM_CROSSING) continue;
+        CHECK(safe.is_valid());
+        if (status == HM_OK) CHECK(safe.boundary_error(move) < 1e-14);
+        ++by_rung[safe.report.rung];
+        Mesh const& mesh = safe.mesh;
+        std::map<std::pair<double, double>, std::size_t> first;   // points at one place stay at one place
+        for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+            std::size_t const its_first = first.insert({{mesh.x[k], mesh.y[k]}, k}).first->second;
+            CHECK((safe.x[k] == safe.x[its_first] && safe.y[k] == safe.y[its_first]));
+        }
+    }
+    CHECK((by_rung[HM_RUNG_LINEAR] > 10 && by_rung[HM_RUNG_SUBSTEPS] + by_rung[HM_RUNG_UNTANGLED] > 3));
+}
+
+TEST_CASE("numbering from 1, cells of either sense, and units change nothing but numbers") {
+    Case its = block(Cells::hybrid, 15);
+    std::vector<double> const move = turn_of(its, 150);
+    Safe reference(its);
+    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), 0}) {
+        reference.safe_options.skipped_rungs = skipped;
+        reference.safe_options.max_resolves = 2;
+        hm_status const expected = reference.run(move);
+        CHECK(expected == (skipped != 0 ? HM_SHORT : HM_OK));
+        Case from_one = its;
+        from_one.index_base = 1;
+        reverse_some(from_one.mesh, 3);
+        Safe other(from_one);
+        other.safe_options = reference.safe_options;
+        CHECK(other.run(move) == expected);
+        CHECK(other.report.rung == reference.report.rung);
+        CHECK(other.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-9));
+        CHECK(largest_difference(other.moved(), reference.moved()) < 1e-8);
+        if (expected == HM_SHORT) {
+            CHECK((other.report.cell == reference.report.cell + 1 && other.report.point == reference.report.point + 1));
+            CHECK(other.error.item == other.report.cell);
+        }
+        CHECK(other.report.min_quality_cell == reference.report.min_quality_cell + 1);
+        for (double const unit : {1e-9, 1e20}) {
+            Case scaled = similar(its, unit, 0);
+            std::vector<double> scaled_move = move;
+            for (double& m : scaled_move) m *= unit;
+            Safe far(scaled);
+            far.safe_options = reference.safe_options;
+            CHECK(far.run(scaled_move) == expected);
+            CHECK((far.report.rung == reference.report.rung && far.report.steps == reference.report.steps));
+            CHECK(far.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-6));
+            CHECK(far.is_valid());
+            CHECK(far.report.min_quality == doctest::Approx(reference.report.min_quality).epsilon(1e-3));
+        }
+    }
+}
+
+TEST_CASE("functions on the way that miss the tolerance are a warning: the mesh is there, and valid") {
+    Case its = block(Cells::quads, 15);
+    hm_options options = options_of(HM_CONFORMAL);
+    options.tolerance = 1e-18;
+    Attempt const attempt(its.problem(), &options);
+    REQUIRE(attempt.status == HM_NOT_CONVERGED);
+    std::size_t bytes = 0;
+    REQUIRE(hm_morph_safe_size(attempt.plan, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    hm_safe_report report{};
+    report.struct_size = sizeof report;
+    std::vector<double> x(its.mesh.x.size()), y(x.size());
+    hm_error error{};
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), x.data(), y.data(), 1, nullptr, work.data(),
+                        bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
+    CHECK((report.step_fraction == 1 && report.resolves > 0 && report.inverted == 0 && x[0] == its.mesh.x[0]));
+    CHECK(error.value > 1e-18);
+    // One step needs no other functions than those that are there.
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), x.data(), y.data(), 1, nullptr, work.data(),
+                        bytes, nullptr, &report, &error) == HM_OK);
 }
 
 TEST_CASE("cancelled by the progress callback: nothing is written, and afterwards it works again") {
