@@ -511,7 +511,8 @@ typedef struct hm_safe_options {
     int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of those not to be tried */
     int32_t  n_others;             /* >= 0 */
     int32_t  reserved;             /* 0 */
-    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves and conditions */
+    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset correction; for a
+                                      derivative only those with the basis's numbers_per_value are tried */
 } hm_safe_options;
 
 typedef struct hm_safe_report {
@@ -538,7 +539,8 @@ typedef struct hm_safe_report {
 /* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
 /* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
- * may be the mesh's own arrays. Returns HM_OK: all of `move`. HM_SHORT: the last valid mesh, report.step_fraction of the way.
+ * may be the mesh's own arrays. Returns HM_OK: all of `move`; HM_NOT_CONVERGED: the same, but functions on the way missed
+ * the tolerance. HM_SHORT: the last valid mesh, report.step_fraction of the way.
  * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
  * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
  *
