@@ -8,7 +8,7 @@ vec2 predicates value_kind sort hash monotone kernel_call
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
-edges orientation boundary delaunay conditions method distance distance_tree wall slip periodic
+edges median_dual nodal_gradient orientation boundary delaunay conditions method distance distance_tree wall slip periodic
 graph places dissection fronts subtrees
 matrix stiffness bounded basis residual right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
