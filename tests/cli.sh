@@ -216,6 +216,16 @@ refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
 head -c 3000 "$harmorph" >"$tmp/bad.su2"
 refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
 
+# ---- Pictures ----------------------------------------------------------------------------------------------------
+
+runs "morph: pictures" 0 morph "$ring" "$basis" --move "$tmp/small.txt" --svg "$tmp/whole.svg" --window -4,-4,4,4 \
+    --boundary-svg "$tmp/boundary.svg"
+check "morph: the window shows the far field" test "$(wc -c <"$tmp/whole.svg")" -gt "$(wc -c <"$tmp/small.svg")"
+check "morph: the boundary picture has a circle for each point" test "$(grep -c '<circle.*r="3.2"' "$tmp/boundary.svg")" -gt 47
+for window in 1,2,3 1,2,3,4,5 1,1,1,2 2,0,1,1 a,b,c,d ,,,; do
+    refuses "a window $window" 2 '--window expects' export "$ring" "$basis" --function 1 --svg "$tmp/x" --window $window
+done
+
 # ---- Coarse to fine ----------------------------------------------------------------------------------------------
 
 make_ring 110 31 >"$tmp/fine.su2"
