@@ -244,6 +244,18 @@ sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
 refuses "transfer: a marker that is missing" 2 "'body'" transfer "$ring" "$basis" "$tmp/renamed.su2" -o "$tmp/x"
 refuses "transfer: a basis of another mesh" 3 'another mesh' transfer "$tmp/fine.su2" "$basis" "$ring" -o "$tmp/x"
 
+# ---- The shipped meshes of the paper's cases lie on their curves, to the digits of the files ---------------------
+
+on_curve() { # on_curve MESH SOLVE-OPTIONS...
+    mesh=$1; shift
+    runs "$mesh: solve" 0 solve "$meshes/$mesh.su2" "$@" --operator laplace -o "$tmp/paper.basis"
+    check "$mesh: on its curve" grep -E 'mesh from curve +[0-9.]+e-(09|1[0-9]) at most' "$tmp/out"
+}
+on_curve two_bodies --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve"
+on_curve diffuser_airfoil --curve airfoil="$meshes/diffuser_airfoil.curve"
+on_curve axisymmetric_diffuser --curve diffuser="$meshes/axisymmetric_diffuser.curve" --slip axis
+on_curve cage --curve cage="$meshes/cage.curve"
+
 # ---- Bad curve, moves and basis files ----------------------------------------------------------------------------
 
 bad_curve() { # bad_curve NAME LINE TEXT CONTENT

@@ -46,8 +46,8 @@ std::string boundary_picture(const Basis& basis, const std::vector<double>& move
     after.control = control.data();
 
     Plot plot(window_round({&before, &after}, .1), "The boundary, by the B-spline and by the functions",
-              plural(basis.info().curve_points, "point") + " of the mesh; largest difference between its movement and the B-spline's: " +
-                  brief(morph.boundary_error));
+              plural(basis.info().curve_points, "point") + " of the mesh; largest difference between their movement and " +
+                  "the B-spline's: " + brief(morph.boundary_error));
     plot.begin_inside();
     draw_outlines(plot, before, before_style);
     draw_outlines(plot, after, after_style);
