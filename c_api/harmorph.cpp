@@ -27,7 +27,7 @@ struct Request {
         hm_problem p;
         if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
         HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
-        HARMORPH_TRY(view_options(options, problem.method, problem.progress, problem.executor, fault));
+        HARMORPH_TRY(view_options(options, problem, fault));
         if (p.curves != nullptr) {
             HARMORPH_TRY(view_curves(p.curves, curves, fault));
             n_curves = curves.count();
@@ -59,6 +59,9 @@ struct Request {
         n_conditions = p.n_conditions;
         if (problem.demands.slip && problem.method.bounded()) {
             return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+        }
+        if (problem.demands.slip && problem.method.engine != Engine::direct) {
+            return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
         }
         if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
         return fault.refuse(Status::unsupported, "the conformal operator does not go with free boundaries; slipping ones do");
@@ -322,6 +325,9 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
     filled.curve_points = b.wall_point.count();
     filled.refinements = solved.refinements;
     filled.factor_entries = solved.factor_entries;
+    filled.iterations = solved.iteration.iterations;
+    filled.levels = solved.iteration.levels;
+    filled.fine_sweeps = solved.iteration.fine_sweeps;
     write_struct(filled, report);
     return tell(err, fault, {p.mesh.index_base, 0});
 }

@@ -234,12 +234,14 @@ typedef struct hm_problem {
 
 /* What goes together (everything else is HM_UNSUPPORTED). A function's value at a point is a linear map of the plane: 1, 2
  * or 4 numbers (hm_basis_info.numbers_per_value). "complex": also where the table says real, if there are rigid bodies.
- *   operator      scheme      engine     conditions                            values
- *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT  all but free                          complex; with slip 2 x 2 matrices
- *   HM_LAPLACE    HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
- *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT  all                                   real; with slip 2 x 2 matrices
- *   HM_LAPLACE    HM_BOUNDED  HM_DIRECT  all but slip                          real
- *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT  all but slip                          real
+ *   operator      scheme      engine         conditions                        values
+ *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT      all but free                      complex; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
+ *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_BOUNDED  HM_DIRECT      all but slip                      real
+ *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT      all but slip                      real
+ *   HM_LAPLACE    HM_COMPACT  HM_MULTIGRID   all but slip                      real
+ *   HM_WEIGHTED   HM_COMPACT  HM_MULTIGRID   all but slip                      real
  *
  * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
  * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
@@ -259,7 +261,17 @@ enum {                             /* scheme; both reproduce linear fields, and 
                                       0 <= F <= 1 where every boundary is fixed or on a curve, not always beside free ones.
                                       Its plan factors on the analysed coordinates alone */
 };
-enum { HM_DIRECT = 0 };            /* engine: nested dissection and multifrontal Cholesky */
+enum {                             /* engine */
+    HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
+    HM_MULTIGRID = 1               /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
+                                      20 to 35 iterations, whatever the size. A residual tells little of the error where
+                                      weights vary strongly */
+};
+enum {                             /* agglomeration: which cells the levels of HM_MULTIGRID merge */
+    HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where cells are stretched more than 2 to 1, else any */
+    HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with most mesh edges between them, however stretched */
+    HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
+};
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
@@ -286,7 +298,17 @@ typedef struct hm_options {
     int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where C' vanishes */
+                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
+    /* Engines that iterate, only: */
+    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: as many as there are */
+    int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
+    int32_t  block_width;          /* functions solved at a time: 4, 8 or 16; 0 means 8. Plan space for each thread's vectors
+                                      grows with it: 56 bytes per unknown and function */
+    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200 */
+    double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
+                                      and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
+    int32_t  history_length;
+    int32_t  reserved;             /* 0 */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -345,7 +367,11 @@ typedef struct hm_solve_report {
     int32_t  curve_points;         /* mesh points on curves */
     int32_t  refinements;          /* steps of iterative refinement that the residual called for */
     int32_t  reserved;             /* 0 */
-    int64_t  factor_entries;       /* numbers in the factor */
+    int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
+    int32_t  iterations;           /* engines that iterate: largest over the functions; 0: HM_DIRECT */
+    int32_t  levels;               /* of agglomeration */
+    int32_t  fine_sweeps;          /* of the smoother over the finest level, largest over the functions */
+    int32_t  reserved_too;         /* 0 */
 } hm_solve_report;
 
 /* Solves all functions in the basis, with the plan's factor. Both must come from one analysis. report may be NULL.

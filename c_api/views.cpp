@@ -7,9 +7,12 @@ Status missing(Fault& fault, const char* sentence) noexcept { return fault.refus
 
 // Operator, weight, scheme and engine, and whether they go together.
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
-    bool const bounded = o.scheme == HM_BOUNDED && o.operator_kind != HM_CONFORMAL;
-    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || (o.scheme != HM_COMPACT && !bounded) ||
-        o.engine != HM_DIRECT) {
+    bool const real = o.operator_kind != HM_CONFORMAL;
+    bool const known = o.operator_kind >= HM_CONFORMAL && o.operator_kind <= HM_WEIGHTED;
+    bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
+    bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
+    bool const iterative = real && o.scheme == HM_COMPACT && o.engine == HM_MULTIGRID;
+    if (!known || !(plain || bounded || iterative)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
@@ -18,6 +21,7 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
     method.scheme = static_cast<Scheme>(o.scheme);
+    method.engine = static_cast<Engine>(o.engine);
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
     }
@@ -133,14 +137,42 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     return Status::ok;
 }
 
-Status view_options(const hm_options* given, Method& method, Progress& progress, Executor& executor,
-                    Fault& fault) noexcept {
+namespace {
+
+Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) noexcept {
+    if (o.levels < 0 || o.levels > Agglomeration::most_levels) {
+        return fault.refuse(Status::bad_argument, "options.levels must be between 0 and 20, not #", Counts::from_zero, o.levels);
+    }
+    if (o.agglomeration < HM_AGGLOMERATE_AUTO || o.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
+        return fault.refuse(Status::bad_argument, "options.agglomeration is #, which is unknown", Counts::from_zero,
+                            o.agglomeration);
+    }
+    if (o.block_width != 0 && !Iteration::has_width(o.block_width)) {
+        return fault.refuse(Status::bad_argument, "options.block_width must be 0, 4, 8 or 16, not #", Counts::from_zero,
+                            o.block_width);
+    }
+    if (o.max_iterations < 0 || o.history_length < 0 || (o.history_length > 0 && o.history == nullptr)) {
+        return fault.refuse(Status::bad_argument, "options: max_iterations or history_length is negative, or history is NULL");
+    }
+    iteration.merging = {static_cast<Merging>(o.agglomeration), o.levels};
+    if (o.block_width != 0) iteration.block_width = o.block_width;
+    iteration.max_iterations = o.max_iterations;
+    iteration.history = {o.history, static_cast<Size>(o.history_length)};
+    return Status::ok;
+}
+
+}  // namespace
+
+Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept {
+    Method& method = problem.method;
     method = Method{};
-    executor = Executor{};
-    progress = Progress{};
+    problem.iteration = Iteration{};
+    problem.executor = Executor{};
+    problem.progress = Progress{};
     hm_options o = {};
     if (given != nullptr && !read_struct(given, o)) return missing(fault, "options.struct_size is not set");
     HARMORPH_TRY(view_operator(o, method, fault));
+    HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
     if (!(o.tolerance >= 0 && o.tolerance < 1)) {
         return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~", Counts::from_zero,
                             none, none, o.tolerance);
@@ -151,8 +183,9 @@ Status view_options(const hm_options* given, Method& method, Progress& progress,
     }
     method.kernel = static_cast<Kernel>(o.kernel);
     if (o.tolerance > 0) method.tolerance = o.tolerance;
-    progress = {o.progress, o.progress_user};
-    return view_executor(o.executor, executor, fault);
+    problem.iteration.tolerance = method.tolerance;
+    problem.progress = {o.progress, o.progress_user};
+    return view_executor(o.executor, problem.executor, fault);
 }
 
 Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept {

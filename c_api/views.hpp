@@ -71,8 +71,7 @@ Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexc
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
 // executor NULL: one thread.
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept;
-Status view_options(const hm_options* given, Method& method, Progress& progress, Executor& executor,
-                    Fault& fault) noexcept;
+Status view_options(const hm_options* given, Problem& problem, Fault& fault) noexcept;
 Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault& fault) noexcept;
 
 }  // namespace harmorph

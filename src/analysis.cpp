@@ -27,6 +27,8 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     Index const most_unknowns = components * mesh.n_points;
     graph.lay_out(arena, bounded ? triangulation.mesh : mesh, components);
     arena.take(order, most_unknowns);
+    layer_work.lay_out(arena, most_unknowns);
+    if (its_problem.method.engine != Engine::direct) return arena.take(border.position, most_unknowns);
     tree.lay_out(arena, most_unknowns);
     dissection_work.lay_out(arena, most_unknowns);
     border.lay_out(arena, most_unknowns);
@@ -97,8 +99,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 Status Analysis::check_parts(Fault& fault) noexcept {
     Demands const& demands = problem.demands;
     if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
-    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds,
-                                                dissection_work.moved, dissection_work.side);
+    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds, order,
+                                                layer_work.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
@@ -107,11 +109,19 @@ Status Analysis::check_parts(Fault& fault) noexcept {
 Status Analysis::analyse_order(Fault& fault) noexcept {
     Progress const& progress = problem.progress;
     HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
-    dissect(graph, problem.mesh.points, dissection_work, order, tree);
+    if (is_direct()) {
+        dissect(graph, problem.mesh.points, dissection_work, order, tree);
+    } else {
+        order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
+    }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
-    fronts = count_borders(graph, order, tree, border, border_start);
-    subtrees.choose(tree, border_start);
+    if (is_direct()) {
+        fronts = count_borders(graph, order, tree, border, border_start);
+        subtrees.choose(tree, border_start);
+    } else {
+        for (Index k = 0; k < graph.n; ++k) border.position[order[k]] = k;
+    }
     return progress.report(Phase::symbolic, 1, fault);
 }
 

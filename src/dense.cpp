@@ -29,6 +29,12 @@ namespace harmorph::dense {
     void take_off_backward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept; \
     template <class Number, Index planes>                                                                                 \
     void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept;                    \
+    /* See the header. */                                                                                                 \
+    template <class Number>                                                                                               \
+    void extend_add(UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,                 \
+                    UpdateMatrix<Number> const& update) noexcept;                                                         \
+    template <class Number>                                                                                               \
+    void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept;                 \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
@@ -169,11 +175,25 @@ void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index 
     });
 }
 
+template <class Number>
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept {
+    HARMORPH_CALL(kernel, extend_add<Number>(from, targets, panel, update))
+}
+
+template <class Number>
+void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept {
+    HARMORPH_CALL(kernel, add_rows<Number>(n, from, targets, y, length))
+}
+
 #define HARMORPH_MAKE(Number)                                                                                            \
     template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                        \
     template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&, Workers<Number> const&) noexcept; \
     template void solve_forward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                 \
-    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;
+    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
+    template void extend_add(Kernel, UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                  \
+                             UpdateMatrix<Number> const&) noexcept;                                                      \
+    template void add_rows(Kernel, Index, const Number*, Targets const&, Number*, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)
 

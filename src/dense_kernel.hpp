@@ -281,6 +281,20 @@ HARMORPH_INLINE Rows<Number> sides(Number* y, Index row, Index pivot) noexcept {
     return {y + Offset{planes} * row * pivot, Offset{planes} * row, row};
 }
 
+// to [n] += from; whole vectors are read.
+template <class Number>
+HARMORPH_INLINE void add_run(Number* to, const Number* from, Index n) noexcept {
+    Index i = 0;
+    for (; i + lanes<Number> <= n; i += lanes<Number>) store(to + i, load(to + i) + load(from + i));
+    if (i < n) Registers<Number>::store_first(to + i, load(to + i) + load(from + i), n - i);
+}
+
+// A row of an upper triangle, from column `begin` on.
+template <class Number>
+HARMORPH_INLINE void add_row(Number* to, const Number* from, Index begin, Index end, Targets const& targets) noexcept {
+    for (Index c = begin; c < end; c = targets.ends[c]) add_run(to + targets.at[c], from + c, targets.ends[c] - c);
+}
+
 constexpr Index packing_pays = 96;  // rows longer than this are copied before they are multiplied
 
 }  // namespace
@@ -376,6 +390,32 @@ void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, In
     }
 }
 
+template <class Number>
+void extend_add(UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept {
+    Index const planes = from.planes;
+    for (Index r = 0; r < from.n; ++r) {
+        Index const band = r / strip * strip;
+        Offset const plane = padded(from.n - band);
+        const Number* const row = from.data + planes * (band_start(from.n, band) + (r - band) * plane) - band;
+        // The target's row, such that to[column] is the entry in a column of the front.
+        Index const target = targets.at[r];
+        bool const is_pivot = target < panel.pivots;
+        Index const number = is_pivot ? target : target - panel.pivots, first = number / strip * strip;
+        Offset const its_plane = is_pivot ? panel.front - first : padded(update.n - first);
+        Offset const start = is_pivot ? strip_start(panel.front, first) : band_start(update.n, first);
+        Number* const to = (is_pivot ? panel.data : update.data - panel.pivots) +
+                           planes * (start + (number - first) * its_plane) - first;
+        add_row(to, row, r, from.n, targets);
+        if (planes == 2) add_row(to + its_plane, row + plane, r, from.n, targets);
+    }
+}
+
+template <class Number>
+void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept {
+    for (Index r = 0; r < n; ++r) add_run(y + Offset{targets.at[r]} * length, from + Offset{r} * length, length);
+}
+
 #define HARMORPH_MAKE(Number, planes)                                                                                      \
     template void take_off_earlier<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;           \
     template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, const Number*) noexcept;                   \
@@ -385,6 +425,12 @@ void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, In
     template void take_off_forward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;    \
     template void take_off_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;   \
     template void solve_strip_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index) noexcept;
+#define HARMORPH_MAKE_MOVES(Number)                                                                                       \
+    template void extend_add<Number>(UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                    \
+                                     UpdateMatrix<Number> const&) noexcept;                                                \
+    template void add_rows<Number>(Index, const Number*, Targets const&, Number*, Index) noexcept;
+HARMORPH_MAKE_MOVES(double)
+HARMORPH_MAKE_MOVES(float)
 HARMORPH_MAKE(double, 1)
 HARMORPH_MAKE(double, 2)
 HARMORPH_MAKE(float, 1)

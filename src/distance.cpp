@@ -138,7 +138,7 @@ private:
             Real const limit = (1 + slack) * (reach + chords.radius[lane]);
             if (node[lane] == tried_ || !(candidates.square[lane] < limit * limit)) continue;
             Real const square = nearest_square(tree_.groups[node[lane]], from_);
-            if (!(square < square_)) continue;
+            if (!(square < square_ || (square == square_ && node[lane] < group))) continue;  // whatever the guess was
             square_ = square;
             reach = square_root(square);
             group = node[lane];
@@ -264,6 +264,32 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
 Real FaceDistance::distance(Vec2 from) const noexcept {
     if (count == 0) return infinity;
     return square_root(Search(*this).from_anywhere(inverse_unit * from)) / inverse_unit;
+}
+
+FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
+    if (count == 0) return {};
+    Search search(*this);
+    search.group = group;
+    Vec2 const here = inverse_unit * from;
+    search.from_anywhere(here);
+    group = search.group;
+    Segments const& its = groups[group];
+    Foot best;
+    Real least = infinity;
+    for (Index lane = 0; lane < lanes && lanes * group + lane < count; ++lane) {
+        Vec2 const start{its.x[lane], its.y[lane]}, along{its.along_x[lane], its.along_y[lane]};
+        Real const t = clamp(dot(here - start, along) * its.inverse[lane], 0.0, 1.0);
+        Real const distance = square(here - start - t * along);
+        if (!(distance < least)) continue;
+        least = distance;
+        best = {lanes * group + lane, t};
+    }
+    return best;
+}
+
+Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {
+    Face const& face = faces[foot.face];
+    return (1 - foot.t) * points[face.point[0]] + foot.t * points[face.point[1]];
 }
 
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,

@@ -24,12 +24,27 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(conductivity, !weighted ? 0 : n_edges > 0 ? n_edges : n_cells);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
-    Index const columns = matrix.is_complex() ? counts.functions() : line_length;
-    engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns, matrix.is_complex());
-    Size const shared = arena.mark();
-    engine.lay_out_stack(arena);
-    arena.release(shared);
+    lay_out_engine(arena, analysis, matrix.is_complex() ? counts.functions() : line_length);
     residual.lay_out(arena, n, matrix.is_complex());
+}
+
+void Plan::lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept {
+    if (analysis.is_direct()) {
+        engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns, matrix.is_complex());
+        Size const shared = arena.mark();
+        engine.lay_out_stack(arena);
+        return arena.release(shared);
+    }
+    Index const n = analysis.graph.n;
+    arena.take(faces, analysis.matrix.entries);
+    Iteration iteration = analysis.problem.iteration;
+    if (iteration.max_iterations == 0) iteration.max_iterations = Multigrid::default_iterations;
+    multigrid.lay_out(arena, n, columns, iteration, analysis.problem.executor);
+    Size const shared = arena.mark();
+    multigrid.lay_out_work(arena, n, analysis.matrix.entries);
+    arena.release(shared);
+    multigrid.lay_out_vectors(arena, n);
+    arena.release(shared);
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
@@ -53,8 +68,13 @@ void Plan::init(Analysis const& analysis) noexcept {
     }
     matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
                  analysis.border.position, analysis.wall_work.slot, analysis.tangent);
-    engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.executor = analysis.problem.executor;
+    init_engine(analysis);
+}
+
+void Plan::init_engine(Analysis const& analysis) noexcept {
+    if (!analysis.is_direct()) return matrix.mark_faces(analysis.edges, faces);
+    engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.tree.count = analysis.tree.count;
     copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
     copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
@@ -69,8 +89,8 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(assemble(points, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
-    Status const status = engine.factorise(matrix, progress, fault);
-    if (status == Status::not_positive) fault.item = point_of(fault.item);
+    Status const status = factor_engine(fault);
+    if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
@@ -106,6 +126,16 @@ Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
                         Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 
+Status Plan::factor_engine(Fault& fault) noexcept {
+    if (method.engine == Engine::direct) return engine.factorise(matrix, progress, fault);
+    return multigrid.set_up(matrix.rows(faces), fault);
+}
+
+Status Plan::solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept {
+    if (method.engine == Engine::direct) return engine.solve(values, progress, fault);
+    return multigrid.solve(values, progress, report, fault);
+}
+
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
     HARMORPH_TRY(check_fit(basis, fault));
@@ -114,7 +144,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     Lines const all = lines(basis);
     set_right_hand_sides(matrix, all);
     Index const columns = all.columns(matrix);
-    HARMORPH_TRY(engine.solve({basis.value.data(), line_of.data(), all.length(), columns, columns}, progress, fault));
+    HARMORPH_TRY(solve_engine({basis.value.data(), line_of.data(), all.length(), columns, columns}, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
@@ -122,7 +152,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
     HARMORPH_TRY(measure_residual(basis, report, fault));
-    while (report.residual > refined_above && report.refinements < most_refinements) {
+    Index const refinements = method.engine == Engine::direct ? most_refinements : 0;  // the others stop where they are asked to
+    while (report.residual > refined_above && report.refinements < refinements) {
         HARMORPH_TRY(refine(basis, fault));
         ++report.refinements;
         HARMORPH_TRY(measure_residual(basis, report, fault));
@@ -139,7 +170,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (same_counts && basis.header->topology == topology && basis.header->conditions == conditions) return Status::ok;
+    bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
+    if (same_counts && same_mesh && basis.header->method.agrees_with(method)) return Status::ok;
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 

@@ -161,4 +161,14 @@ void Matrix::add_lines(Index point, Index other, Real conductance, Real circulat
     }
 }
 
+void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {
+    fill(faces, std::uint8_t{0});
+    edges.for_each([&](Index, Index low, Index high) {
+        Index const i = place[low], j = place[high];
+        if (i < 0 || j < 0 || i == j) return;
+        Index const row = smaller(i, j);
+        faces[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] = 1;
+    });
+}
+
 }  // namespace harmorph

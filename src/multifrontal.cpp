@@ -53,22 +53,22 @@ void Multifrontal::place_panels() noexcept {
     panel_start[tree.count] = next;
 }
 
-void Multifrontal::find_targets(Index child, Index parent, Index* to, Index* ends) const noexcept {
+void Multifrontal::find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept {
     auto const& its = tree.nodes[parent];
     Span<const Index> const below = border_of(child), above = border_of(parent);
     Index at = 0;
     for (Index r = 0; r < below.count(); ++r) {
         if (below[r] < its.end) {
-            to[r] = below[r] - its.begin;
+            targets.at[r] = below[r] - its.begin;
             continue;
         }
         while (above[at] != below[r]) ++at;  // both increase
-        to[r] = its.pivots() + at;
+        targets.at[r] = its.pivots() + at;
     }
     for (Index r = below.count() - 1; r >= 0; --r) {
-        bool const goes_on = r + 1 < below.count() && to[r + 1] == to[r] + 1 &&
-                             to[r + 1] != its.pivots();  // pivots and border lie in two blocks
-        ends[r] = goes_on ? ends[r + 1] : r + 1;
+        bool const goes_on = r + 1 < below.count() && targets.at[r + 1] == targets.at[r] + 1 &&
+                             targets.at[r + 1] != its.pivots();  // pivots and border lie in two blocks
+        targets.ends[r] = goes_on ? targets.ends[r + 1] : r + 1;
     }
 }
 

@@ -30,10 +30,10 @@ public:
             Index const done = engine_.subtrees.find(child);
             UpdateMatrix const added{done != none ? engine_.kept_update<Number>(done) : free,
                                      engine_.border_of(child).count(), panel.planes};
-            Number* const behind = free + added.planes * dense::update_entries(added.n);
+            Number* const behind = free + added.planes * dense::update_room(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, lane, told, fault));
-            engine_.find_targets(child, node, lane.target, lane.run_end);
-            extend_add(added, panel, left, lane);
+            engine_.find_targets(child, node, lane.targets);
+            dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
         }
         dense::Workers<Number> const workers{lane.executor, lane.packing};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
@@ -75,29 +75,6 @@ private:
             (border[middle] <= position ? low : high) = middle;
         }
         return low;
-    }
-
-    // A child's update matrix into its parent's pivot rows and update matrix.
-    static void extend_add(UpdateMatrix const& from, Panel const& panel, UpdateMatrix const& update,
-                           Lane const& lane) noexcept {
-        for (Index r = 0; r < from.n; ++r) {
-            Index const target = lane.target[r];
-            bool const is_pivot = target < panel.pivots;
-            Index const border = target - panel.pivots;
-            Number* const to = is_pivot ? panel.row(target) : update.row(border) - panel.pivots;
-            add_row(from.row(r), r, from.n, to, lane);
-            if (from.planes == 1) continue;
-            add_row(from.row(r) + from.plane(r), r, from.n, to + (is_pivot ? panel.plane(target) : update.plane(border)), lane);
-        }
-    }
-
-    static void add_row(const Number* from, Index begin, Index end, Number* to, Lane const& lane) noexcept {
-        for (Index c = begin; c < end; c = lane.run_end[c]) {
-            Number* const run = to + lane.target[c];
-            const Number* const source = from + c;
-            Index const length = lane.run_end[c] - c;
-            for (Index i = 0; i < length; ++i) run[i] += source[i];
-        }
     }
 
     Multifrontal const& engine_;

@@ -4,6 +4,7 @@ namespace harmorph {
 namespace {
 
 constexpr Index nodes_between_reports = 512;
+constexpr Offset most_prefetched = 8192;  // entries; larger ones are read in longer runs
 
 // Right-hand sides travel up the tree like update matrices, in rows as long as all functions together, and solutions down.
 template <class Number>
@@ -30,9 +31,11 @@ public:
             Index const done = engine_.subtrees.find(child);
             Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
             if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), lane, told));
-            engine_.find_targets(child, node, lane.target, lane.run_end);
-            add_rows(engine_.border_of(child).count(), from + Offset{engine_.pivots_of(child)} * row_, front, lane);
+            engine_.find_targets(child, node, lane.targets);
+            dense::add_rows(engine_.kernel, engine_.border_of(child).count(), from + Offset{engine_.pivots_of(child)} * row_,
+                            lane.targets, front, row_);
         }
+        prefetch_panel(node + 1);
         dense::solve_forward(engine_.kernel, panel, front, width_, lane.executor);
         for (Index k = 0; k < panel.pivots; ++k) scatter(front + Offset{k} * row_, its.begin + k);
         return told(node);
@@ -48,11 +51,21 @@ public:
             gather(position, to);
             to += row_;
         }
+        prefetch_panel(node - 1);
         dense::solve_backward(engine_.kernel, panel, lane.rows, width_, lane.executor);
         for (Index k = 0; k < panel.pivots; ++k) scatter(lane.rows + Offset{k} * row_, its.begin + k);
     }
 
 private:
+    // Fronts are too small for the processor to guess what comes next.
+    void prefetch_panel(Index node) const noexcept {
+        if (node < 0 || node >= engine_.tree.count) return;
+        const Number* const begin = engine_.panel<Number>(node).data;
+        Offset const entries = smaller(engine_.panel_start[node + 1] - engine_.panel_start[node], most_prefetched);
+        constexpr Offset line = 64 / sizeof(Number);
+        for (Offset k = 0; k < entries; k += line) __builtin_prefetch(begin + k, 0, 2);
+    }
+
     void gather(Index position, Number* to) const noexcept {
         const Real* from = values_[position];
         for (Index plane = 0; plane < engine_.planes; ++plane, from += values_.plane, to += width_) {
@@ -64,12 +77,6 @@ private:
         Real* to = values_[position];
         for (Index plane = 0; plane < engine_.planes; ++plane, from += width_, to += values_.plane) {
             for (Index i = 0; i < values_.width; ++i) to[i] = from[i];
-        }
-    }
-    void add_rows(Index n, const Number* from, Number* front, Lane const& lane) const noexcept {
-        for (Index r = 0; r < n; ++r, from += row_) {
-            Number* const to = front + Offset{lane.target[r]} * row_;
-            for (Index i = 0; i < row_; ++i) to[i] += from[i];
         }
     }
 

@@ -6,8 +6,6 @@ namespace {
 constexpr Index least_rows = 512;  // for a task of its own
 // Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
 constexpr Real least_curvature = 0.1;
-// Relative residual at which a direction is good enough: the softness changes in the next step anyway.
-constexpr Real enough = 0.2;
 
 Block inverse_of(Block const& block) noexcept {
     Real const scale = 1 / (block.a * block.d - block.b * block.c);
@@ -38,7 +36,7 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Poin
     Span<Block> const row = hessian.from(region.start[u], neighbours.size());
     fill(row, Block{});
     Vec2 sum;
-    for (Index const i : region.cells_of(u)) {
+    for (Index const i : region.cells_of(region.point[u])) {
         CellTriangles const corners(tangle.cell(i));
         for (Index k = 0; k < corners.n; ++k) {
             const Index(&point)[3] = corners.point[k];

@@ -1,5 +1,7 @@
 #include "harmorph/safe_morph.hpp"
 
+#include <cstring>
+
 #include "harmorph/morph.hpp"
 #include "harmorph/quality.hpp"
 #include "harmorph/weighted_sum.hpp"
@@ -11,12 +13,22 @@ constexpr Real share_of_admissible = 0.5;  // that a substep may take
 constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
 constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
 
+// All that lies between header and values: curves, conditions, parameters.
+Span<const unsigned char> problem_of(Basis const& basis) noexcept {
+    auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
+    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    return {begin, static_cast<Size>(end - begin)};
+}
+
+// Another one's step moves the wall as the B-spline does only if its curves and parameters are the same.
 Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept {
-    BasisHeader const &mine = *basis.header, &its = *other.header;
-    if (its.solved == 1 && its.topology == mine.topology && its.counts.points == mine.counts.points &&
-        its.counts.functions() == mine.counts.functions() && its.counts.wall == mine.counts.wall) {
-        return Status::ok;
-    }
+    BasisCounts counts = other.header->counts;
+    counts.kind = basis.header->counts.kind;
+    Span<const unsigned char> const mine = problem_of(basis), its = problem_of(other);
+    bool const same = other.header->topology == basis.header->topology &&
+                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && its.size() == mine.size() &&
+                      std::memcmp(its.data(), mine.data(), mine.size()) == 0;
+    if (same && other.header->solved == 1) return Status::ok;
     return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
 }
 

@@ -11,11 +11,6 @@ struct Least {
     }
 };
 
-struct Count {
-    Index value = 0;
-    void merge(Count const& later) noexcept { value += later.value; }
-};
-
 bool is_inverted(Cell const& cell, Points points) noexcept {
     return !(CellCorners(CellShape(cell, points, false)).smallest() > 0);
 }
@@ -33,76 +28,82 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
                        Fault& fault) noexcept {
     report = {};
     Points const given{points.x, points.y, points.stride};
-    report.inverted_before = report.inverted_after = count_inverted(given);
-    if (report.inverted_before == 0) return Status::ok;
-    HARMORPH_TRY(check_reference(fault));
+    region.choose([&](Index i) { return is_inverted(tangle.cell(i), given); });
+    report.inverted_before = report.left = region.n_cells;
+    if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[tangle.representative[k]];
-    report.stuck_cell = find_stuck_cell();
-    if (report.stuck_cell != none) return Status::not_converged;
-
-    // The next region is round what the last one left inverted, and begins where that ended.
-    for (Index layers = options.layers;; layers = smaller(2 * layers, Region::whole)) {
+    region.link(tangle);
+    for (Index const i : region.cell.first(region.n_cells)) {
+        if (!is_stuck(i)) continue;
+        report.stuck_cell = i;
+        return Status::not_converged;
+    }
+    // Each region is round what the last one left, and begins where that ended.
+    for (Index layers = larger(options.layers, 1); region.n_cells > 0; layers *= 2) {
         bool const is_whole = layers >= Region::whole;
-        region.grow(tangle, as_points(now), layers);
+        region.grow(tangle, layers);
+        HARMORPH_TRY(check_reference(fault));
         ++report.regions;
         report.unknowns = region.n;
-        Index const most_iterations = is_whole ? options.iterations_in_whole : options.iterations_in_part;
-        bool const good = repair_region(options, most_iterations, report);
-        report.inverted_after = count_inverted(as_points(now));
-        if (good && report.inverted_after == 0) break;
-        if (is_whole) return Status::not_converged;
+        repair_region(options, is_whole ? options.iterations_in_whole : options.iterations_in_part, report);
+        region.keep([&](Index i) { return !is_good(i, options.margin); });
+        if (is_whole && region.n_cells > 0) break;
     }
+    report.left = region.n_cells;
+    if (region.n_cells > 0) return Status::not_converged;
     write(points);
     return Status::ok;
 }
 
 Status Untangling::check_reference(Fault& fault) const noexcept {
-    for (Index i = 0; i < tangle.mesh.n_cells; ++i) {
+    for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_inverted(tangle.cell(i), tangle.reference)) continue;
         return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh, i);
     }
     return Status::ok;
 }
 
-Index Untangling::count_inverted(Points points) const noexcept {
-    return reduce_cells<Count>(tangle.mesh.n_cells, executor, [&](Index i, Count& count) {
-        count.value += is_inverted(tangle.cell(i), points) ? 1 : 0;
-    }).value;
-}
-
-Index Untangling::find_stuck_cell() const noexcept {
-    for (Index i = 0; i < tangle.mesh.n_cells; ++i) {
-        CellTriangles const corners(tangle.cell(i));
-        for (Index k = 0; k < corners.n; ++k) {
-            bool held = true;
-            for (Index const point : corners.point[k]) held = held && tangle.held[point] != 0;
-            if (held && !(triangle_of(corners.point[k], as_points(now)).twice_area() > 0)) return i;
-        }
+bool Untangling::is_stuck(Index cell) const noexcept {
+    CellTriangles const corners(tangle.cell(cell));
+    for (Index k = 0; k < corners.n; ++k) {
+        const Index(&its)[3] = corners.point[k];
+        bool const held = tangle.held[its[0]] != 0 && tangle.held[its[1]] != 0 && tangle.held[its[2]] != 0;
+        if (held && !(triangle_of(its, as_points(now)).twice_area() > 0)) return true;
     }
-    return none;
+    return false;
 }
 
-bool Untangling::repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept {
+bool Untangling::is_good(Index cell, Real margin) const noexcept {
+    CellTriangles const corners(tangle.cell(cell));
+    for (Index k = 0; k < corners.n; ++k) {
+        const Index(&its)[3] = corners.point[k];
+        Real const area = triangle_of(its, as_points(now)).twice_area();
+        Real const least = region.can_move(its) ? margin * triangle_of(its, tangle.reference).twice_area() : 0;
+        if (!(area > 0 && area >= least)) return false;
+    }
+    return true;
+}
+
+void Untangling::repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept {
     constexpr Real least_gain = 0.1;  // however little the energy falls, the softness does
     copy(trial, Span<const Vec2>(now));
     Real smallest = smallest_determinant();
     Real softness = square_root(1e-12 + 0.04 * smallest * smallest);
     for (Index k = 0; k < most_iterations; ++k) {
         Real const before = energy(now, softness);
-        if (!is_finite(before)) return false;
+        if (!is_finite(before)) return;
         system.assemble(tangle, region, now, softness, executor);
         report.products += system.solve(region, options.most_products, executor);
         ++report.iterations;
         Real const after = descend(softness, before);
         smallest = smallest_determinant();
         report.smallest = smallest;
-        if (smallest >= options.goal) return true;
+        if (smallest >= options.goal) return;
         bool const at_rest = softness == 0 && after > (1 - 1e-4) * before;
-        if (smallest >= options.margin && at_rest) return true;
+        if (smallest >= options.margin && at_rest) return;
         Real const wanted = (1 - larger(1 - after / before, least_gain)) * regularised(smallest, softness);
         softness = wanted > smallest ? 2 * square_root(wanted * (wanted - smallest)) : 0;
     }
-    return smallest >= options.margin;
 }
 
 // Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing moves.

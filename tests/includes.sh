@@ -10,9 +10,10 @@ dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_sha
 box_tree locate
 corners closure knots least_squares projection chain fit
 edges orientation boundary delaunay distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
-graph places dissection fronts subtrees
+graph layers places dissection fronts subtrees
+rows symmetric_rows block_rows agglomeration
 matrix stiffness bounded basis residual right_hand_sides path
-multifrontal multifrontal_factor multifrontal_solve analysis newton_system untangle harmonic
+multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle analysis newton_system untangle harmonic
 morph weighted_sum quality admissible_step assessment crossing transfer
 safe_morph
 '

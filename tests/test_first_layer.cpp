@@ -98,3 +98,21 @@ TEST_CASE("a conformal map keeps angles and scales heights with the stretch of t
         CHECK(walls.mesh.point(seen.min_ratio_point).x == doctest::Approx(-1));
     }
 }
+
+TEST_CASE("the turn of a wall is second order also where its faces are of uneven length") {
+    double last = 0;
+    for (int const n : {40, 80, 160}) {
+        Mesh mesh = annulus(1, n, 1, 1 + 1e-6);   // so low that only the wall's turn is left
+        for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+            double const angle = 2 * std::acos(-1.0) * (static_cast<int>(k) % n + (k % 2 == 0 ? 0.0 : 0.5)) / n;
+            double const r = std::hypot(mesh.x[k], mesh.y[k]);
+            mesh.x[k] = r * std::cos(angle);
+            mesh.y[k] = r * std::sin(angle);
+        }
+        Walls walls(mesh);
+        walls.deform([](Point p) { return Point{p.x + 0.1 * (p.x * p.x - p.y * p.y), p.y + 0.2 * p.x * p.y}; });
+        double const error = walls.change().largest_angle;
+        if (last > 0) CHECK(error < 0.3 * last);
+        last = error;
+    }
+}

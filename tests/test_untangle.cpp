@@ -101,7 +101,7 @@ void check_repaired(Tangled const& its, Outcome const& out, int at_least_inverte
     INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations << ", smallest "
                      << out.report.smallest);
     CHECK(out.report.inverted_before >= at_least_inverted);
-    CHECK((out.status == Status::ok && out.report.inverted_after == 0));
+    CHECK((out.status == Status::ok && out.report.left == 0));
     CHECK(out.smallest(its) >= UntangleOptions{}.margin);
     bool boundary_stays = true;
     for (std::size_t k = 0; k < its.held.size(); ++k) {
@@ -285,7 +285,7 @@ TEST_CASE("a body that lies across the outer boundary is refused after so many i
     options.iterations_in_whole = 12;
     Outcome const out(its, options);
     CHECK(out.status == Status::not_converged);
-    CHECK((out.report.inverted_before > 0 && out.report.inverted_after > 0));
+    CHECK((out.report.inverted_before > 0 && out.report.left > 0));
     CHECK(out.report.iterations <= 4 * (out.report.regions - 1) + 12);
     CHECK(out.report.iterations > 12);
     CHECK(out.same_bits(its.now));

@@ -6,6 +6,8 @@
 #include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
 #include "harmorph/fronts.hpp"
+#include "harmorph/iteration.hpp"
+#include "harmorph/layers.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/orientation.hpp"
 #include "harmorph/periodic.hpp"
@@ -21,6 +23,7 @@ struct Problem {
     Mesh mesh;
     GivenParameters given;
     Method method;
+    Iteration iteration;
     Demands demands;
     Progress progress;
     Executor executor;
@@ -52,11 +55,13 @@ struct Analysis {
     OrientationWork orientation_work;
     WallWork wall_work;
     DissectionWork dissection_work;
+    LayerWork layer_work;
 
     // Sizes from the counts alone.
     void lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept;
     Status run(Problem const& its_problem, Fault& fault) noexcept;
 
+    bool is_direct() const noexcept { return problem.method.engine == Engine::direct; }
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.
     Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }

@@ -79,6 +79,16 @@ constexpr Offset update_entries(Index n) noexcept {
     return band_start(n, first) + Offset{n - first} * padded(n - first);
 }
 
+// With what kernels read behind it.
+constexpr Offset update_room(Index n) noexcept { return update_entries(n) + overread; }
+
+// Where the rows of a matrix go in a front: ends[r] is the first row behind r's run of neighbouring targets, which does not
+// lead from pivots to border.
+struct Targets {
+    Index* at = nullptr;
+    Index* ends = nullptr;
+};
+
 // The caller's threads, and planes * packing_entries numbers for each of them.
 template <class Number>
 struct Workers {
@@ -97,6 +107,11 @@ template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;
 
+// Adds a child's update matrix to its parent's panel and update matrix.
+template <class Number>
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept;
+
 // y [front x planes x row], row a multiple of row_multiple: solves U^H y = y for the pivots and takes them off the border's
 // rows.
 template <class Number>
@@ -104,5 +119,9 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
 // Solves U y = y for the pivots, the border's rows known.
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
+
+// Adds n rows of `length` numbers, a multiple of row_multiple, to rows of y.
+template <class Number>
+void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept;
 
 }  // namespace harmorph::dense

@@ -46,7 +46,8 @@ struct FaceDistance {
 
     Index count = 0;
     Span<Face> faces;       // [max_faces], of which `count` are used
-    Real unit = 0;          // largest power of two within the extent of the faces; 0: no extent
+    Real extent = 0;        // the larger of their width and height
+    Real unit = 0;          // largest power of two within the extent; 0: no extent
     Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
     Index root_height = 0;
     Index height_start[most_heights] = {};  // in `boxes`
@@ -64,6 +65,14 @@ struct FaceDistance {
 
     // No face: infinity. Rounding leaves errors of a few units in the last place of the distance and of the faces' lengths.
     Real distance(Vec2 from) const noexcept;
+    // The place on the faces that is nearest; none without faces. `group` is where it is tried first, and then where it was:
+    // neighbouring points have neighbouring feet.
+    struct Foot {
+        Index face = none;
+        Real t = 0;  // (1 - t) point[0] + t point[1]
+    };
+    Foot foot(Vec2 from, Index& group) const noexcept;
+    Vec2 at(Foot const& foot, Points points) const noexcept;
 
 private:
     void find_unit(Points points) noexcept;

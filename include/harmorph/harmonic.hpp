@@ -4,6 +4,7 @@
 #include "harmorph/analysis.hpp"
 #include "harmorph/distance.hpp"
 #include "harmorph/multifrontal.hpp"
+#include "harmorph/multigrid.hpp"
 #include "harmorph/region.hpp"
 #include "harmorph/right_hand_sides.hpp"
 
@@ -14,6 +15,7 @@ struct SolveReport {
     Real residual = 0;
     Index residual_function = none;
     Index refinements = 0;
+    IterationReport iteration;
     Offset factor_entries = 0;
 };
 
@@ -35,8 +37,10 @@ struct Plan {
     std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
     Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;
-    Multifrontal engine;
-    Residual residual;            // in the place of the engine's stack
+    Multifrontal engine;          // this one
+    Span<std::uint8_t> faces;     // [entries] or, with these, which entries are mesh edges,
+    Multigrid multigrid;          // or this one
+    Residual residual;            // in the place of the engine's stack or vectors
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
@@ -52,6 +56,10 @@ private:
     Status assemble(Points points, Fault& fault) noexcept;
     Status assemble_cells(Points points, Fault& fault) noexcept;
     Status assemble_edges(Points points, Fault& fault) noexcept;
+    void lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept;
+    void init_engine(Analysis const& analysis) noexcept;
+    Status factor_engine(Fault& fault) noexcept;
+    Status solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept;
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;

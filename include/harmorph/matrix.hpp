@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/fronts.hpp"
+#include "harmorph/symmetric_rows.hpp"
 #include "harmorph/value_kind.hpp"
 #include "harmorph/wall.hpp"
 
@@ -59,6 +60,10 @@ struct Matrix {
     // And a circulation from one to the other: + i circulation in the first one's row, - i in the other's. Not for real
     // matrices.
     void add(Index point, Index other, Real conductance, Real circulation) const noexcept;
+
+    // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
+    void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
+    SymmetricRows rows(Span<std::uint8_t> faces) const noexcept { return {n, diagonal, start, column, value, faces}; }
 
 private:
     // Where two lines meet; nowhere (value null) if neither is unknown, or one's value is 0.

@@ -24,6 +24,12 @@ struct Method {
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
     bool bounded() const noexcept { return scheme == Scheme::bounded; }
 
+    // The same functions but for rounding?
+    bool agrees_with(Method const& other) const noexcept {
+        return operator_kind == other.operator_kind && scheme == other.scheme && quarters == other.quarters &&
+               offset_correction == other.offset_correction;
+    }
+
     // The smallest kind of value that can express what is asked for.
     ValueKind value_kind(Demands const& demands) const noexcept {
         if (demands.slip) return ValueKind::matrix;

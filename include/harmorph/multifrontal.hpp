@@ -5,25 +5,13 @@
 #include "harmorph/dense.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/progress.hpp"
+#include "harmorph/rows.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {
 
 // What the factor is stored and computed in; the numbers are those of the C header.
 enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
-
-// Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
-struct Rows {
-    Real* data = nullptr;
-    const Index* row_of = nullptr;  // [n] row of each position, or null: its number
-    Offset row_length = 0;          // numbers from one row to the next
-    Index width = 0;                // right-hand sides
-    Offset plane = 0;               // complex: from a row's real parts to its imaginary parts
-
-    Real* operator[](Index position) const noexcept {
-        return data + (row_of != nullptr ? row_of[position] : position) * row_length;
-    }
-};
 
 // The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
 // so that each of them is added and forgotten at once.
@@ -73,13 +61,12 @@ struct Multifrontal {
         Number* stack;
         Number* rows;
         Number* packing;
-        Index* target;
-        Index* run_end;
+        dense::Targets targets;
     };
     template <class Number>
     Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
         FrontalNumbers<Number> const& its = numbers<Number>();
-        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), target.data(), run_end.data()};
+        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), {target.data(), run_end.data()}};
     }
     template <class Number>
     Lane<Number> lane(Index number) const noexcept {
@@ -89,8 +76,7 @@ struct Multifrontal {
                 its.stack.data() + planes * (kept + n * subtrees.stack_entries),
                 its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
                 its.packing.data() + n * planes * dense::packing_entries,
-                target.data() + n * largest_border,
-                run_end.data() + n * largest_border};
+                {target.data() + n * largest_border, run_end.data() + n * largest_border}};
     }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
     template <class Number, class Body>
@@ -124,8 +110,8 @@ struct Multifrontal {
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Where a child's border goes in its parent's front: target, and the runs of neighbours there.
-    void find_targets(Index child, Index parent, Index* to, Index* ends) const noexcept;
+    // Where a child's border goes in its parent's front.
+    void find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept;
 
 private:
     template <class Number>

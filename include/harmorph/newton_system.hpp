@@ -29,6 +29,9 @@ struct Block {
 // Every corner counts alike. The integral over the reference mesh would weigh with areas; then viscous layers, whose
 // areas are ten orders smaller, would be as nothing beside the cells outside them, and would pay for them.
 struct NewtonSystem {
+    // Relative residual at which a direction is good enough: the softness changes in the next step anyway.
+    static constexpr Real enough = 0.2;
+
     Span<Block> hessian;     // rows as in region.neighbour: the diagonal block first
     Span<Block> inverse;     // [n] of the diagonal blocks
     Span<Vec2> gradient;     // [n]

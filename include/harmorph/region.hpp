@@ -50,35 +50,58 @@ struct RegionCounts {
 struct Region {
     static constexpr Index whole = 200;  // layers that count as all there are
 
-    Index n = 0;                  // unknown points
-    Index n_cells = 0;            // cells with an unknown point
-    Span<std::uint8_t> layer;     // [n_points] 0: outside; 1: of an inverted cell; and so on
-    Span<Index> unknown;          // [n_points] number of a point, or none
-    Span<Index> point;            // [n] increasing
-    Span<Index> cell;             // [n_cells] increasing
-    Span<Offset> cell_start;      // [n + 1]
-    Span<Index> cell_of;          // the cells of each unknown
-    Span<Offset> start;           // [n + 1]
-    Span<Index> neighbour;        // unknowns that share a cell with each, itself first
-    Span<Index> seen;             // [n] working space
+    Index n = 0;                     // points that may move: the unknowns
+    Index n_cells = 0;               // cells with an unknown point
+    Span<Index> unknown;             // [n_points] number of a point, or none
+    Span<Index> point;               // [n] of each unknown
+    Span<Index> cell;                // [n_cells]
+    Span<Offset> start;              // [n + 1]
+    Span<Index> neighbour;           // unknowns that share a cell with each, itself first
+    Span<Offset> cell_start;         // [n_points + 1]
+    Span<Index> cell_of;             // all cells of each point
+    Span<std::uint8_t> reached;      // [n_points] working space
+    Span<Index> queue;               // [n_points] working space
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    // All points within `layers` cells of a cell that is inverted at `points`; from `whole` on, all points.
-    void grow(Tangle const& tangle, Points points, Index layers) noexcept;
+    // Once for a mesh: the cells of each point.
+    void link(Tangle const& tangle) noexcept;
+    // As cells, those of the mesh for which is_one(cell) holds; leaves only those of the cells for which it does.
+    template <class IsOne>
+    void choose(IsOne is_one) noexcept;
+    template <class IsOne>
+    void keep(IsOne is_one) noexcept;
+    // From those cells to all points within `layers` cells of them; from `whole` on, to all points.
+    void grow(Tangle const& tangle, Index layers) noexcept;
 
+    Span<const Index> cells_of(Index its_point) const noexcept {
+        return cell_of.from(cell_start[its_point], cell_start[its_point + 1] - cell_start[its_point]);
+    }
+    Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
     bool can_move(const Index (&its)[3]) const noexcept {
         return unknown[its[0]] != none || unknown[its[1]] != none || unknown[its[2]] != none;
     }
-    Span<const Index> cells_of(Index u) const noexcept {
-        return cell_of.from(cell_start[u], cell_start[u + 1] - cell_start[u]);
-    }
-    Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
 
 private:
-    void mark_layers(Tangle const& tangle, Points points, Index layers) noexcept;
-    void list_unknowns(Tangle const& tangle) noexcept;
+    Index reach_points(Tangle const& tangle, Index layers) noexcept;
     void list_cells(Tangle const& tangle) noexcept;
     void list_neighbours(Tangle const& tangle) noexcept;
 };
+
+template <class IsOne>
+void Region::choose(IsOne is_one) noexcept {
+    n_cells = 0;
+    for (Index i = 0; i < cell.count(); ++i) {
+        if (is_one(i)) cell[n_cells++] = i;
+    }
+}
+
+template <class IsOne>
+void Region::keep(IsOne is_one) noexcept {
+    Index kept = 0;
+    for (Index const i : cell.first(n_cells)) {
+        if (is_one(i)) cell[kept++] = i;
+    }
+    n_cells = kept;
+}
 
 }  // namespace harmorph

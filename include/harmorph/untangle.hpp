@@ -18,8 +18,9 @@ struct UntangleOptions {
 };
 
 struct UntangleReport {
-    Index inverted_before = 0, inverted_after = 0;  // cells; after a failure: of the mesh that was not good enough
-    Index stuck_cell = none;    // inverted, with an inverted corner whose three points are held: no iteration was made
+    Index inverted_before = 0;  // cells
+    Index left = 0;             // of them and those moved with them: cells that are inverted or below the margin
+    Index stuck_cell = none;    // has an inverted corner whose three points are held: no iteration was made
     Index iterations = 0;       // in all regions
     Offset products = 0;        // with the Hessian
     Index regions = 0;          // tried
@@ -42,9 +43,9 @@ struct Untangling {
 
 private:
     Status check_reference(Fault& fault) const noexcept;
-    Index count_inverted(Points points) const noexcept;
-    Index find_stuck_cell() const noexcept;
-    bool repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept;
+    bool is_stuck(Index cell) const noexcept;
+    bool is_good(Index cell, Real margin) const noexcept;
+    void repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept;
     Real descend(Real softness, Real before) noexcept;
     Real energy(Span<const Vec2> at, Real softness) const noexcept;
     Real smallest_determinant() const noexcept;

@@ -1,0 +1,42 @@
+// What the iterative engines have in common: what they are asked for, their levels, and blocks of functions.
+#pragma once
+
+#include "harmorph/agglomeration.hpp"
+#include "harmorph/executor.hpp"
+#include "harmorph/progress.hpp"
+#include "harmorph/rows.hpp"
+
+namespace harmorph {
+
+struct Iteration {
+    MergingRules merging;
+    Index block_width = 8;       // functions that are solved at a time: 4, 8 or 16
+    Index max_iterations = 0;
+    Real tolerance = 1e-10;      // relative residual of each function, 2-norms
+    Span<Real> history;          // the caller's, or empty: largest relative residual before the first iteration and after each
+
+    static constexpr bool has_width(Index width) noexcept { return width == 4 || width == 8 || width == 16; }
+};
+
+struct IterationReport {
+    Index iterations = 0;   // largest over the functions
+    Index fine_sweeps = 0;  // of the smoother over the finest level, largest over the functions
+    Index levels = 0;
+};
+
+// Functions are solved in blocks; a lane is one thread's sequence of blocks, with vectors and a history of its own.
+struct BlockIteration {
+    Iteration iteration;
+    Executor executor;
+    Index lanes = 1;
+    Agglomeration levels;
+    Span<Real> vectors;        // [lanes x numbers of a lane]
+    Span<Real> lane_history;   // [lanes x history]
+
+    void lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration, Executor const& its_executor) noexcept;
+    // The largest residual of a lane's functions; several blocks of a lane pass the same iteration.
+    void note(Index lane, Index its_iteration, Real residual) const noexcept;
+    void tell_history() const noexcept;
+};
+
+}  // namespace harmorph

@@ -1,0 +1,21 @@
+// The advancing front: the unknowns in the order in which layers round the boundaries reach them.
+#pragma once
+
+#include "harmorph/graph.hpp"
+
+namespace harmorph {
+
+struct LayerWork {
+    Span<std::uint8_t> in_quad;  // [n] 1: a corner of a quad
+    Span<std::uint8_t> reached;  // [n]
+
+    void lay_out(Arena& arena, Index max_unknowns) noexcept;
+};
+
+// order [n]: the unknowns by breadth-first search from those that share a cell with a point of known value or are on a free
+// boundary. The front passes through regions of quads first, and only then through the triangles: boundary layers are
+// merged across their layers before anything else is near.
+void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
+                     Graph const& graph, LayerWork const& work, Span<Index> order) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,35 @@
+// A symmetric sparse matrix as one half of it, and its contraction: rows of cells that are merged are summed.
+#pragma once
+
+#include "harmorph/arena.hpp"
+
+namespace harmorph {
+
+// Row i holds its entries in later columns, as Matrix does. `faces` tells how many mesh edges run between the two cells
+// (255: that or more); 0 for the diagonals of quads, which couple cells that do not touch.
+struct SymmetricRows {
+    Index n = 0;
+    Span<Real> diagonal;       // [n]
+    Span<Offset> start;        // [n + 1]
+    Span<Index> column;
+    Span<Real> value;
+    Span<std::uint8_t> faces;
+
+    void lay_out(Arena& arena, Index rows, Offset entries) noexcept;
+    Offset entries() const noexcept { return start[n]; }
+
+    // visit(row, column, entry) for each pair once.
+    template <class Visit>
+    void for_each(Visit visit) const noexcept {
+        for (Index i = 0; i < n; ++i) {
+            for (Offset e = start[i]; e < start[i + 1]; ++e) visit(i, column[e], e);
+        }
+    }
+};
+
+// coarse = P^T fine P, P the map from cells to merged cells: conductances between two merged cells are summed, as are the
+// faces between them; what is inside one vanishes from the row sums. cell_of [fine.n] -> 0 .. n-1; last [n]: working space.
+// coarse must have room for n rows and as many entries as `fine` has.
+void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept;
+
+}  // namespace harmorph

@@ -1,0 +1,146 @@
+#include "harmorph/agglomeration.hpp"
+
+#include "harmorph/scalar.hpp"
+
+namespace harmorph {
+namespace {
+
+// Couplings weaker than this share of the strongest one do not make a pair: an aspect ratio of 2.
+constexpr Real strong = 0.25;
+
+// How much two cells want to be one; 0 for those that do not touch.
+struct Preference {
+    SymmetricRows const& rows;
+    Merging merging;
+
+    Real coupling(Offset entry) const noexcept {
+        if (rows.faces[entry] == 0) return 0;
+        return merging == Merging::isotropic ? rows.faces[entry] : -rows.value[entry];
+    }
+    bool is_strong(Real coupling, Real strongest) const noexcept {
+        return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
+    }
+    // Of a strong coupling.
+    Real weight(Offset entry, Real coupling) const noexcept {
+        return merging == Merging::automatic ? rows.faces[entry] : coupling;
+    }
+};
+
+}  // namespace
+
+void Agglomeration::lay_out(Arena& arena, Index n) noexcept {
+    Offset const cells = coarse_cells(n);
+    pool_.n = 0;
+    arena.take(pool_.diagonal, cells);
+    arena.take(pool_.start, cells + most_levels);
+    arena.take(pool_.column, most_couplings * cells);
+    arena.take(pool_.value, most_couplings * cells);
+    arena.take(pool_.faces, most_couplings * cells);
+    arena.take(cell_pool_, n + cells);
+}
+
+void Agglomeration::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
+    work_.rows.lay_out(arena, n, entries);
+    arena.take(work_.first, n);
+    arena.take(work_.second, n);
+    arena.take(work_.strongest, n);
+    arena.take(work_.strongest_before, n);
+    arena.take(work_.before, n);
+    arena.take(work_.members, n);
+    arena.take(work_.last, n);
+}
+
+void Agglomeration::build(SymmetricRows const& finest, MergingRules const& rules) noexcept {
+    count = 1;
+    level[0] = finest;
+    cells_used_ = entries_used_ = maps_used_ = 0;
+    Index const most = rules.max_levels == 0 ? most_levels : smaller(rules.max_levels, most_levels);
+    while (count < most && level[count - 1].n > coarsest && add_level(rules.merging)) {}
+}
+
+bool Agglomeration::add_level(Merging merging) noexcept {
+    SymmetricRows const& fine = level[count - 1];
+    Index const n_pairs = pair_up(fine, merging, work_.first);
+    contract(fine, work_.first, n_pairs, work_.last, work_.rows);
+    Index const n = pair_up(work_.rows, merging, work_.second);
+    if (n > fine.n / least_reduction) return false;
+    Span<Index> const map = cell_pool_.from(maps_used_, fine.n);
+    for (Index i = 0; i < fine.n; ++i) map[i] = work_.second[work_.first[i]];
+
+    SymmetricRows& merged = work_.rows;
+    contract(fine, map, n, work_.last, merged);
+    Offset const entries = merged.entries();
+    if (entries > Offset{most_couplings} * n) return false;
+    SymmetricRows& coarse = level[count];
+    coarse.n = n;
+    coarse.diagonal = pool_.diagonal.from(cells_used_, n);
+    coarse.start = pool_.start.from(cells_used_ + count - 1, n + 1);
+    coarse.column = pool_.column.from(entries_used_, entries);
+    coarse.value = pool_.value.from(entries_used_, entries);
+    coarse.faces = pool_.faces.from(entries_used_, entries);
+    copy(coarse.diagonal, Span<const Real>(merged.diagonal.first(n)));
+    copy(coarse.start, Span<const Offset>(merged.start.first(n + 1)));
+    copy(coarse.column, Span<const Index>(merged.column.first(entries)));
+    copy(coarse.value, Span<const Real>(merged.value.first(entries)));
+    copy(coarse.faces, Span<const std::uint8_t>(merged.faces.first(entries)));
+    cell_of[count - 1] = map;
+    cells_used_ += n;
+    entries_used_ += entries;
+    maps_used_ += fine.n;
+    ++count;
+    return true;
+}
+
+// One pass: to [rows.n] receives the merged cell of each; returns their number. They are numbered by their first cells, so
+// that the order stays the front's.
+Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept {
+    Preference const prefers{rows, merging};
+    Work const& w = work_;
+    fill(w.strongest.first(rows.n), 0.0);
+    fill(w.strongest_before.first(rows.n), 0.0);
+    rows.for_each([&](Index i, Index j, Offset e) {
+        Real const coupling = prefers.coupling(e);
+        w.strongest[i] = larger(w.strongest[i], coupling);
+        w.strongest[j] = larger(w.strongest[j], coupling);
+        if (!(coupling > w.strongest_before[j])) return;
+        w.strongest_before[j] = coupling;
+        w.before[j] = i;
+    });
+    fill(to.first(rows.n), none);
+    Index n = 0;
+    for (Index i = 0; i < rows.n; ++i) {
+        if (to[i] != none) continue;
+        Index partner = none, host = w.strongest_before[i] > 0 ? w.before[i] : none;
+        Real best = 0, best_coupling = 0, strongest_host = w.strongest_before[i];
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            Index const j = rows.column[e];
+            Real const coupling = prefers.coupling(e);
+            if (to[j] != none) {
+                if (coupling > strongest_host) {
+                    strongest_host = coupling;
+                    host = j;
+                }
+                continue;
+            }
+            if (!prefers.is_strong(coupling, larger(w.strongest[i], w.strongest[j]))) continue;
+            Real const weight = prefers.weight(e, coupling);
+            if (weight < best || (weight == best && !(coupling > best_coupling))) continue;
+            best = weight;
+            best_coupling = coupling;
+            partner = j;
+        }
+        if (partner != none) {
+            to[i] = to[partner] = n;
+            w.members[n++] = 2;
+        } else if (host != none && w.members[to[host]] < most_members) {
+            to[i] = to[host];
+            ++w.members[to[i]];
+        } else {
+            to[i] = n;
+            w.members[n++] = 1;
+        }
+    }
+    return n;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,167 @@
+// A symmetric matrix times a block of W functions: node-major vectors, W numbers of each cell side by side. Each of these
+// is one pass over the matrix's half; a coefficient read once serves W functions.
+#pragma once
+
+#include "harmorph/scalar.hpp"
+#include "harmorph/symmetric_rows.hpp"
+
+namespace harmorph::block {
+
+// One number for each function.
+template <Index W>
+struct Lanes {
+    Real at[W] = {};
+    Real& operator[](Index k) noexcept { return at[k]; }
+    Real operator[](Index k) const noexcept { return at[k]; }
+};
+
+template <Index W>
+Lanes<W> load(const Real* from) noexcept {
+    Lanes<W> out;
+    for (Index k = 0; k < W; ++k) out.at[k] = from[k];
+    return out;
+}
+template <Index W>
+void store(Lanes<W> const& from, Real* to) noexcept {
+    for (Index k = 0; k < W; ++k) to[k] = from.at[k];
+}
+// to += a x
+template <Index W>
+void add(Real a, const Real* x, Real* to) noexcept {
+    for (Index k = 0; k < W; ++k) to[k] += a * x[k];
+}
+
+template <Index W>
+void clear(Real* x, Index n) noexcept {
+    std::memset(x, 0, static_cast<Size>(n) * W * sizeof(Real));
+}
+template <Index W>
+void copy(const Real* from, Real* to, Index n) noexcept {
+    std::memcpy(to, from, static_cast<Size>(n) * W * sizeof(Real));
+}
+
+template <Index W>
+Lanes<W> dot(const Real* x, const Real* y, Index n) noexcept {
+    Lanes<W> sum;
+    for (Offset i = 0; i < Offset{n} * W; i += W) {
+        for (Index k = 0; k < W; ++k) sum.at[k] += x[i + k] * y[i + k];
+    }
+    return sum;
+}
+
+// y += a x, each function with its own factor; returns the squared norms of y.
+template <Index W>
+Lanes<W> add_multiple(Lanes<W> const& a, const Real* x, Real* y, Index n) noexcept {
+    Lanes<W> sum;
+    for (Offset i = 0; i < Offset{n} * W; i += W) {
+        for (Index k = 0; k < W; ++k) {
+            y[i + k] += a.at[k] * x[i + k];
+            sum.at[k] += y[i + k] * y[i + k];
+        }
+    }
+    return sum;
+}
+
+// x = a x + b y
+template <Index W>
+void combine(Lanes<W> const& a, Real* x, Lanes<W> const& b, const Real* y, Index n) noexcept {
+    for (Offset i = 0; i < Offset{n} * W; i += W) {
+        for (Index k = 0; k < W; ++k) x[i + k] = a.at[k] * x[i + k] + b.at[k] * y[i + k];
+    }
+}
+
+// y = A x; returns x.y
+template <Index W>
+Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
+    Lanes<W> product;
+    clear<W>(y, rows.n);
+    for (Index i = 0; i < rows.n; ++i) {
+        Lanes<W> const own = load<W>(x + Offset{i} * W);
+        Lanes<W> sum = load<W>(y + Offset{i} * W);
+        add<W>(rows.diagonal[i], own.at, sum.at);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            Offset const j = Offset{rows.column[e]} * W;
+            add<W>(rows.value[e], x + j, sum.at);
+            add<W>(rows.value[e], own.at, y + j);
+        }
+        store<W>(sum, y + Offset{i} * W);
+        for (Index k = 0; k < W; ++k) product.at[k] += own.at[k] * sum.at[k];
+    }
+    return product;
+}
+
+// x.A x
+template <Index W>
+Lanes<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
+    Lanes<W> product;
+    for (Index i = 0; i < rows.n; ++i) {
+        Lanes<W> sum;
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            add<W>(2 * rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
+        }
+        const Real* const own = x + Offset{i} * W;
+        add<W>(rows.diagonal[i], own, sum.at);
+        for (Index k = 0; k < W; ++k) product.at[k] += own[k] * sum.at[k];
+    }
+    return product;
+}
+
+// A = L + D + L^T. Symmetric Gauss-Seidel from a start of 0 with a coarse correction in between, in one array:
+//   x = r;  forward: x = (L + D)^-1 x;  to_defect: defect = sums of r - A x = -L^T x, and x = D x;
+//   correct: x -= L (correction);  backward: x = (D + L^T)^-1 x.
+template <Index W>
+void forward(SymmetricRows const& rows, Real* x) noexcept {
+    for (Index i = 0; i < rows.n; ++i) {
+        Real* const own = x + Offset{i} * W;
+        Real const inverse = 1 / rows.diagonal[i];
+        Lanes<W> value;
+        for (Index k = 0; k < W; ++k) own[k] = value.at[k] = own[k] * inverse;
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            add<W>(-rows.value[e], value.at, x + Offset{rows.column[e]} * W);
+        }
+    }
+}
+
+template <Index W>
+void scale_by_diagonal(SymmetricRows const& rows, Real* x) noexcept {
+    for (Index i = 0; i < rows.n; ++i) {
+        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= rows.diagonal[i];
+    }
+}
+
+template <Index W>
+void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coarse, Real* x, Real* defect) noexcept {
+    clear<W>(defect, n_coarse);
+    for (Index i = 0; i < rows.n; ++i) {
+        Lanes<W> sum;
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            add<W>(rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
+        }
+        add<W>(-1, sum.at, defect + Offset{cell_of[i]} * W);
+        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] *= rows.diagonal[i];  // later rows do not read it
+    }
+}
+
+template <Index W>
+void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* correction, Real* x) noexcept {
+    for (Index i = 0; i < rows.n; ++i) {
+        Lanes<W> const by = load<W>(correction + Offset{cell_of[i]} * W);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            add<W>(-rows.value[e], by.at, x + Offset{rows.column[e]} * W);
+        }
+    }
+}
+
+template <Index W>
+void backward(SymmetricRows const& rows, Real* x) noexcept {
+    for (Index i = rows.n - 1; i >= 0; --i) {
+        Lanes<W> sum = load<W>(x + Offset{i} * W);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            add<W>(-rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
+        }
+        Real const inverse = 1 / rows.diagonal[i];
+        for (Index k = 0; k < W; ++k) x[Offset{i} * W + k] = sum.at[k] * inverse;
+    }
+}
+
+}  // namespace harmorph::block

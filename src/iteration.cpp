@@ -1,0 +1,33 @@
+#include "harmorph/iteration.hpp"
+
+#include "harmorph/scalar.hpp"
+
+namespace harmorph {
+
+void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
+                             Executor const& its_executor) noexcept {
+    iteration = its_iteration;
+    executor = its_executor;
+    Index const blocks = (functions + iteration.block_width - 1) / iteration.block_width;
+    lanes = executor.is_serial() ? 1 : smaller(executor.n_threads, blocks);
+    levels.lay_out(arena, n);
+    arena.take(lane_history, Offset{lanes} * iteration.history.count());
+}
+
+void BlockIteration::note(Index lane, Index its_iteration, Real residual) const noexcept {
+    Index const length = iteration.history.count();
+    if (its_iteration >= length) return;
+    Real& its = lane_history[Offset{lane} * length + its_iteration];
+    its = larger(its, residual);
+}
+
+void BlockIteration::tell_history() const noexcept {
+    Size const length = iteration.history.size();
+    for (Size k = 0; k < length; ++k) {
+        Real largest = 0;
+        for (Size lane = 0; lane < static_cast<Size>(lanes); ++lane) largest = larger(largest, lane_history[lane * length + k]);
+        iteration.history[k] = largest;
+    }
+}
+
+}  // namespace harmorph

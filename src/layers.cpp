@@ -1,0 +1,45 @@
+#include "harmorph/layers.hpp"
+
+namespace harmorph {
+
+void LayerWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(in_quad, max_unknowns);
+    arena.take(reached, max_unknowns);
+}
+
+void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
+                     Graph const& graph, LayerWork const& work, Span<Index> order) noexcept {
+    fill(work.in_quad.first(graph.n), std::uint8_t{0});
+    fill(work.reached.first(graph.n), std::uint8_t{0});
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < (cell.n == 4 ? 4 : 0); ++k) {
+            Index const u = graph.unknown[representative[cell.point[k]]];
+            if (u != none) work.in_quad[u] = 1;
+        }
+    }
+    Index filled = 0;
+    for (Index pass = 0; pass < 2; ++pass) {
+        bool const quads_only = pass == 0;
+        auto const reach = [&](Index u) {
+            if (u == none || work.reached[u] != 0 || (quads_only && work.in_quad[u] == 0)) return;
+            work.reached[u] = 1;
+            order[filled++] = u;
+        };
+        for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+            if (!is_unknown(kinds[a])) reach(graph.unknown[b]);
+            if (!is_unknown(kinds[b])) reach(graph.unknown[a]);
+        });
+        for (Index u = 0; u < graph.n; ++u) {
+            if (kinds[graph.point(u)] == PointKind::free) reach(u);
+        }
+        for (Index read = 0; read < filled; ++read) {
+            for (Index const v : graph.of(order[read])) reach(v);
+        }
+    }
+    for (Index u = 0; u < graph.n; ++u) {
+        if (work.reached[u] == 0) order[filled++] = u;  // in no part that hangs on a boundary: never, after check_parts()
+    }
+}
+
+}  // namespace harmorph

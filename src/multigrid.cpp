@@ -1,0 +1,52 @@
+#include "harmorph/multigrid.hpp"
+
+#include "block_iteration.hpp"
+#include "multigrid_cycle.hpp"
+
+namespace harmorph {
+
+void Multigrid::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
+                        Executor const& its_executor) noexcept {
+    BlockIteration::lay_out(arena, n, functions, its_iteration, its_executor);
+    bottom.lay_out(arena, Agglomeration::coarsest, Agglomeration::coarsest - 1, false);
+}
+
+void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
+    arena.take(vectors, lanes * lane_rows(n) * iteration.block_width);
+}
+
+Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
+    auto const refuse = [&](Index position) {
+        return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, position);
+    };
+    for (Index i = 0; i < finest.n; ++i) {
+        if (!(finest.diagonal[i] > 0)) return refuse(i);
+    }
+    levels.build(finest, iteration.merging);
+    SymmetricRows const& last = levels.level[levels.count - 1];
+    has_bottom = last.n <= Agglomeration::coarsest;
+    if (!has_bottom) return Status::ok;
+    bottom.shape(last.n, last.n - 1, false);
+    for (Index i = 0; i < last.n; ++i) bottom.at(i, i) = last.diagonal[i];
+    last.for_each([&](Index i, Index j, Offset e) { bottom.add(i, j, last.value[e]); });
+    return bottom.factor() ? Status::ok : refuse(0);
+}
+
+Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report, Fault& fault) const noexcept {
+    Index const n = levels.level[0].n;
+    auto const run = [&](auto width) {
+        constexpr Index w = decltype(width)::value;
+        return solve_in_blocks(*this, values.width, progress, report, fault,
+                               [&](Index lane, Index first, IterationReport& its, auto const& after) {
+                                   Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
+                                   return block::ConjugateGradients<w>(*this, its_vectors, values, first).run(its, after);
+                               });
+    };
+    switch (iteration.block_width) {
+        case 4: return run(std::integral_constant<Index, 4>{});
+        case 8: return run(std::integral_constant<Index, 8>{});
+        default: return run(std::integral_constant<Index, 16>{});
+    }
+}
+
+}  // namespace harmorph

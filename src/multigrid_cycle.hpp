@@ -1,0 +1,209 @@
+// The K-cycle for a block of W functions, and the conjugate gradients round it.
+#pragma once
+
+#include "block_rows.hpp"
+#include "harmorph/multigrid.hpp"
+
+namespace harmorph::block {
+
+template <Index W>
+class Cycle {
+public:
+    Cycle(Multigrid const& engine, Real* vectors) noexcept : engine_(engine), a_(engine.levels) {
+        Index const n = a_.level[0].n;
+        for (Index k = 0; k < Multigrid::finest_vectors; ++k, vectors += Offset{n} * W) finest[k] = vectors;
+        for (Index l = 1; l < a_.count; ++l) {
+            for (Index k = 0; k < Multigrid::coarse_vectors; ++k, vectors += Offset{a_.level[l].n} * W) coarse_[l][k] = vectors;
+        }
+    }
+
+    Real* finest[Multigrid::finest_vectors];
+
+    // z = B r, B positive definite, nearly the inverse; it depends on r a little, as its inner steps do.
+    void precondition(const Real* r, Real* z) const noexcept { precondition(0, r, z); }
+
+private:
+    bool is_last(Index level) const noexcept { return level + 1 == a_.count; }
+
+    void precondition(Index level, const Real* r, Real* z) const noexcept {
+        SymmetricRows const& rows = a_.level[level];
+        copy<W>(r, z, rows.n);
+        if (is_last(level) && engine_.has_bottom) return solve_bottom(z);
+        forward<W>(rows, z);
+        if (is_last(level)) {
+            scale_by_diagonal<W>(rows, z);
+        } else {
+            Index const below = level + 1;
+            to_defect<W>(rows, a_.cell_of[level], a_.level[below].n, z, coarse_[below][0]);
+            solve(below);
+            correct<W>(rows, a_.cell_of[level], coarse_[below][1], z);
+        }
+        backward<W>(rows, z);
+    }
+
+    // At most two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
+    void solve(Index level) const noexcept {
+        constexpr Real enough = 0.25;  // reduction of the residual that makes the second step needless
+        SymmetricRows const& rows = a_.level[level];
+        Real* const r = coarse_[level][0];
+        Real* const c = coarse_[level][1];
+        Real* const v = coarse_[level][2];
+        Real* const d = coarse_[level][3];
+        precondition(level, r, c);
+        if (is_last(level) && engine_.has_bottom) return;
+        Lanes<W> const before = dot<W>(r, r, rows.n);
+        Lanes<W> const along_r = dot<W>(c, r, rows.n);
+        Lanes<W> const along = multiply<W>(rows, c, v);
+        Lanes<W> step, minus_step;
+        for (Index k = 0; k < W; ++k) {
+            step[k] = along[k] > 0 ? along_r[k] / along[k] : 0;
+            minus_step[k] = -step[k];
+        }
+        Lanes<W> const after = add_multiple<W>(minus_step, v, r, rows.n);
+        bool done = true;
+        for (Index k = 0; k < W; ++k) done = done && after[k] <= enough * enough * before[k];
+        if (done) return combine<W>(step, c, Lanes<W>{}, c, rows.n);
+
+        precondition(level, r, d);
+        Lanes<W> const across = dot<W>(d, v, rows.n);
+        Lanes<W> const second_r = dot<W>(d, r, rows.n);
+        Lanes<W> const second = energy<W>(rows, d);
+        Lanes<W> second_step;
+        for (Index k = 0; k < W; ++k) {
+            Real const share = along[k] > 0 ? across[k] / along[k] : 0;
+            Real const left = second[k] - share * across[k];
+            second_step[k] = left > 0 ? second_r[k] / left : 0;
+            step[k] -= share * second_step[k];
+        }
+        combine<W>(step, c, second_step, d, rows.n);
+    }
+
+    void solve_bottom(Real* x) const noexcept {
+        Index const n = a_.level[a_.count - 1].n;
+        Real column[Agglomeration::coarsest];
+        for (Index k = 0; k < W; ++k) {
+            for (Index i = 0; i < n; ++i) column[i] = x[Offset{i} * W + k];
+            engine_.bottom.solve({column, static_cast<Size>(n)});
+            for (Index i = 0; i < n; ++i) x[Offset{i} * W + k] = column[i];
+        }
+    }
+
+    Multigrid const& engine_;
+    Agglomeration const& a_;
+    Real* coarse_[Agglomeration::most_levels][Multigrid::coarse_vectors];
+};
+
+// Flexible conjugate gradients for functions first .. first + W - 1 of `values`, those behind the last being 0.
+template <Index W>
+class ConjugateGradients {
+public:
+    ConjugateGradients(Multigrid const& engine, Real* vectors, Rows const& values, Index first) noexcept
+        : engine_(engine), rows_(engine.levels.level[0]), cycle_(engine, vectors), values_(values), first_(first),
+          width_(smaller(W, values.width - first)) {}
+
+    // after(iteration, largest relative residual of all functions); not ok ends it.
+    template <class After>
+    Status run(IterationReport& report, After const& after) noexcept {
+        Index& iterations = report.iterations;
+        for (Index i = 0; i < rows_.n; ++i) {
+            Real* const row = r() + Offset{i} * W;
+            const Real* const given = values_[i] + first_;
+            for (Index k = 0; k < W; ++k) row[k] = k < width_ ? given[k] : 0;
+        }
+        clear<W>(x(), rows_.n);
+        squares_ = wanted_ = dot<W>(r(), r(), rows_.n);
+        for (Index k = 0; k < W; ++k) wanted_[k] *= engine_.iteration.tolerance * engine_.iteration.tolerance;
+        HARMORPH_TRY(after(0, largest_residual()));
+        // The residual that is carried along drifts from the true one: it decides only when the true one agrees.
+        for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations; ++descents) {
+            HARMORPH_TRY(descend(descents == 0, iterations, after));
+            take_true_residual();
+            if (converged()) break;
+        }
+        report.fine_sweeps = iterations;  // each is a Gauss-Seidel sweep there and one back
+        for (Index i = 0; i < rows_.n; ++i) {
+            Real* const to = values_[i] + first_;
+            for (Index k = 0; k < width_; ++k) to[k] = x()[Offset{i} * W + k];
+        }
+        return Status::ok;
+    }
+
+private:
+    Real* x() const noexcept { return cycle_.finest[0]; }
+    Real* r() const noexcept { return cycle_.finest[1]; }
+    Real* z() const noexcept { return cycle_.finest[2]; }
+    Real* p() const noexcept { return cycle_.finest[3]; }
+    Real* q() const noexcept { return cycle_.finest[4]; }
+
+    // Far from thin cells a small residual may hide a larger error, as their entries dwarf all others: r.B r, which
+    // estimates the error's energy, must have come down as far.
+    bool is_done(Index k) const noexcept { return squares_[k] <= wanted_[k] && energies_[k] <= wanted_energies_[k]; }
+    bool converged() const noexcept {
+        for (Index k = 0; k < W; ++k) {
+            if (!is_done(k)) return false;
+        }
+        return true;
+    }
+    Real largest_residual() const noexcept {
+        Real largest = 0;
+        for (Index k = 0; k < width_; ++k) {
+            Real const share = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
+            largest = larger(largest, square_root(share) * engine_.iteration.tolerance);
+        }
+        return largest;
+    }
+
+    template <class After>
+    Status descend(bool is_first, Index& iterations, After const& after) noexcept {
+        Index const n = rows_.n;
+        Lanes<W> one;
+        for (Index k = 0; k < W; ++k) one[k] = 1;
+        cycle_.precondition(r(), z());
+        energies_ = dot<W>(z(), r(), n);
+        for (Index k = 0; is_first && k < W; ++k) {
+            wanted_energies_[k] = energies_[k] * engine_.iteration.tolerance * engine_.iteration.tolerance;
+        }
+        copy<W>(z(), p(), n);
+        while (iterations < engine_.iteration.max_iterations && !converged()) {
+            Lanes<W> const along = multiply<W>(rows_, p(), q());
+            Lanes<W> step, minus_step;
+            for (Index k = 0; k < W; ++k) {
+                step[k] = !is_done(k) && along[k] > 0 ? energies_[k] / along[k] : 0;  // p.r = z.r; what is done stays
+                minus_step[k] = -step[k];
+            }
+            add_multiple<W>(step, p(), x(), n);
+            squares_ = add_multiple<W>(minus_step, q(), r(), n);
+            ++iterations;
+            HARMORPH_TRY(after(iterations, largest_residual()));
+            cycle_.precondition(r(), z());
+            energies_ = dot<W>(z(), r(), n);
+            Lanes<W> turn = dot<W>(z(), q(), n);
+            for (Index k = 0; k < W; ++k) turn[k] = along[k] > 0 ? -turn[k] / along[k] : 0;
+            combine<W>(turn, p(), one, z(), n);
+        }
+        return Status::ok;
+    }
+
+    void take_true_residual() noexcept {
+        multiply<W>(rows_, x(), q());
+        squares_ = {};
+        for (Index i = 0; i < rows_.n; ++i) {
+            const Real* const given = values_[i] + first_;
+            for (Index k = 0; k < W; ++k) {
+                Offset const at = Offset{i} * W + k;
+                r()[at] = (k < width_ ? given[k] : 0) - q()[at];
+                squares_[k] += r()[at] * r()[at];
+            }
+        }
+    }
+
+    Multigrid const& engine_;
+    SymmetricRows const& rows_;
+    Cycle<W> cycle_;
+    Rows const& values_;
+    Index first_, width_;
+    Lanes<W> squares_, wanted_;            // squared norms of the residuals, and where they are to be
+    Lanes<W> energies_, wanted_energies_;  // r.B r
+};
+
+}  // namespace harmorph::block

@@ -1,0 +1,74 @@
+#include "harmorph/symmetric_rows.hpp"
+
+#include "harmorph/scalar.hpp"
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+// Entries of one row that are in the same column become one, in the order of first appearance.
+void merge_columns(SymmetricRows& rows, Span<Offset> last) noexcept {
+    fill(last.first(rows.n), Offset{-1});
+    Offset kept = 0;
+    for (Index i = 0; i < rows.n; ++i) {
+        Offset const begin = rows.start[i], end = rows.start[i + 1];
+        Offset const first = kept;
+        for (Offset e = begin; e < end; ++e) {
+            Index const j = rows.column[e];
+            Offset const to = last[j];
+            if (to >= first) {
+                rows.value[to] += rows.value[e];
+                Index const faces = Index{rows.faces[to]} + rows.faces[e];
+                rows.faces[to] = static_cast<std::uint8_t>(smaller(faces, Index{255}));
+            } else {
+                last[j] = kept;
+                rows.column[kept] = j;
+                rows.value[kept] = rows.value[e];
+                rows.faces[kept] = rows.faces[e];
+                ++kept;
+            }
+        }
+        rows.start[i] = first;
+    }
+    rows.start[rows.n] = kept;
+}
+
+}  // namespace
+
+void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
+    n = rows;
+    arena.take(diagonal, rows);
+    arena.take(start, Offset{rows} + 1);
+    arena.take(column, entries);
+    arena.take(value, entries);
+    arena.take(faces, entries);
+}
+
+void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept {
+    coarse.n = n;
+    fill(coarse.diagonal.first(n), 0.0);
+    Span<Offset> const starts = coarse.start.first(n + 1);
+    fill(starts, Offset{0});
+    for (Index i = 0; i < fine.n; ++i) coarse.diagonal[cell_of[i]] += fine.diagonal[i];
+    fine.for_each([&](Index i, Index j, Offset e) {
+        Index const a = cell_of[i], b = cell_of[j];
+        if (a == b) {
+            coarse.diagonal[a] += 2 * fine.value[e];
+        } else {
+            ++starts[smaller(a, b)];
+        }
+    });
+    counts_to_starts(starts);
+    fine.for_each([&](Index i, Index j, Offset e) {
+        Index const a = cell_of[i], b = cell_of[j];
+        if (a == b) return;
+        Offset const to = starts[smaller(a, b)]++;
+        coarse.column[to] = larger(a, b);
+        coarse.value[to] = fine.value[e];
+        coarse.faces[to] = fine.faces[e];
+    });
+    rewind_starts(starts);
+    merge_columns(coarse, last);
+}
+
+}  // namespace harmorph

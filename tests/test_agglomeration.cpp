@@ -1,0 +1,233 @@
+// Merged cells: a partition into connected cells of bounded size, sums that stay symmetric and conservative, shapes that
+// follow the strong couplings; and an end where a graph cannot be merged.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+#include <fixtures/graphs.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::Merging;
+using harmorph::Offset;
+
+namespace {
+
+constexpr Merging all_rules[] = {Merging::automatic, Merging::isotropic, Merging::directional};
+
+void check_partition(Agglomerated const& its) {
+    harmorph::Agglomeration const& a = its.levels;
+    for (Index l = 0; l + 1 < a.count; ++l) {
+        Index seen = 0;
+        std::vector<int> members(static_cast<std::size_t>(a.level[l + 1].n), 0);
+        for (Index i = 0; i < a.level[l].n; ++i) {
+            Index const cell = a.cell_of[l][i];
+            REQUIRE((cell >= 0 && cell <= seen));   // numbered by the first member: the order stays the front's
+            seen = std::max(seen, cell + 1);
+            ++members[static_cast<std::size_t>(cell)];
+        }
+        CHECK(seen == a.level[l + 1].n);
+        CHECK(*std::max_element(members.begin(), members.end()) <= 16);
+        CHECK(3 * a.level[l + 1].n <= a.level[l].n);
+        CHECK(a.level[l + 1].entries() <= Offset{4} * a.level[l + 1].n);
+    }
+}
+
+// Cells of a level that fall apart when only mesh edges inside them hold them together.
+int disconnected(harmorph::SymmetricRows const& rows, std::vector<Index> const& cell) {
+    std::vector<Index> head(cell.size());
+    std::iota(head.begin(), head.end(), 0);
+    auto const find = [&](Index i) {
+        while (head[static_cast<std::size_t>(i)] != i) i = head[static_cast<std::size_t>(i)];
+        return i;
+    };
+    rows.for_each([&](Index i, Index j, Offset e) {
+        if (rows.faces[e] == 0 || cell[static_cast<std::size_t>(i)] != cell[static_cast<std::size_t>(j)]) return;
+        head[static_cast<std::size_t>(find(i))] = find(j);
+    });
+    Index parts = 0;
+    for (std::size_t i = 0; i < head.size(); ++i) parts += head[i] == static_cast<Index>(i);
+    return parts - (1 + *std::max_element(cell.begin(), cell.end()));
+}
+
+// Mean over the cells of a level of the extents along x and y, in fine cells.
+Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index> const& cell, double dx, double dy) {
+    std::size_t const n = static_cast<std::size_t>(1 + *std::max_element(cell.begin(), cell.end()));
+    std::vector<Point> low(n, {1e9, 1e9}), high(n, {-1e9, -1e9});
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+        Point const p = front.point(mesh, static_cast<Index>(i));
+        Point& l = low[static_cast<std::size_t>(cell[i])];
+        Point& h = high[static_cast<std::size_t>(cell[i])];
+        l = {std::min(l.x, p.x), std::min(l.y, p.y)};
+        h = {std::max(h.x, p.x), std::max(h.y, p.y)};
+    }
+    Point mean{0, 0};
+    for (std::size_t c = 0; c < n; ++c) {
+        mean.x += (1 + (high[c].x - low[c].x) / dx) / static_cast<double>(n);
+        mean.y += (1 + (high[c].y - low[c].y) / dy) / static_cast<double>(n);
+    }
+    return mean;
+}
+
+Case viscous_case(Cells kind) {
+    Case its = airfoil_case(40, 12, Cells::quads);
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-5, 8, 50), kind);
+    return its;
+}
+
+}  // namespace
+
+TEST_CASE("a partition into connected cells of bounded size, down to a few, on every kind of mesh") {
+    for (Merging const merging : all_rules)
+        for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+            for (int mesh = 0; mesh < 3; ++mesh) {
+                Case its = mesh == 0 ? two_body_case(kind, 24, 16) : mesh == 1 ? airfoil_case(40, 12, kind) : viscous_case(kind);
+                if (mesh == 0) its.set_free(far_field);
+                Analysed const seen(its);
+                FrontMatrix const front(*seen.operator->());
+                Agglomerated const merged(front.rows, {merging, 0});
+                INFO("rule " << static_cast<int>(merging) << ", cells " << static_cast<int>(kind) << ", mesh " << mesh);
+                check_partition(merged);
+                REQUIRE(merged.levels.count >= 3);
+                for (Index level = 1; level < merged.levels.count; ++level)
+                    CHECK(disconnected(front.rows, merged.cells_at(level)) == 0);
+                CHECK(merged.levels.level[merged.levels.count - 1].n <= 150);
+            }
+}
+
+TEST_CASE("coarse rows are the sums of the fine ones: symmetric, positive definite, and 0 where the fine sums are 0") {
+    Case its = two_body_case(Cells::hybrid, 14, 9);
+    Analysed const seen(its);
+    FrontMatrix const front(*seen.operator->());
+    Agglomerated const merged(front.rows);
+    REQUIRE(merged.levels.count >= 2);
+    DenseMatrix const fine = dense_of(front.rows);
+    for (Index level = 1; level < merged.levels.count; ++level) {
+        std::vector<Index> const cell = merged.cells_at(level);
+        harmorph::SymmetricRows const& rows = merged.levels.level[level];
+        DenseMatrix expected(static_cast<std::size_t>(rows.n));
+        for (std::size_t i = 0; i < fine.n; ++i)
+            for (std::size_t j = 0; j < fine.n; ++j)
+                expected.at(static_cast<std::size_t>(cell[i]), static_cast<std::size_t>(cell[j])) += fine.at(i, j);
+        DenseMatrix found = dense_of(rows);
+        double worst = 0;
+        for (std::size_t k = 0; k < found.entries.size(); ++k)
+            worst = std::max(worst, std::fabs(found.entries[k] - expected.entries[k]));
+        CHECK(worst < 1e-12);
+        CHECK(found.factor());
+    }
+    // Inside, where every neighbour is unknown, conductances cancel.
+    std::vector<Index> const cell = merged.cells_at(1);
+    std::vector<double> sum(static_cast<std::size_t>(merged.levels.level[1].n), 0.0);
+    std::vector<char> inside(sum.size(), 1);
+    DenseMatrix const found = dense_of(merged.levels.level[1]);
+    for (std::size_t i = 0; i < found.n; ++i)
+        for (std::size_t j = 0; j < found.n; ++j) sum[i] += found.at(i, j);
+    for (std::size_t i = 0; i < fine.n; ++i) {
+        double row = 0;
+        for (std::size_t j = 0; j < fine.n; ++j) row += fine.at(i, j);
+        if (std::fabs(row) > 1e-10) inside[static_cast<std::size_t>(cell[i])] = 0;
+    }
+    int n_inside = 0;
+    for (std::size_t c = 0; c < sum.size(); ++c) {
+        n_inside += inside[c];
+        if (inside[c] != 0) CHECK(std::fabs(sum[c]) < 1e-12);
+        else CHECK(sum[c] > 1e-3);
+    }
+    CHECK(n_inside > 10);
+}
+
+TEST_CASE("on stretched cells the directional and the automatic rule merge along the strong coupling alone") {
+    for (Cells const kind : {Cells::quads, Cells::triangles})
+        for (Merging const merging : all_rules) {
+            Case its = square_on_curve(36, kind, 0, 1);
+            for (double& y : its.mesh.y) y *= 1e-2;
+            for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 1e-2;
+            Analysed const seen(its);
+            FrontMatrix const front(*seen.operator->());
+            Agglomerated const merged(front.rows, {merging, 0});
+            REQUIRE(merged.levels.count >= 2);
+            Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
+            INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ": " << extent.x << " x " << extent.y);
+            if (merging == Merging::isotropic) {
+                CHECK(extent.x > 1.5);
+            } else {
+                CHECK(extent.x == doctest::Approx(1));
+                CHECK(extent.y > 3.5);
+            }
+        }
+}
+
+TEST_CASE("on cells as long as high merged cells are about as long as high, and four to one") {
+    for (Cells const kind : {Cells::quads, Cells::triangles})
+        for (Merging const merging : all_rules) {
+            Case its = square_on_curve(48, kind, 0.2, 3);
+            Analysed const seen(its);
+            FrontMatrix const front(*seen.operator->());
+            Agglomerated const merged(front.rows, {merging, 0});
+            harmorph::Agglomeration const& a = merged.levels;
+            for (Index l = 0; l + 1 < a.count; ++l) {
+                double const ratio = 1.0 * a.level[l].n / a.level[l + 1].n;
+                INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ", level " << l);
+                CHECK((ratio > 3.5 && ratio < 6));
+            }
+            Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
+            CHECK((extent.x < 4 && extent.y < 4 && extent.x > 1.4 && extent.y > 1.4));
+        }
+}
+
+TEST_CASE("the unit of length, the sense of cells and where they begin make no difference") {
+    auto const merge = [](Case& its) {
+        Analysed const seen(its);
+        FrontMatrix const front(*seen.operator->());
+        return Agglomerated(front.rows).cells_at(2);
+    };
+    for (Cells const kind : {Cells::quads, Cells::hybrid}) {
+        Case its = two_body_case(kind, 20, 14);
+        std::vector<Index> const cells = merge(its);
+        Case changed = two_body_case(kind, 20, 14);
+        for (std::vector<double>* numbers : {&changed.mesh.x, &changed.mesh.y, &changed.curves.control})
+            for (double& number : *numbers) number *= 1024;
+        CHECK(merge(changed) == cells);
+        changed = two_body_case(kind, 20, 14);
+        reverse_some(changed.mesh, 4);
+        CHECK(merge(changed) == cells);
+        changed = two_body_case(kind, 20, 14);
+        reverse_all(changed.mesh);
+        CHECK(merge(changed) == cells);
+    }
+}
+
+TEST_CASE("the number of levels is a choice") {
+    Case its = two_body_case(Cells::hybrid, 24, 16);
+    Analysed const seen(its);
+    FrontMatrix const front(*seen.operator->());
+    Index const all = Agglomerated(front.rows).levels.count;
+    REQUIRE(all >= 3);
+    for (Index levels = 1; levels <= all + 2; ++levels)
+        CHECK(Agglomerated(front.rows, {Merging::automatic, levels}).levels.count == std::min(levels, all));
+}
+
+TEST_CASE("graphs that cannot be merged end the levels, and nothing is written beside them") {
+    for (HandMadeGraph& graph : nasty_graphs()) {
+        harmorph::Graph const& view = graph.view();
+        std::vector<double> diagonal, value;
+        std::vector<Offset> start;
+        std::vector<Index> column;
+        for (Index u = 0; u < view.n; ++u) {
+            start.push_back(static_cast<Offset>(column.size()));
+            diagonal.push_back(static_cast<double>(view.of(u).size()) + 1);
+            for (Index const v : view.of(u))
+                if (v > u) column.push_back(v);
+        }
+        start.push_back(static_cast<Offset>(column.size()));
+        value.assign(column.size(), -1.0);
+        std::vector<std::uint8_t> faces(column.size(), 1);
+        harmorph::SymmetricRows const rows{view.n, span(diagonal), span(start), span(column), span(value), span(faces)};
+        for (Merging const merging : all_rules) {
+            Agglomerated const merged(rows, {merging, 0});
+            check_partition(merged);
+            for (Index level = 1; level < merged.levels.count; ++level)
+                CHECK(disconnected(rows, merged.cells_at(level)) == 0);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+// Passes over half a matrix against dense ones: products, and the parts of a symmetric Gauss-Seidel sweep.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+
+#include "../src/block_rows.hpp"
+
+using namespace fixtures;
+using harmorph::Index;
+namespace block = harmorph::block;
+
+namespace {
+
+constexpr Index w = 4;
+
+struct Setting {
+    Case its = two_body_case(Cells::hybrid, 10, 6);
+    Analysed seen{its};
+    FrontMatrix front{*seen.operator->()};
+    DenseMatrix dense = dense_of(front.rows);
+    std::vector<double> x;
+
+    Setting() {
+        std::mt19937 random(8);
+        for (std::size_t k = 0; k < w * dense.n; ++k) x.push_back(2 * uniform(random) - 1);
+    }
+};
+
+// y_i = sum over the columns j that `takes` accepts of A_ij x_j.
+template <class Takes>
+std::vector<double> product(DenseMatrix const& a, std::vector<double> const& x, Takes takes) {
+    std::vector<double> y(x.size(), 0.0);
+    for (std::size_t i = 0; i < a.n; ++i)
+        for (std::size_t j = 0; j < a.n; ++j)
+            for (std::size_t k = 0; takes(i, j) && k < w; ++k) y[w * i + k] += a.at(i, j) * x[w * j + k];
+    return y;
+}
+bool any(std::size_t, std::size_t) { return true; }
+bool below(std::size_t i, std::size_t j) { return j < i; }
+bool above(std::size_t i, std::size_t j) { return j > i; }
+bool lower(std::size_t i, std::size_t j) { return j <= i; }
+bool upper(std::size_t i, std::size_t j) { return j >= i; }
+
+}  // namespace
+
+TEST_CASE("products and energies are those of the whole matrix") {
+    Setting const s;
+    std::vector<double> y(s.x.size());
+    block::Lanes<w> const dots = block::multiply<w>(s.front.rows, s.x.data(), y.data());
+    std::vector<double> const expected = product(s.dense, s.x, any);
+    CHECK(largest_difference(y, expected) < 1e-13);
+    block::Lanes<w> const energies = block::energy<w>(s.front.rows, s.x.data());
+    for (Index k = 0; k < w; ++k) {
+        double sum = 0;
+        for (std::size_t i = 0; i < s.dense.n; ++i)
+            sum += s.x[w * i + static_cast<std::size_t>(k)] * expected[w * i + static_cast<std::size_t>(k)];
+        CHECK(dots[k] == doctest::Approx(sum).epsilon(1e-12));
+        CHECK(energies[k] == doctest::Approx(sum).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("the triangular solves are inverses of the triangular products") {
+    Setting const s;
+    std::vector<double> x = product(s.dense, s.x, lower);
+    block::forward<w>(s.front.rows, x.data());
+    CHECK(largest_difference(x, s.x) < 1e-12);
+    x = product(s.dense, s.x, upper);
+    block::backward<w>(s.front.rows, x.data());
+    CHECK(largest_difference(x, s.x) < 1e-12);
+}
+
+TEST_CASE("after the forward sweep the defect is what the start of 0 left, and a correction takes A times itself off it") {
+    Setting const s;
+    std::size_t const n = s.dense.n;
+    Agglomerated const merged(s.front.rows);
+    REQUIRE(merged.levels.count >= 2);
+    harmorph::Span<const Index> const cell = merged.levels.cell_of[0];
+    std::size_t const n_coarse = static_cast<std::size_t>(merged.levels.level[1].n);
+    std::vector<double> z = s.x, defect(w * n_coarse);
+    block::forward<w>(s.front.rows, z.data());
+    std::vector<double> const swept = z, a_swept = product(s.dense, swept, any);
+    block::to_defect<w>(s.front.rows, cell, static_cast<Index>(n_coarse), z.data(), defect.data());
+    std::vector<double> expected(w * n_coarse, 0.0);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < w; ++k)
+            expected[w * static_cast<std::size_t>(cell[i]) + k] += s.x[w * i + k] - a_swept[w * i + k];
+    CHECK(largest_difference(defect, expected) < 1e-12);
+
+    // A whole symmetric sweep with a correction c: (D + L^T) z = r - L (swept + P c).
+    std::vector<double> corrected = swept;
+    std::vector<double> const c(expected.rbegin(), expected.rend());
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < w; ++k) corrected[w * i + k] += c[w * static_cast<std::size_t>(cell[i]) + k];
+    std::vector<double> const lower_part = product(s.dense, corrected, below);
+    block::correct<w>(s.front.rows, cell, c.data(), z.data());
+    block::backward<w>(s.front.rows, z.data());
+    std::vector<double> left = product(s.dense, z, upper);
+    for (std::size_t k = 0; k < left.size(); ++k) left[k] += lower_part[k];
+    CHECK(largest_difference(left, s.x) < 1e-11);
+    CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) > 1e-3);   // not trivially
+}

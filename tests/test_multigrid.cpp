@@ -1,0 +1,251 @@
+// The iterative engine: the direct engine's solutions, in a number of iterations that does not grow with the mesh.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+#include <fixtures/c_mesh.hpp>
+#include <fixtures/executors.hpp>
+
+#include <harmorph/multigrid.hpp>
+
+#include "../src/multigrid_cycle.hpp"
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+hm_options options_for(std::int32_t engine) {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = HM_LAPLACE;
+    out.engine = engine;
+    return out;
+}
+hm_options multigrid() { return options_for(HM_MULTIGRID); }
+hm_options direct() { return options_for(HM_DIRECT); }
+
+Case o_mesh_case(int n_side, double first, int rings, Cells kind = Cells::quads) {
+    Case out = airfoil_case(40, 12, Cells::quads);
+    out.mesh = o_mesh(naca4({}, n_side), stretched(first, 8, rings), kind);
+    return out;
+}
+// Cells as long as high.
+Case even_case(int n_side) {
+    double const step = 2.04 / (2 * n_side);
+    return o_mesh_case(n_side, step, static_cast<int>(std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side));
+}
+
+double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+
+}  // namespace
+
+TEST_CASE("the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
+    for (int which = 0; which < 8; ++which) {
+        Case its = which < 3    ? two_body_case(static_cast<Cells>(which), 16, 10)
+                   : which == 3 ? airfoil_case()
+                   : which == 4 ? o_mesh_case(60, 1e-5, 40)
+                   : which == 5 ? o_mesh_case(60, 1e-6, 40, Cells::triangles)
+                   : which == 6 ? ring_case(16, 64, 0.5, 2)
+                                : airfoil_case();
+        if (which == 1) its.set_free(far_field);
+        if (which == 7) its.mesh = c_mesh(naca4({}, 30), 12, 4, stretched(1e-3, 4, 24)).mesh;
+        hm_options iterative = multigrid(), exact = direct();
+        if (which == 2) iterative.operator_kind = exact.operator_kind = HM_WEIGHTED;
+        Solved const found(its, &iterative), expected(its, &exact);
+        INFO("case " << which << ": " << found.report.iterations << " iterations to " << found.report.residual);
+        CHECK(difference(found, expected) < 1e-8);
+        CHECK(found.report.residual <= 1e-10);
+        CHECK((found.report.iterations > 1 && found.report.levels >= 2 && found.report.factor_entries == 0));
+        CHECK(found.report.refinements == 0);
+        CHECK(found.report.boundary_error == 0);
+    }
+}
+
+TEST_CASE("the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on stretched ones") {
+    hm_options options = multigrid();
+    std::int32_t smallest = 1000;
+    for (int const n_side : {20, 40, 80, 120}) {
+        Case its = even_case(n_side);
+        Solved const solved(its, &options);
+        INFO(its.mesh.n_points() << " points: " << solved.report.iterations);
+        CHECK(solved.report.iterations <= 30);
+        smallest = std::min(smallest, solved.report.iterations);
+        CHECK(solved.report.iterations <= smallest + 10);
+    }
+    for (double const first : {1e-5, 1e-6})
+        for (int const n_side : {40, 100}) {
+            Case its = o_mesh_case(n_side, first, 2 * n_side / 3, n_side == 40 ? Cells::hybrid : Cells::quads);
+            Solved const solved(its, &options);
+            INFO(its.mesh.n_points() << " points: " << solved.report.iterations);
+            CHECK(solved.report.iterations <= 45);
+        }
+}
+
+TEST_CASE("without coarser levels it takes many times as many iterations") {
+    hm_options options = multigrid();
+    options.max_iterations = 2000;
+    Case its = even_case(80);
+    Solved const all(its, &options);
+    options.levels = 1;
+    Solved const one(its, &options);
+    CHECK((one.report.levels == 1 && all.report.levels >= 4));
+    CHECK(one.report.iterations > 4 * all.report.iterations);
+    CHECK(difference(one, all) < 1e-7);
+}
+
+TEST_CASE("a limit of iterations ends with a status that says so, and with what there is") {
+    Case its = airfoil_case();
+    hm_options options = multigrid();
+    double last = 1;
+    for (std::int32_t const limit : {1, 3, 6, 10}) {
+        options.max_iterations = limit;
+        Attempt const attempt(its.problem(), &options);
+        CHECK(attempt.status == HM_NOT_CONVERGED);
+        CHECK(attempt.report.iterations == limit);
+        CHECK((attempt.report.residual > 1e-10 && attempt.report.residual < last));
+        last = attempt.report.residual;
+    }
+}
+
+TEST_CASE("the history begins at 1 and ends with the report's residual, at the tolerance") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    for (double const tolerance : {1e-4, 1e-10}) {
+        std::vector<double> history(60, -1.0);
+        hm_options options = multigrid();
+        options.tolerance = tolerance;
+        options.history = history.data();
+        options.history_length = static_cast<std::int32_t>(history.size());
+        Solved const solved(its, &options);
+        std::size_t const n = static_cast<std::size_t>(solved.report.iterations);
+        REQUIRE(n + 1 < history.size());
+        CHECK(history[0] == doctest::Approx(1).epsilon(1e-12));
+        CHECK(history[n] <= tolerance);
+        CHECK(history[n] == doctest::Approx(solved.report.residual).epsilon(1e-3));
+        for (std::size_t k = n + 1; k < history.size(); ++k) CHECK(history[k] == 0);
+        options.history_length = 3;   // what does not fit is left out
+        history.assign(60, -1.0);
+        Solved const again(its, &options);
+        CHECK((history[2] > 0 && history[3] == -1));
+    }
+}
+
+TEST_CASE("blocks of any width give the same functions, and threads the same bits") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);   // 20 functions
+    hm_options options = multigrid();
+    options.block_width = 4;
+    Solved const four(its, &options);
+    for (std::int32_t const width : {8, 16}) {
+        options.block_width = width;
+        Solved const wide(its, &options);
+        CHECK(difference(four, wide) < 1e-9);
+    }
+    options.block_width = 4;
+    for (std::int32_t const threads : {2, 3, 16}) {
+        Backwards backwards;
+        hm_executor const executor = backwards.executor(threads);
+        options.executor = &executor;
+        std::vector<double> history(40);
+        options.history = history.data();
+        options.history_length = 40;
+        Solved const threaded(its, &options);
+        CHECK(backwards.tasks > 0);
+        CHECK(same_bits(threaded.all_values(), four.all_values()));
+        CHECK(threaded.report.iterations == four.report.iterations);
+        CHECK(history[static_cast<std::size_t>(threaded.report.iterations)] > 0);
+    }
+}
+
+TEST_CASE("the preconditioner of two levels is symmetric and positive definite") {
+    Case its = two_body_case(Cells::hybrid, 7, 4);
+    Analysed const seen(its);
+    FrontMatrix const front(*seen.operator->());
+    harmorph::Multigrid engine;
+    harmorph::Iteration iteration;
+    iteration.merging.max_levels = 2;
+    iteration.block_width = 4;
+    auto const lay_out = [&](harmorph::Arena& arena) {
+        engine.lay_out(arena, front.rows.n, 4, iteration, {});
+        engine.lay_out_work(arena, front.rows.n, front.rows.entries());
+        engine.lay_out_vectors(arena, front.rows.n);
+    };
+    harmorph::Arena counting;
+    lay_out(counting);
+    Guarded block(counting.bytes());
+    harmorph::Arena placing(block.data(), block.size());
+    lay_out(placing);
+    harmorph::Fault fault;
+    REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
+    REQUIRE((engine.levels.count == 2 && engine.has_bottom));
+    harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
+    std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
+    std::vector<double> x, bx(n);
+    std::mt19937 random(2);
+    for (std::size_t k = 0; k < n; ++k) x.push_back(2 * uniform(random) - 1);
+    cycle.precondition(x.data(), bx.data());
+    auto const dot = [&](std::size_t i, std::size_t j) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n; k += 4) sum += x[k + i] * bx[k + j];
+        return sum;
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(dot(i, i) > 0);
+        for (std::size_t j = 0; j < i; ++j) CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
+    }
+    CHECK(block.guards_intact());
+}
+
+TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Case its = o_mesh_case(100, 1e-5, 60, kind);
+        hm_options options = multigrid();
+        options.block_width = 4;
+        Attempt attempt;
+        std::size_t bytes = 0;
+        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(hm_plan_size(attempt.analysis, &bytes, nullptr) == HM_OK);
+        INFO(bytes << " bytes for " << its.mesh.n_points() << " points");
+        CHECK(bytes <= 400 * static_cast<std::size_t>(its.mesh.n_points()));
+    }
+}
+
+TEST_CASE("what does not go together, and numbers out of range, are refused") {
+    Case its = tiny_case();
+    auto const status = [&](auto change) {
+        hm_options options = multigrid();
+        change(options);
+        return Attempt(its.problem(), &options).status;
+    };
+    CHECK(status([](hm_options&) {}) == HM_OK);
+    CHECK(status([](hm_options& o) { o.operator_kind = HM_CONFORMAL; }) == HM_UNSUPPORTED);
+    CHECK(status([](hm_options& o) { o.engine = 3; }) == HM_UNSUPPORTED);
+    CHECK(status([](hm_options& o) { o.levels = 21; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](hm_options& o) { o.levels = -1; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](hm_options& o) { o.agglomeration = 3; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](hm_options& o) { o.block_width = 5; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](hm_options& o) { o.max_iterations = -1; }) == HM_BAD_ARGUMENT);
+    CHECK(status([](hm_options& o) { o.history_length = 1; }) == HM_BAD_ARGUMENT);
+    its.conditions.push_back({sizeof(hm_condition), top, HM_SLIP, 0, 0, 0, 0, 0, 0});
+    CHECK(status([](hm_options&) {}) == HM_UNSUPPORTED);
+}
+
+TEST_CASE("the callback can stop it; the plan then still solves") {
+    struct Stopper {
+        int calls = 0, stop_at = 0;
+        static std::int32_t call(void* user, std::int32_t phase, double) {
+            Stopper& self = *static_cast<Stopper*>(user);
+            return phase == HM_PHASE_SOLVE && ++self.calls == self.stop_at;
+        }
+    } stopper;
+    stopper.stop_at = 7;
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    hm_options options = multigrid();
+    Solved const expected(its, &options);
+    options.progress = Stopper::call;
+    options.progress_user = &stopper;
+    Attempt attempt(its.problem(), &options);
+    CHECK(attempt.status == HM_CANCELLED);
+    CHECK(stopper.calls == 7);
+    stopper.stop_at = 0;
+    REQUIRE(hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr) == HM_OK);
+    CHECK(attempt.report.iterations == expected.report.iterations);
+}
