@@ -216,6 +216,16 @@ refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
 head -c 3000 "$harmorph" >"$tmp/bad.su2"
 refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
 
+# ---- Pictures ----------------------------------------------------------------------------------------------------
+
+runs "morph: pictures" 0 morph "$ring" "$basis" --move "$tmp/small.txt" --svg "$tmp/whole.svg" --window -4,-4,4,4 \
+    --boundary-svg "$tmp/boundary.svg"
+check "morph: the window shows the far field" test "$(wc -c <"$tmp/whole.svg")" -gt "$(wc -c <"$tmp/small.svg")"
+check "morph: the boundary picture has a circle for each point" test "$(grep -c '<circle.*r="3.2"' "$tmp/boundary.svg")" -gt 47
+for window in 1,2,3 1,2,3,4,5 1,1,1,2 2,0,1,1 a,b,c,d ,,,; do
+    refuses "a window $window" 2 '--window expects' export "$ring" "$basis" --function 1 --svg "$tmp/x" --window $window
+done
+
 # ---- Coarse to fine ----------------------------------------------------------------------------------------------
 
 make_ring 110 31 >"$tmp/fine.su2"
@@ -233,6 +243,18 @@ refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring"
 sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
 refuses "transfer: a marker that is missing" 2 "'body'" transfer "$ring" "$basis" "$tmp/renamed.su2" -o "$tmp/x"
 refuses "transfer: a basis of another mesh" 3 'another mesh' transfer "$tmp/fine.su2" "$basis" "$ring" -o "$tmp/x"
+
+# ---- The shipped meshes of the paper's cases lie on their curves, to the digits of the files ---------------------
+
+on_curve() { # on_curve MESH SOLVE-OPTIONS...
+    mesh=$1; shift
+    runs "$mesh: solve" 0 solve "$meshes/$mesh.su2" "$@" --operator laplace -o "$tmp/paper.basis"
+    check "$mesh: on its curve" grep -E 'mesh from curve +[0-9.]+e-(09|1[0-9]) at most' "$tmp/out"
+}
+on_curve two_bodies --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve"
+on_curve diffuser_airfoil --curve airfoil="$meshes/diffuser_airfoil.curve"
+on_curve axisymmetric_diffuser --curve diffuser="$meshes/axisymmetric_diffuser.curve" --slip axis
+on_curve cage --curve cage="$meshes/cage.curve"
 
 # ---- Bad curve, moves and basis files ----------------------------------------------------------------------------
 

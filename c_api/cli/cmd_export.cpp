@@ -5,6 +5,7 @@
 #include "output_file.hpp"
 #include "pictures.hpp"
 #include "vtu.hpp"
+#include "window_option.hpp"
 
 #include <cstdio>
 #include <ostream>
@@ -51,7 +52,9 @@ void run(const Arguments& arguments) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
     }
     if (arguments.has("--svg")) {
-        files.add(arguments.text("--svg")) << function_picture(mesh, basis, function, columns[number]);
+        files.add(arguments.text("--svg"))
+            << (has_window(arguments) ? function_picture(mesh, basis, function, columns[number], window_of(arguments))
+                                      : function_picture(mesh, basis, function, columns[number]));
     }
     files.commit();
 }
@@ -68,6 +71,7 @@ const Command export_command = {
                        "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
      {"--svg", "FILE", "picture of one number: filled cells with a colour bar"},
+     window_option,
      {"--number", "K", "which number the picture shows, in the order of the table (default 1)"}},
     "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n",
     run};

@@ -8,6 +8,7 @@
 #include "pictures.hpp"
 #include "su2.hpp"
 #include "vtu.hpp"
+#include "window_option.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -34,7 +35,14 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
     }
-    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << morph_picture(mesh, basis, moves, morph);
+    if (arguments.has("--svg")) {
+        files.add(arguments.text("--svg"))
+            << (has_window(arguments) ? morph_picture(mesh, basis, moves, morph, window_of(arguments))
+                                      : morph_picture(mesh, basis, moves, morph));
+    }
+    if (arguments.has("--boundary-svg")) {
+        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, moves, morph);
+    }
     files.commit();
 }
 
@@ -137,6 +145,8 @@ const Command morph_command = {
      {"-o", "MESH", "morphed mesh to write, SU2"},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+     window_option,
+     {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another exponent (may be repeated)"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},

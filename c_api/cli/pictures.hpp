@@ -1,4 +1,4 @@
-// The two pictures of the program, as SVG documents.
+// The pictures of the program, as SVG documents.
 #pragma once
 
 #include "csv.hpp"
@@ -15,8 +15,13 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vecto
 std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph,
                           const Box& window);
 
+// The boundary alone: the moved B-spline, and on it the mesh's points as the functions moved them.
+std::string boundary_picture(const Basis& basis, const std::vector<double>& moves, const Morph& morph);
+
 // One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
                              const Column& column);
+std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,
+                             const Box& window);
 
 } // namespace cli

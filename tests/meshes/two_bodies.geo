@@ -1,6 +1,5 @@
 // The paper's first case: two smooth closed bodies in a rectangle. The paper gives no coordinates; these shapes are drawn
 // after its description, with the cubic curves of two_bodies_left.curve (11 control points) and two_bodies_right.curve (9).
-// To regenerate: gmsh -2 -format su2 -o two_bodies.su2 two_bodies.geo, then sh digits.sh two_bodies.su2
 rectangle = 0.16;  // sizes of triangles
 body = 0.035;
 
