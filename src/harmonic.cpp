@@ -91,7 +91,8 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
+    BasisCounts const whole = basis.header->counts.share(0, basis_counts.held);
+    bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
         return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
     }
@@ -162,7 +163,7 @@ Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fa
             bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
             if (!worse) continue;
             report.residual = relative;
-            report.residual_function = (first + k) % basis.n_functions();
+            report.residual_function = basis.header->counts.first_held + (first + k) % basis.n_functions();
         }
         if (report.refinements > 0) continue;  // fractions never go back
         HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
@@ -170,14 +171,17 @@ Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fa
     return Status::ok;
 }
 
-// One step of iterative refinement: what is left of the equations is solved for, and added.
+// One step of iterative refinement, where it is called for: what is left of the equations is solved for, and added. Each
+// column by itself, so that its bits do not depend on those solved with it.
 Status Plan::refine(Basis const& basis, Fault& fault) noexcept {
     Lines const all = lines(basis);
     for (Index first = 0; first < all.columns(matrix); first += Residual::width) {
         Index const n = smaller(Residual::width, all.columns(matrix) - first);
-        residual.compute(matrix, all, first, n);
+        Residual::Norms const norms = residual.compute(matrix, all, first, n);
         HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, Residual::width, n}, Progress{}, fault));
-        residual.add_to(matrix, all, first, n);
+        for (Index k = 0; k < n; ++k) {
+            if (norms.relative(k) > refined_above) residual.add_to(matrix, all, first, k);
+        }
     }
     return Status::ok;
 }

@@ -71,14 +71,12 @@ Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Inde
                                : compute_planes<1>(matrix, lines, first, n, value);
 }
 
-void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index k) const noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     Offset const plane = lines.columns(matrix);
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
-            Real* const to = lines.at(i) + p * plane + first;
-            const Real* const from = value.data() + (Offset{i} * planes + p) * width;
-            for (Index k = 0; k < n; ++k) to[k] += from[k];
+            lines.at(i)[p * plane + first + k] += value[(Offset{i} * planes + p) * width + k];
         }
     }
 }

@@ -4,15 +4,15 @@
 rooms='
 types
 span scalar arena progress processor executor cell_ranges
-vec2 value_kind sort hash monotone kernel_call
+vec2 value_kind sort hash monotone kernel_call fixed_sum
 product product_kernel product_baseline product_avx2 product_avx512
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 corners closure knots least_squares projection chain fit
 edges orientation boundary conditions method wall slip periodic
 graph places dissection fronts subtrees
-matrix stiffness basis residual right_hand_sides
+matrix stiffness basis extract parcel residual right_hand_sides
 multifrontal multifrontal_factor multifrontal_solve analysis harmonic
-morph quality admissible_step assessment crossing
+morph adjoint quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'

@@ -41,8 +41,8 @@ struct Residual {
         Real relative(Index k) const noexcept;
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // F += value, as corrections.
-    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
+    // Column first + k of F += that of value, as a correction.
+    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index k) const noexcept;
 };
 
 }  // namespace harmorph
