@@ -180,7 +180,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
 }
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
+    BasisCounts const whole = basis.header->counts.share(0, basis_counts.held);
+    bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
     if (same_counts && same_mesh && basis.header->method.agrees_with(method)) return Status::ok;
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
@@ -231,25 +232,36 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
             bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
             if (!worse) continue;
             report.residual = relative;
-            report.residual_function = (first + k) % basis.n_functions();
+            report.residual_function = basis.header->counts.first_held + (first + k) % basis.n_functions();
         }
         HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
 }
 
-// What is left is solved for and added, until it is rounding or no longer shrinks.
+// What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits
+// do not depend on those solved with it.
 Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps,
                             Fault& fault) noexcept {
     Offset const row_length = Offset{engine.planes} * residual.width;
-    for (Real before = infinity;; ++steps) {
+    Residual::Choice wanted;
+    Real before[Residual::widest];
+    for (Index k = 0; k < n; ++k) {
+        wanted.column[k] = true;
+        before[k] = infinity;
+    }
+    for (;; ++steps) {
         norms = residual.compute(matrix, all, first, n);
-        Real const worst = norms.largest(n);
-        bool const shrinks = worst < 0.5 * before;
-        if (!(worst > refined_above) || !shrinks || steps == most_refinements(method)) return Status::ok;
-        before = worst;
+        bool any = false;
+        for (Index k = 0; k < n; ++k) {
+            Real const now = norms.relative(k);
+            wanted.column[k] = wanted.column[k] && now > refined_above && now < 0.5 * before[k];
+            before[k] = now;
+            any = any || wanted.column[k];
+        }
+        if (!any || steps == most_refinements(method)) return Status::ok;
         HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, row_length, n, residual.width}, Progress{}, fault));
-        residual.add_to(matrix, all, first, n);
+        residual.add_to(matrix, all, first, n, wanted);
     }
 }
 

@@ -63,29 +63,19 @@ Real Residual::Norms::relative(Index k) const noexcept {
     return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
 }
 
-Real Residual::Norms::largest(Index n) const noexcept {
-    Real out = 0;
-    for (Index k = 0; k < n; ++k) {
-        Real const its = relative(k);
-        if (!(its <= out)) out = its;
-        if (its != its) break;
-    }
-    return out;
-}
-
 Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
     return matrix.is_complex() ? compute_planes<2>(matrix, lines, first, n, width, value)
                                : compute_planes<1>(matrix, lines, first, n, width, value);
 }
 
-void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     Offset const plane = lines.columns(matrix);
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
             Real* const to = lines.at(i) + p * plane + first;
             const Real* const from = value.data() + (Offset{i} * planes + p) * width;
-            for (Index k = 0; k < n; ++k) to[k] += from[k];
+            for (Index k = 0; k < n; ++k) to[k] = chosen.column[k] ? to[k] + from[k] : to[k];
         }
     }
 }

@@ -41,11 +41,13 @@ struct Residual {
         Real right_hand_side[widest] = {}, rest[widest] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
-        Real largest(Index n) const noexcept;  // of the first n; NaN if one is
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // F += value, as corrections.
-    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
+    struct Choice {
+        bool column[widest];
+    };
+    // The chosen ones of columns first .. first+n-1 of F += those of value, as corrections.
+    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
 };
 
 }  // namespace harmorph
