@@ -554,6 +554,10 @@ typedef struct hm_safe_options {
     int32_t  reserved;             /* 0 */
     const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset correction; for a
                                       derivative only those with the basis's numbers_per_value are tried */
+    double   heights;              /* [0..1] 0: off. Brings distances from walls that move back to what they were, near them:
+                                      angle-preserving functions scale them with the wall's stretch. A closed form at the end,
+                                      along the normals, fading out where the wall's curvature or another wall begins to
+                                      matter; as much of it as no cell inverts for. Not part of the derivative */
 } hm_safe_options;
 
 typedef struct hm_safe_report {
@@ -572,6 +576,7 @@ typedef struct hm_safe_report {
     double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
     double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
     double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
+    double   heights;              /* [0..1] how much of them was brought back */
     int32_t  angle_point;          /* where the angle changed most; -1: no point of the wall has such an edge */
     int32_t  min_height_point, max_height_point;
     int32_t  reserved;             /* 0 */
