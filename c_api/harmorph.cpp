@@ -1,5 +1,5 @@
-// The C interface, part 1: versions, and the way from a problem to solved functions. The only extern "C" besides
-// harmorph_curves.cpp and harmorph_basis.cpp.
+// The C interface, part 1: versions, and the way from a problem to solved functions. The only extern "C" besides the other
+// harmorph_*.cpp here.
 #include "harmorph.h"
 
 #include "fault_text.hpp"
@@ -110,6 +110,35 @@ void lay_out_plan(Arena& arena, Analysis const& analysis, Span<Plan>& place, Pla
 Status count_size(Arena const& arena, size_t* bytes, Fault& fault) noexcept {
     HARMORPH_TRY(arena.verify(0, fault));
     *bytes = arena.bytes();
+    return Status::ok;
+}
+
+Status size_basis(BasisCounts const& counts, size_t* bytes, Fault& fault) noexcept {
+    Arena counting;
+    Basis basis;
+    basis.lay_out(counting, counts);
+    return count_size(counting, bytes, fault);
+}
+
+Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block, Size bytes, hm_basis** out,
+                  Fault& fault) noexcept {
+    if (block == nullptr) return fault.refuse(Status::bad_argument, "block is NULL");
+    Arena arena(block, bytes);
+    Basis made;
+    made.lay_out(arena, counts);
+    HARMORPH_TRY(arena.verify(bytes, fault));
+    init_basis(made, counts, analysis);
+    *out = reinterpret_cast<hm_basis*>(made.header);
+    return Status::ok;
+}
+
+Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
+    BasisCounts const all = analysis.basis_counts();
+    if (first < 0 || n < 0 || n > all.functions() - first) {
+        return fault.refuse(Status::bad_argument, "there are no # functions from function @ (from 0) on", Counts::from_zero, n,
+                            first);
+    }
+    counts = all.share(first, n);
     return Status::ok;
 }
 
@@ -260,25 +289,48 @@ hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analy
 hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     Fault fault;
     if (!failed(require_conditions(analysis, bytes, fault))) {
-        Arena counting;
-        Basis basis;
-        basis.lay_out(counting, opened(analysis).basis_counts());
-        count_size(counting, bytes, fault);
+        size_basis(opened(analysis).basis_counts(), bytes, fault);
     }
     return tell(err, fault);
 }
 
 hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
     Fault fault;
-    if (block == nullptr) fault.refuse(Status::bad_argument, "block is NULL");
-    if (!failed(fault.status) && !failed(require_conditions(analysis, basis, fault))) {
-        Arena arena(block, bytes);
-        Basis made;
-        made.lay_out(arena, opened(analysis).basis_counts());
-        if (!failed(arena.verify(bytes, fault))) {
-            init_basis(made, opened(analysis).basis_counts(), opened(analysis));
-            *basis = reinterpret_cast<hm_basis*>(made.header);
-        }
+    if (!failed(require_conditions(analysis, basis, fault))) {
+        make_basis(opened(analysis), opened(analysis).basis_counts(), block, bytes, basis, fault);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first, int32_t* n, hm_error* err) {
+    Fault fault;
+    if (n == nullptr || part < 0 || part >= n_parts) {
+        fault.refuse(Status::bad_argument, "n is NULL, or there is no part # (from 0) of @", Counts::from_zero, part, n_parts);
+    } else if (!failed(require_conditions(analysis, first, fault))) {
+        Offset const functions = opened(analysis).basis_counts().functions();
+        *first = static_cast<Index>(functions * part / n_parts);
+        *n = static_cast<Index>(functions * (part + Offset{1}) / n_parts) - *first;
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes, hm_error* err) {
+    Fault fault;
+    BasisCounts counts;
+    if (!failed(require_conditions(analysis, bytes, fault)) &&
+        !failed(count_share(opened(analysis), first, n, counts, fault))) {
+        size_basis(counts, bytes, fault);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis, int32_t first, int32_t n,
+                        hm_error* err) {
+    Fault fault;
+    BasisCounts counts;
+    if (!failed(require_conditions(analysis, share, fault)) &&
+        !failed(count_share(opened(analysis), first, n, counts, fault))) {
+        make_basis(opened(analysis), counts, block, bytes, share, fault);
     }
     return tell(err, fault);
 }

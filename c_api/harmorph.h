@@ -276,6 +276,11 @@ enum {                             /* agglomeration: which cells the levels of H
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
 };
+enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+    HM_DOUBLE = 0,
+    HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
+                                      takes a few more solves. For large meshes */
+};
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
     HM_PHASE_ASSEMBLY = 3, HM_PHASE_FACTOR = 4,                             /* hm_plan_factor */
@@ -308,7 +313,7 @@ typedef struct hm_options {
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
-    int32_t  reserved;             /* 0 */
+    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -452,6 +457,47 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
                                    int64_t stride, const double *x_new, const double *y_new, int64_t stride_new,
                                    double *error, int32_t *point, hm_error *err);
 
+/* ---- Meshes in parts: several processes, see harmorph_mpi.h ---------------------------------------------------------- */
+
+/* Rows of some points: a basis for the part of the mesh that a process has. Its point k is points[k], counted from the mesh's
+ * index_base, in any order, ghosts and repeats too; hm_morph, hm_adjoint, hm_boundary_error and hm_basis_values work with
+ * arrays of n points in that order, and points in reports are places in the list. Points of the wall stay what they are, at
+ * the first place where the list names them. It has no cells: calls that take a mesh refuse it. Like any basis it is one
+ * block that needs nothing else and may be moved. The size is enough for any list of n points.
+ * Made of a share that has not all functions, it waits for its values, see hm_parcel_unpack. */
+HM_API hm_status hm_extract_size(const hm_basis *basis, int32_t n, size_t *bytes, hm_error *err);
+HM_API hm_status hm_extract_init(hm_basis **rows, void *block, size_t bytes, const hm_basis *basis, int32_t n,
+                                 const int32_t *points, hm_error *err);
+
+/* Which functions, from 0, part k (from 0) of n_parts may solve: all parts together all functions, in order, as evenly as can
+ * be. *n is 0 where there are more parts than functions. */
+HM_API hm_status hm_share_of(const hm_analysis *analysis, int32_t part, int32_t n_parts, int32_t *first, int32_t *n,
+                             hm_error *err);
+/* A share: a basis with a place for functions first .. first+n-1 only, from 0, n >= 0. hm_plan_solve solves these, with the
+ * same bits as all of them together; the report is of the share, its partition_defect 0. Calls that need all functions
+ * (morph, adjoint) refuse it. */
+HM_API hm_status hm_share_size(const hm_analysis *analysis, int32_t first, int32_t n, size_t *bytes, hm_error *err);
+HM_API hm_status hm_share_init(hm_basis **share, void *block, size_t bytes, const hm_analysis *analysis, int32_t first,
+                               int32_t n, hm_error *err);
+/* Parcels take a share's values to another process's rows: doubles [*doubles] for a list of n points. Unpack those of all
+ * shares in the order of their functions, each for the list that the rows were made with; with the last one the rows are
+ * solved. */
+HM_API hm_status hm_parcel_size(const hm_basis *share, int32_t n, int64_t *doubles, hm_error *err);
+HM_API hm_status hm_parcel_pack(const hm_basis *share, int32_t n, const int32_t *points, double *parcel, hm_error *err);
+HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t doubles, hm_error *err);
+
+/* hm_adjoint in parts, with the same bits for any parts: the largest of all parts' scales; the sums [4 * functions *
+ * numbers_per_value] of each part at that scale, added up elementwise; the gradient of these. Each point of the mesh counts
+ * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-64 of the scale (a
+ * power of two below 4 max|F| max|dj|): the error is at most 2^-53 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
+ * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
+HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
+                                  int32_t *scale, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_adjoint_sums(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
+                                 int32_t scale, int64_t *sums, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const int64_t *sums, double *gradient,
+                                   hm_error *err);
+
 /* ---- Validity and quality ---------------------------------------------------------------------------------------- */
 
 typedef struct hm_step_report {
@@ -506,7 +552,8 @@ typedef struct hm_safe_options {
     int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of those not to be tried */
     int32_t  n_others;             /* >= 0 */
     int32_t  reserved;             /* 0 */
-    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves and conditions */
+    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset correction; for a
+                                      derivative only those with the basis's numbers_per_value are tried */
 } hm_safe_options;
 
 typedef struct hm_safe_report {
@@ -533,7 +580,8 @@ typedef struct hm_safe_report {
 /* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
 /* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
- * may be the mesh's own arrays. Returns HM_OK: all of `move`. HM_SHORT: the last valid mesh, report.step_fraction of the way.
+ * may be the mesh's own arrays. Returns HM_OK: all of `move`; HM_NOT_CONVERGED: the same, but functions on the way missed
+ * the tolerance. HM_SHORT: the last valid mesh, report.step_fraction of the way.
  * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
  * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
  *

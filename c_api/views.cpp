@@ -182,6 +182,10 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
                             Counts::from_zero, o.kernel);
     }
     method.kernel = static_cast<Kernel>(o.kernel);
+    if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
+        return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
+    }
+    method.precision = static_cast<Precision>(o.precision);
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};

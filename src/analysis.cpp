@@ -156,7 +156,7 @@ BasisCounts Analysis::basis_counts() const noexcept {
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
     counts.conditions = conditions.count();
-    return counts;
+    return counts.share(0, counts.functions());
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {

@@ -96,9 +96,7 @@ void Triangulation::find_neighbours() const noexcept {
 }
 
 bool Triangulation::is_delaunay(Index side) const noexcept {
-    Index const other = across_[side];
-    if (other == none) return true;
-    Index const begin = next_side(side), end = next_side(begin);
+    Index const other = across_[side], begin = next_side(side), end = next_side(begin);
     auto const at = [&](Index corner) { return mesh.points[corner_[corner]]; };
     return in_circle_sign(at(side), at(begin), at(end), at(other)) <= 0;
 }
@@ -134,13 +132,14 @@ void Triangulation::flip_all() noexcept {
     fill(is_waiting_, std::uint8_t{0});
     for (Index triangle = mesh.n_cells; triangle-- > 0;) push(triangle);
     flips = 0;
-    // Of every edge that may be flipped, a triangle waits.
+    // Of every edge that may have to be flipped, a triangle waits. If both do, the second to come asks.
     while (n > 0) {
         Index const triangle = waiting_[--n];
         is_waiting_[triangle] = 0;
         for (Index side = 3 * triangle; side < 3 * triangle + 3; ++side) {
-            if (is_delaunay(side)) continue;
+            if (across_[side] == none) continue;
             Index const other = triangle_of(across_[side]);
+            if (is_waiting_[other] != 0 || is_delaunay(side)) continue;
             flip(side);
             ++flips;
             push(other);

@@ -15,6 +15,15 @@ void sort_row(Span<Index> row) noexcept {
     }
 }
 
+// Across a periodic pair two points may share cells on both sides. Returns how many columns are left.
+Offset drop_repeats(Span<Index> row) noexcept {
+    Size kept = 0;
+    for (Size i = 0; i < row.size(); ++i) {
+        if (i == 0 || row[i] != row[i - 1]) row[kept++] = row[i];
+    }
+    return static_cast<Offset>(kept);
+}
+
 // Rows are short: a handful of entries, but for hubs of fans.
 template <class I>
 I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept {
@@ -82,7 +91,9 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
         for (Index const neighbour : graph.of(order[row])) {
             if (position[neighbour] > row) column[filled++] = position[neighbour];
         }
-        sort_row(column.from(start[row], filled - start[row]));
+        Span<Index> const its = column.from(start[row], filled - start[row]);
+        sort_row(its);
+        filled = start[row] + drop_repeats(its);
     }
     start[n] = filled;
 

@@ -82,11 +82,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                       const Basis* derivative, SafeReport& report, Fault& fault) noexcept {
     Work work{plan, basis, options, derivative, report, fault};
     HARMORPH_TRY(plan.check_fit(basis, fault));
-    if (derivative != nullptr) {
-        HARMORPH_TRY(plan.check_fit(*derivative, fault));
-        derivative->unseal();
-        fill(derivative->value, 0.0);
-    }
+    if (derivative != nullptr) HARMORPH_TRY(plan.check_fit(*derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
     path.init(basis, move);
     mark_held(work);
@@ -102,6 +98,10 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     if (report.crossing.found) {
         return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
                             Counts::mesh, report.crossing.first[0], report.crossing.second[0]);
+    }
+    if (derivative != nullptr) {
+        derivative->unseal();
+        fill(derivative->value, 0.0);
     }
     if (fits && options.tries(Rung::linear)) {
         take_step(work, basis, 0, 1);

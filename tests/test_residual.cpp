@@ -43,7 +43,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Arena placing(block.data(), block.size());
     residual.lay_out(placing, plan.matrix.n, false);
 
-    constexpr Index width = harmorph::Residual::width;
+    Index const width = residual.width;
     Index const function = width + 1, wrong = plan.matrix.n / 2;   // of the second group of functions
     double const by = 1e-3;
     basis.row(plan.line_of[wrong])[function] += by;

@@ -61,7 +61,8 @@ TEST_CASE("heights of the first layers come back to a percent; angles, walls and
         CHECK(back.largest_angle < 2 * lost.largest_angle + 0.5);
         CHECK(check(walls.deformed).min_corner > 0);
         for (Index k = 0; k < mesh.n_points(); ++k) {
-            double const height = std::hypot(mesh.x[static_cast<std::size_t>(k)], mesh.y[static_cast<std::size_t>(k)]) - 1;
+            Point const p = mesh.point(k);
+            double const height = std::hypot(p.x, p.y) - 1;
             if (height < 1e-12 || height > 0.5) CHECK(moved(walls, before, k) == 0);   // a quarter of the extent
         }
     }

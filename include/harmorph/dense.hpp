@@ -80,7 +80,7 @@ constexpr Offset update_entries(Index n) noexcept {
 }
 
 // With what kernels read behind it.
-constexpr Offset update_room(Index n) noexcept { return update_entries(n) + overread; }
+constexpr Offset update_room(Index n) noexcept { return n > 0 ? update_entries(n) + overread : 0; }
 
 // Where the rows of a matrix go in a front: ends[r] is the first row behind r's run of neighbouring targets, which does not
 // lead from pivots to border.

@@ -63,10 +63,10 @@ struct FaceDistance {
     // After choose(), and whenever coordinates have changed. O(count).
     void build(Points points) noexcept;
 
-    // No face: infinity. Rounding leaves errors of a few units in the last place of the distance and of the faces' lengths.
+    // No face: infinity. Rounding leaves a few units in the last place of the distance and of the faces' lengths.
     Real distance(Vec2 from) const noexcept;
-    // The place on the faces that is nearest; none without faces. `group` is where it is tried first, and then where it was:
-    // neighbouring points have neighbouring feet.
+    // The place on the faces that is nearest; none without faces. `group` is where it is tried first, and then where it
+    // was: neighbouring points have neighbouring feet.
     struct Foot {
         Index face = none;
         Real t = 0;  // (1 - t) point[0] + t point[1]
@@ -80,8 +80,9 @@ private:
     void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
 };
 
-// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16. Below
-// 1e-30 units d counts as that, which no valid mesh can show: so k is finite always. No faces or all at one place: k = 1.
+// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
+// d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. No faces, or all of them
+// at one place: k = 1.
 // Fastest where cells with neighbouring numbers are neighbours.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;

@@ -12,13 +12,15 @@ struct WallPoints {
     Span<Index> previous, next;  // [most] its neighbours on the wall as mesh points, or none where the wall ends
     Span<Index> slot;            // [n_points] place of a mesh point in these lists, or none
 
-    static Size most(Index n_points, Size max_faces) noexcept { return smaller(2 * max_faces, static_cast<Size>(n_points)); }
+    static Size most(Index n_points, Size max_faces) noexcept {
+        return smaller(2 * max_faces, static_cast<Size>(n_points));
+    }
     void lay_out(Arena& arena, Index n_points, Size max_faces) noexcept;
     void find(Index n_points, FaceDistance const& walls) noexcept;
 
     // Along the wall, of no particular length: of the parabola through the point and its neighbours.
     Vec2 tangent(Index its_slot, Points points) const noexcept;
-    // By what the wall has turned between two states of the mesh: cosine and sine. No state of the tangent is needed, so
+    // By what the wall has turned between two states of the mesh: cosine and sine, of its faces and not of the tangent, so
     // that sharp edges are as good as smooth walls.
     Vec2 turn(Index its_slot, Points before, Points after) const noexcept;
 };
@@ -32,8 +34,8 @@ struct FirstLayer {
     void find(Mesh const& mesh, Points points, Span<const Index> representative, FaceDistance const& walls) noexcept;
 };
 
-// Angles: what an edge turned more than its wall did. Heights: of an edge's end above the wall, along the normal that turns
-// with the wall; after, as a fraction of before.
+// Angles: what an edge turned more than its wall did. Heights: of an edge's end above the wall, along the normal that
+// turns with the wall; after, as a fraction of before.
 struct FirstLayerChange {
     Index points = 0;  // that have such an edge
     Real mean_angle = 0, largest_angle = 0;  // [degrees], without sign

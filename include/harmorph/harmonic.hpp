@@ -63,8 +63,8 @@ private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
-    Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
-    Status refine(Basis const& basis, Fault& fault) noexcept;
+    Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+    Status refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps, Fault& fault) noexcept;
 };
 
 // Makes an unsolved basis in a block that has been laid out for the analysis's counts.

@@ -4,14 +4,13 @@
 
 #include "harmorph/dense.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/method.hpp"
 #include "harmorph/progress.hpp"
 #include "harmorph/rows.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {
 
-// What the factor is stored and computed in; the numbers are those of the C header.
-enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 
 // The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
 // so that each of them is added and forgotten at once.

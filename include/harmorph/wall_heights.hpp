@@ -1,4 +1,4 @@
-// Distances from the walls brought back to what they were before a deformation: near the walls entirely, farther away less.
+// Distances from the walls brought back to what they were before a deformation: near them entirely, farther away less.
 #pragma once
 
 #include "harmorph/conditions.hpp"
@@ -6,14 +6,14 @@
 
 namespace harmorph {
 
-// Every point near a wall knows its foot there: the nearest place. A deformation that keeps angles (the conformal basis) still
-// scales its height above the moved foot with the stretch of the wall. Along the normal n that turns with the wall, the point
-// moves by
+// Every point near a wall knows its foot there: the nearest place. A deformation that keeps angles (the conformal basis)
+// still scales its height above the moved foot with the stretch of the wall. Along the normal n that turns with the wall,
+// the point moves by
 //
 //   n (d - h) fade(d / reach),   d, h: heights before and after;   fade(x) = 1 - 3 x + 2 x sqrt(x) up to x = 1, then 0.
 //
-// fade and its derivative vanish at the reach, and the corrected heights of one foot keep their order as long as the wall
-// is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion, and none, are left alone (none: to the last bit).
+// fade and its derivative vanish at the reach, and the corrected heights above one foot keep their order as long as the
+// wall is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion is left alone; none, to the last bit.
 //
 // The reach belongs to the wall: the radius of its curvature or a quarter of its extent, where that is less; 0 where it
 // ends; never across a place where the nearest wall is another one (a gap, a concave corner). Along the wall it grows by at
