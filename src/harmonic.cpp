@@ -48,8 +48,8 @@ void Plan::init(Analysis const& analysis) noexcept {
         analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
         analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
     }
-    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
-                 analysis.border.position, analysis.wall_work.slot, analysis.tangent);
+    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph,
+                 analysis.order, analysis.border.position, analysis.wall_work.slot, analysis.tangent);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.executor = analysis.problem.executor;
     engine.tree.count = analysis.tree.count;
@@ -91,7 +91,8 @@ Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
 
 Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
     if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
-        return fault.refuse(Status::unsupported, "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+        return fault.refuse(Status::unsupported,
+                            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }
     if (!conductivity.empty()) {
         wall.build(points);
