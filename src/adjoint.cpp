@@ -52,7 +52,8 @@ struct SumsBlock {
 };
 
 // Adds what the sums of one number of all functions' values mean for the movement of its function.
-void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y, Real* gradient) noexcept {
+void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y,
+                     Real* gradient) noexcept {
     Index const n = basis.n_functions(), plane = number / n;
     Real* const to = gradient + 2 * (number % n);
     Vec2 const total{scale.up(x.value()), scale.up(y.value())};
