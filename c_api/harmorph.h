@@ -406,7 +406,7 @@ HM_API hm_status hm_share_of(const hm_analysis *analysis, int32_t part, int32_t 
                              hm_error *err);
 /* A share: a basis with a place for functions first .. first+n-1 only, from 0, n >= 0. hm_plan_solve solves these, with the
  * same bits as all of them together; the report is of the share, its partition_defect 0. Calls that need all functions
- * (morph, adjoint) refuse it. */
+ * (morph, adjoint) refuse it; functions keep their numbers, and hm_basis_info.functions counts all. */
 HM_API hm_status hm_share_size(const hm_analysis *analysis, int32_t first, int32_t n, size_t *bytes, hm_error *err);
 HM_API hm_status hm_share_init(hm_basis **share, void *block, size_t bytes, const hm_analysis *analysis, int32_t first,
                                int32_t n, hm_error *err);
