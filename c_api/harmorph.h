@@ -34,7 +34,8 @@
  * Threads          No hidden state. One thread at a time may write an object (plan, basis) or make others of it
  *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
  *                  it uses those of an hm_executor where one is given.
- * Repeatability    Same input and same kernel, same bits: from run to run, and for any number of threads.
+ * Repeatability    Same input and same kernel, same bits: from run to run, for any number of threads, and of
+ *                  processes (harmorph_mpi.h).
  */
 #ifndef HARMORPH_H
 #define HARMORPH_H
@@ -449,7 +450,8 @@ HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const h
  * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
                           double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
-/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. */
+/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. The
+ * order in which the mesh numbers its points does not matter; see hm_adjoint_scale. All NaN if a number is not finite. */
 HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                             double *gradient, const hm_executor *executor, hm_error *err);
 /* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
@@ -475,7 +477,7 @@ HM_API hm_status hm_share_of(const hm_analysis *analysis, int32_t part, int32_t 
                              hm_error *err);
 /* A share: a basis with a place for functions first .. first+n-1 only, from 0, n >= 0. hm_plan_solve solves these, with the
  * same bits as all of them together; the report is of the share, its partition_defect 0. Calls that need all functions
- * (morph, adjoint) refuse it. */
+ * (morph, adjoint) refuse it; functions keep their numbers, and hm_basis_info.functions counts all. */
 HM_API hm_status hm_share_size(const hm_analysis *analysis, int32_t first, int32_t n, size_t *bytes, hm_error *err);
 HM_API hm_status hm_share_init(hm_basis **share, void *block, size_t bytes, const hm_analysis *analysis, int32_t first,
                                int32_t n, hm_error *err);
@@ -489,7 +491,7 @@ HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t 
 /* hm_adjoint in parts, with the same bits for any parts: the largest of all parts' scales; the sums [4 * functions *
  * numbers_per_value] of each part at that scale, added up elementwise; the gradient of these. Each point of the mesh counts
  * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-64 of the scale (a
- * power of two below 4 max|F| max|dj|): the error is at most 2^-53 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
+ * power of two below 4 max|F| max|dj|): the error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
  * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
 HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                                   int32_t *scale, const hm_executor *executor, hm_error *err);

@@ -331,6 +331,7 @@ module harmorph
         procedure, private :: plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         generic :: factor => plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         procedure :: solve => plan_solve
+        procedure :: solve_share => plan_solve_share
         procedure :: free => plan_free
         procedure, private :: plan_assign
         generic :: assignment(=) => plan_assign
@@ -352,6 +353,9 @@ module harmorph
         procedure :: bytes => basis_bytes
         procedure :: info => basis_info
         procedure :: curves => basis_curves
+        procedure, private :: extract_i4, extract_i8
+        generic :: extract => extract_i4, extract_i8
+        procedure :: address => basis_address
         procedure, private :: values_v8, values_b8, values_v4, values_b4
         generic :: values => values_v8, values_b8, values_v4, values_b4
         procedure, private :: morph_v8, morph_v4, morph_b8, morph_b4
@@ -689,6 +693,68 @@ module harmorph
     end interface
     interface put_gradient
         procedure :: put_gradient_8, put_gradient_4
+    end interface
+
+    ! ---- Meshes in parts; harmorph_mpi.f90 ends its calls like those here
+
+    interface hm_finish
+        procedure :: finish
+    end interface
+    public :: hm_finish, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_extract_size, hm_c_extract_init
+
+    interface
+        function hm_c_share_of(analysis, part, n_parts, first, n, err) result(status) bind(c, name="hm_share_of")
+            import :: c_int32_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: part, n_parts
+            integer(c_int32_t), intent(inout) :: first, n
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_share_size(analysis, first, n, bytes, err) result(status) bind(c, name="hm_share_size")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: first, n
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_share_init(share, block, bytes, analysis, first, n, err) result(status) bind(c, &
+            name="hm_share_init")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+            implicit none
+            type(c_ptr), intent(inout) :: share
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: first, n
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_extract_size(basis, n, bytes, err) result(status) bind(c, name="hm_extract_size")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_extract_init(rows, block, bytes, basis, n, points, err) result(status) bind(c, &
+            name="hm_extract_init")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+            implicit none
+            type(c_ptr), intent(inout) :: rows
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
     end interface
 
 contains
@@ -2068,6 +2134,34 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
+    ! Solves the functions of part `part` (from 1) of n_parts, in a basis that has room for no others.
+    subroutine plan_solve_share(self, share, part, n_parts, report, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(inout) :: share
+        integer, intent(in) :: part, n_parts
+        type(hm_solve_report), intent(out), optional :: report
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, first, n
+        integer(c_size_t) :: bytes
+        call share%free()
+        status = hm_ok
+        call need_analysis(self, status, e)
+        if (status == hm_ok) status = hm_c_share_of(self%analysis, int(part - 1, c_int32_t), &
+            int(n_parts, c_int32_t), first, n, e)
+        if (status == hm_ok) status = hm_c_share_size(self%analysis, first, n, bytes, e)
+        call take(share%memory, bytes, status=status, e=e)
+        if (status == hm_ok) status = hm_c_share_init(share%handle, share%memory%start, share%memory%bytes, &
+            self%analysis, first, n, e)
+        call know_basis(share, status)
+        if (status < 0) then
+            call finish(status, e, stat, err)
+        else
+            call self%solve(share, report, stat, err)
+        end if
+    end subroutine
+
     subroutine plan_free(self)
         class(hm_plan), intent(inout) :: self
         self%analysis = c_null_ptr
@@ -2110,6 +2204,46 @@ contains
         call know_basis(self, status)
         call finish(status, e, stat, err)
     end subroutine
+
+    ! Rows of some points: a basis for a part of the mesh, with arrays in the order of the list. Of a share it waits for
+    ! its values (harmorph_mpi.f90).
+    subroutine extract_i4(self, rows, points, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_basis), intent(inout) :: rows
+        integer(c_int32_t), intent(in), contiguous :: points(:)
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, n
+        integer(c_size_t) :: bytes
+        call rows%free()
+        status = hm_ok
+        n = int(size(points), c_int32_t)
+        call need_basis(self, status, e)
+        if (status == hm_ok) status = hm_c_extract_size(self%handle, n, bytes, e)
+        call take(rows%memory, bytes, work, status, e)
+        if (status == hm_ok) status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, &
+            self%handle, n, points, e)
+        call know_basis(rows, status)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    subroutine extract_i8(self, rows, points, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_basis), intent(inout) :: rows
+        integer(c_int64_t), intent(in), contiguous :: points(:)
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call self%extract(rows, small(points), work, stat, err)
+    end subroutine
+
+    ! The basis as C sees it; null if it is empty.
+    type(c_ptr) function basis_address(self)
+        class(hm_basis), intent(in) :: self
+        basis_address = self%handle
+    end function
 
     ! The counts that the lengths of arrays are compared with; nothing stays of a basis that failed.
     subroutine know_basis(self, status)
