@@ -199,6 +199,22 @@ TEST_CASE("untangling is what helps") {
     }
 }
 
+TEST_CASE("whatever rung it was: the wall's points have the same bits, as rounding does not add up from step to step") {
+    Case its = block(Cells::quads, 15);
+    Safe safe(its);
+    std::vector<double> const move = turn_of(its, 115, {0.0123, 0.0321});
+    std::vector<double> wall;
+    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), without({HM_RUNG_SUBSTEPS})}) {
+        safe.safe_options.skipped_rungs = skipped;
+        REQUIRE(safe.run(move) == HM_OK);
+        std::vector<double> found;
+        for (std::int32_t const point : points_on(its.mesh, body))
+            found.insert(found.end(), {safe.x[static_cast<std::size_t>(point)], safe.y[static_cast<std::size_t>(point)]});
+        if (!wall.empty()) CHECK(same_bits(found, wall));
+        wall = found;
+    }
+}
+
 TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
     Case its = block();
     Safe safe(its);
