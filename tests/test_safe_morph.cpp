@@ -215,6 +215,30 @@ TEST_CASE("whatever rung it was: the wall's points have the same bits, as roundi
     }
 }
 
+TEST_CASE("slipping points stay on their lines and periodic sides move alike, in substeps and in untangling") {
+    Case slip = block(Cells::hybrid, 15), pair = block(Cells::hybrid, 15);
+    for (std::int32_t const side : {bottom, right, top, left}) slip.set_slip(side);
+    pair.set_periodic(left, right);
+    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), without({HM_RUNG_SUBSTEPS})}) {
+        Safe sliding(slip), alike(pair);
+        sliding.safe_options.skipped_rungs = alike.safe_options.skipped_rungs = skipped;
+        REQUIRE(sliding.run(turn_of(slip, 120, {0.1, 0.02})) == HM_OK);
+        REQUIRE(sliding.report.rung != HM_RUNG_LINEAR);
+        double slid = 0;
+        for (std::int32_t const point : points_on(slip.mesh, bottom)) {
+            CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
+            slid = std::fmax(slid, std::fabs(sliding.moved()[static_cast<std::size_t>(point)].real()));
+        }
+        CHECK(slid > 1e-3);
+        REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
+        REQUIRE(alike.report.rung != HM_RUNG_LINEAR);
+        std::vector<std::int32_t> const l = points_on(pair.mesh, left), r = points_on(pair.mesh, right);
+        Field const moved = alike.moved();
+        for (std::size_t j = 0; j < l.size(); ++j)
+            CHECK(std::abs(moved[static_cast<std::size_t>(l[j])] - moved[static_cast<std::size_t>(r[j])]) < 1e-15);
+    }
+}
+
 TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
     Case its = block();
     Safe safe(its);
