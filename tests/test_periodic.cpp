@@ -237,7 +237,8 @@ TEST_CASE("what is no pair is refused, with the place") {
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
     }
     its = good;   // coordinates rounded as in a file
-    for (std::int32_t const point : points_on(its.mesh, right)) its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
+    for (std::int32_t const point : points_on(its.mesh, right))
+        its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
 
     its = good;   // a side of another number of points
