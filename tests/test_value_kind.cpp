@@ -266,7 +266,7 @@ TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one 
         Case its = case_of(kind);
         hm_options const options = options_of(kind.operator_kind);
         hm_problem const problem = its.problem();
-        for (std::size_t const shift : {0, 1, 13}) {
+        for (std::size_t const shift : {std::size_t{0}, std::size_t{1}, std::size_t{13}}) {
             Attempt attempt;
             REQUIRE(attempt.analyse(problem, &options, shift));
             REQUIRE(attempt.prepare(shift));
