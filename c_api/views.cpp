@@ -8,7 +8,7 @@ Status missing(Fault& fault, const char* sentence) noexcept { return fault.refus
 // Operator, weight, scheme and engine, and whether they go together.
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
     if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || o.scheme != HM_COMPACT ||
-        o.engine < HM_DIRECT || o.engine > HM_MULTIGRID || (o.engine != HM_DIRECT && o.operator_kind == HM_CONFORMAL)) {
+        o.engine < HM_DIRECT || o.engine > HM_FAS || (o.engine != HM_DIRECT && o.operator_kind == HM_CONFORMAL)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {

@@ -12,7 +12,7 @@ edges orientation boundary conditions method distance distance_tree wall slip pe
 graph layers places dissection fronts subtrees
 rows symmetric_rows block_rows agglomeration
 matrix stiffness basis residual right_hand_sides path
-multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle analysis harmonic
+multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle control_volumes runge_kutta full_approximation approximation_cycle analysis harmonic
 morph quality admissible_step assessment crossing
 '
 # Of the standard library the core may use what a freestanding compiler has, and mem*.

@@ -1,4 +1,4 @@
-// The two pictures of the program, as SVG documents.
+// The pictures of the program, as SVG documents.
 #pragma once
 
 #include "csv.hpp"
@@ -14,5 +14,12 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vecto
 // One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
                              const Column& column);
+
+// The cells that agglomeration has merged on one level, round the curves.
+struct Level {
+    std::int32_t number = 0, n_cells = 0;
+    std::vector<std::int32_t> cells; // of each point; -1: its value is known
+};
+std::string level_picture(const Mesh& mesh, const hm_curves& curves, const Level& level);
 
 } // namespace cli
