@@ -30,18 +30,15 @@ public:
             const Real* const given = values_[i] + first_;
             for (Index k = 0; k < W; ++k) at_[0].f[Offset{i} * W + k] = k < width_ ? given[k] : 0;
         }
-        Sizes const given = sizes(at_[0].f);
-        HARMORPH_TRY(after(0, relative(given.squares, given.squares)));
-        fine_steps_ = 0;
+        Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
+        HARMORPH_TRY(after(0, relative(given, given)));
         start_from_coarsest();
         while (true) {
             take_rest(0);
-            Sizes const left = sizes(at_[0].rest);
-            Real const residual = relative(left.squares, given.squares);
-            Real const change = relative(left.changes, given.changes);
+            Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
-            if (larger(residual, slow * change) <= engine_.iteration.tolerance || !is_finite(residual)) break;
-            if (report.iterations >= engine_.iteration.max_iterations) break;
+            if (larger(residual, left_per_gain * gain()) <= engine_.iteration.tolerance) break;
+            if (report.iterations >= engine_.iteration.max_iterations || !is_finite(residual)) break;
             cycle(0, true);
             ++report.iterations;
         }
@@ -57,7 +54,7 @@ private:
     // Before and after the coarse correction; they are cheap below the finest level.
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real slow = 10;  // errors are so much larger than what a step would change, or a little more
+    static constexpr Real left_per_gain = 10;    // cycles are slow: more is left than one of them takes off
 
     struct Vectors {
         Real* f;           // right-hand side: sums of flux balances
@@ -67,21 +64,15 @@ private:
         Real* restricted;  // values from the finer level
     };
 
-    // Squared norms of balances on the finest level; and weighted with the steps, which is what they would still change. Far
-    // from thin cells a small residual may hide a larger error, as their balances dwarf all others.
-    struct Sizes {
-        Lanes<W> squares, changes;
-    };
-    Sizes sizes(const Real* balance) const noexcept {
-        Sizes out;
+    // Square root of the share of the solution's energy that the last cycle's correction and a step from here take off the
+    // error. Far from thin cells a small residual may hide a larger error, as their balances dwarf all others.
+    Real gain() const noexcept {
+        Lanes<W> taken = corrected_;
         for (Index i = 0; i < a_.level[0].n; ++i) {
-            for (Index k = 0; k < W; ++k) {
-                Real const its = balance[Offset{i} * W + k];
-                out.squares[k] += its * its;
-                out.changes[k] += engine_.rate[0][i] * its * its;
-            }
+            const Real* const rest = at_[0].rest + Offset{i} * W;
+            for (Index k = 0; k < W; ++k) taken[k] += engine_.rate[0][i] * rest[k] * rest[k];
         }
-        return out;
+        return relative(taken, dot<W>(at_[0].f, at_[0].u, a_.level[0].n));
     }
 
     Real relative(Lanes<W> const& squares, Lanes<W> const& size) const noexcept {
@@ -161,7 +152,11 @@ private:
         }
         Lanes<W> length = dot<W>(change, its.rest, n);
         Lanes<W> const along = energy<W>(a_.level[level], change);
-        for (Index k = 0; k < W; ++k) length[k] = along[k] > 0 ? length[k] / along[k] : 0;
+        for (Index k = 0; k < W; ++k) {
+            Real const share = along[k] > 0 ? length[k] / along[k] : 0;
+            if (level == 0) corrected_[k] = share * length[k];
+            length[k] = share;
+        }
         add_multiple<W>(length, change, its.u, n);
     }
 
@@ -189,6 +184,7 @@ private:
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;
+    Lanes<W> corrected_;  // energy that the last correction on the finest level took off
     Vectors at_[Agglomeration::most_levels];
 };
 
