@@ -5,7 +5,9 @@
 #   make unit             the C++ tests alone
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
+#   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
+#   make paper            the paper's cases: figures, and a table of engines
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
 #   make clean
@@ -14,7 +16,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules unit test check-link bench demo install uninstall clean
+.PHONY: all rules unit test check-link bench deform paper demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -90,6 +92,12 @@ bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
 	    sh tests/bench/run.sh
+
+deform: all
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/deform/run.sh
+
+paper: all
+	@BUILD='$(BUILD)' sh tests/paper/run.sh
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo

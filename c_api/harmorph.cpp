@@ -1,5 +1,5 @@
-// The C interface, part 1: versions, and the way from a problem to solved functions. The only extern "C" besides
-// harmorph_curves.cpp and harmorph_basis.cpp.
+// The C interface, part 1: versions, and the way from a problem to solved functions. The only extern "C" besides the other
+// harmorph_*.cpp here.
 #include "harmorph.h"
 
 #include "fault_text.hpp"
@@ -57,7 +57,10 @@ struct Request {
         }
         condition = p.conditions;
         n_conditions = p.n_conditions;
-        if (problem.method.engine != Engine::direct && problem.method.components(problem.demands) == 2) {
+        if (problem.demands.slip && problem.method.bounded()) {
+            return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+        }
+        if (problem.demands.slip && problem.method.engine != Engine::direct) {
             return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
         }
         if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
@@ -110,6 +113,35 @@ Status count_size(Arena const& arena, size_t* bytes, Fault& fault) noexcept {
     return Status::ok;
 }
 
+Status size_basis(BasisCounts const& counts, size_t* bytes, Fault& fault) noexcept {
+    Arena counting;
+    Basis basis;
+    basis.lay_out(counting, counts);
+    return count_size(counting, bytes, fault);
+}
+
+Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block, Size bytes, hm_basis** out,
+                  Fault& fault) noexcept {
+    if (block == nullptr) return fault.refuse(Status::bad_argument, "block is NULL");
+    Arena arena(block, bytes);
+    Basis made;
+    made.lay_out(arena, counts);
+    HARMORPH_TRY(arena.verify(bytes, fault));
+    init_basis(made, counts, analysis);
+    *out = reinterpret_cast<hm_basis*>(made.header);
+    return Status::ok;
+}
+
+Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
+    BasisCounts const all = analysis.basis_counts();
+    if (first < 0 || n < 0 || n > all.functions() - first) {
+        return fault.refuse(Status::bad_argument, "there are no # functions from function @ (from 0) on", Counts::from_zero, n,
+                            first);
+    }
+    counts = all.share(first, n);
+    return Status::ok;
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -125,6 +157,7 @@ const char* hm_status_name(hm_status status) {
         case HM_OK: return "HM_OK";
         case HM_NOT_CONVERGED: return "HM_NOT_CONVERGED";
         case HM_MOVED: return "HM_MOVED";
+        case HM_SHORT: return "HM_SHORT";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";
         case HM_BAD_MESH: return "HM_BAD_MESH";
@@ -134,6 +167,7 @@ const char* hm_status_name(hm_status status) {
         case HM_BLOCK_TOO_SMALL: return "HM_BLOCK_TOO_SMALL";
         case HM_NOT_POSITIVE: return "HM_NOT_POSITIVE";
         case HM_UNSUPPORTED: return "HM_UNSUPPORTED";
+        case HM_CROSSING: return "HM_CROSSING";
         default: return "unknown status";
     }
 }
@@ -255,25 +289,48 @@ hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analy
 hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
     Fault fault;
     if (!failed(require_conditions(analysis, bytes, fault))) {
-        Arena counting;
-        Basis basis;
-        basis.lay_out(counting, opened(analysis).basis_counts());
-        count_size(counting, bytes, fault);
+        size_basis(opened(analysis).basis_counts(), bytes, fault);
     }
     return tell(err, fault);
 }
 
 hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
     Fault fault;
-    if (block == nullptr) fault.refuse(Status::bad_argument, "block is NULL");
-    if (!failed(fault.status) && !failed(require_conditions(analysis, basis, fault))) {
-        Arena arena(block, bytes);
-        Basis made;
-        made.lay_out(arena, opened(analysis).basis_counts());
-        if (!failed(arena.verify(bytes, fault))) {
-            init_basis(made, opened(analysis).basis_counts(), opened(analysis));
-            *basis = reinterpret_cast<hm_basis*>(made.header);
-        }
+    if (!failed(require_conditions(analysis, basis, fault))) {
+        make_basis(opened(analysis), opened(analysis).basis_counts(), block, bytes, basis, fault);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first, int32_t* n, hm_error* err) {
+    Fault fault;
+    if (n == nullptr || part < 0 || part >= n_parts) {
+        fault.refuse(Status::bad_argument, "n is NULL, or there is no part # (from 0) of @", Counts::from_zero, part, n_parts);
+    } else if (!failed(require_conditions(analysis, first, fault))) {
+        Offset const functions = opened(analysis).basis_counts().functions();
+        *first = static_cast<Index>(functions * part / n_parts);
+        *n = static_cast<Index>(functions * (part + Offset{1}) / n_parts) - *first;
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes, hm_error* err) {
+    Fault fault;
+    BasisCounts counts;
+    if (!failed(require_conditions(analysis, bytes, fault)) &&
+        !failed(count_share(opened(analysis), first, n, counts, fault))) {
+        size_basis(counts, bytes, fault);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis, int32_t first, int32_t n,
+                        hm_error* err) {
+    Fault fault;
+    BasisCounts counts;
+    if (!failed(require_conditions(analysis, share, fault)) &&
+        !failed(count_share(opened(analysis), first, n, counts, fault))) {
+        make_basis(opened(analysis), counts, block, bytes, share, fault);
     }
     return tell(err, fault);
 }

@@ -61,6 +61,7 @@ enum {
     HM_OK = 0,
     HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
+    HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -69,7 +70,8 @@ enum {
     HM_BAD_BASIS = -6,        /* the block is not a basis, truncated, damaged, foreign, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where it was seen */
-    HM_UNSUPPORTED = -9       /* options that do not go together */
+    HM_UNSUPPORTED = -9,      /* options that do not go together */
+    HM_CROSSING = -10         /* the moved boundary crosses itself; error.item: a point of a face that is crossed */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -236,6 +238,8 @@ typedef struct hm_problem {
  *   HM_CONFORMAL  HM_COMPACT  HM_DIRECT      all but free                      complex; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
  *   HM_WEIGHTED   HM_COMPACT  HM_DIRECT      all                               real; with slip 2 x 2 matrices
+ *   HM_LAPLACE    HM_BOUNDED  HM_DIRECT      all but slip                      real
+ *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT      all but slip                      real
  *   HM_LAPLACE    HM_COMPACT  HM_MULTIGRID   all but slip                      real
  *   HM_WEIGHTED   HM_COMPACT  HM_MULTIGRID   all but slip                      real
  *   HM_LAPLACE    HM_COMPACT  HM_FAS         all but slip                      real
@@ -252,7 +256,13 @@ enum {                             /* operator_kind */
     HM_WEIGHTED = 2                /* the integral of k |grad F|^2 */
 };
 enum { HM_NO_WEIGHT = -1 };        /* exponent_quarters: k = 1. The conformal functions are then those of HM_LAPLACE */
-enum { HM_COMPACT = 0 };           /* scheme: median dual, cell gradients; reproduces linear fields; second order */
+enum {                             /* scheme; both reproduce linear fields, and are of second order */
+    HM_COMPACT = 0,                /* median dual, cell gradients */
+    HM_BOUNDED = 2                 /* the same on the constrained Delaunay triangulation of the mesh's points (edges are
+                                      flipped, points and boundary stay; the weight is that of an edge's midpoint):
+                                      0 <= F <= 1 where every boundary is fixed or on a curve, not always beside free ones.
+                                      Its plan factors on the analysed coordinates alone */
+};
 enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
     HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
@@ -270,6 +280,11 @@ enum {                             /* agglomeration: which cells are merged */
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
+};
+enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+    HM_DOUBLE = 0,
+    HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
+                                      takes a few more solves. For large meshes */
 };
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
@@ -293,7 +308,7 @@ typedef struct hm_options {
     int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where C' vanishes */
+                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
     int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: HM_FAS 5, otherwise all */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
@@ -304,7 +319,7 @@ typedef struct hm_options {
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
-    int32_t  reserved;             /* 0 */
+    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */
@@ -412,6 +427,31 @@ HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, i
 /* values [n_points]: one of the numbers_per_value numbers of a function, both from 0. */
 HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_t number, double *values, hm_error *err);
 
+/* ---- Coarse to fine: functions solved on one mesh, interpolated to the points of a denser one of the same domain ----- */
+
+typedef struct hm_transfer_report {
+    uint64_t struct_size;
+    int32_t  points;               /* interpolated: neither on a curve nor fixed */
+    int32_t  outside;              /* of them and of the curve points: outside the coarse mesh */
+    double   max_distance;         /* [length] of those from the coarse mesh */
+    int32_t  max_distance_point;   /* where; -1: none is outside */
+    int32_t  boundary_error_point; /* where */
+    double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, N_i evaluated anew */
+    double   wall_correction;      /* [-] the same before N_i was restored: how well the coarse mesh resolves the functions */
+} hm_transfer_report;
+
+/* The fine analysis has the curves, conditions and options of the coarse basis. Bytes of working space. */
+HM_API hm_status hm_transfer_size(const hm_analysis *analysis, const hm_mesh *coarse_mesh, size_t *bytes, hm_error *err);
+/* Fills and seals a basis made of the analysis, without a plan. Points get the values of the coarse cell they are in, those
+ * beyond a curved boundary the nearest cell's, extrapolated linearly; farther than half that cell's longest side is
+ * refused (HM_BAD_MESH, error.item: the point, error.value: its distance). Curve points get N_i(u) itself, and points nearer
+ * to them than a coarse cell move along; fixed points get 0, slipping ones stay on their lines. Second order in the coarse
+ * spacing, and exact for functions that are linear. Uses the threads of the analysis. A refused call leaves the basis
+ * unsolved. report may be NULL. */
+HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const hm_analysis *analysis,
+                             const hm_basis *coarse, const hm_mesh *coarse_mesh, hm_transfer_report *report,
+                             hm_error *err);
+
 /* ---- Morph ------------------------------------------------------------------------------------------------------- */
 
 /* (x, y)_new = (x, y) + sum_i F_i (dx, dy)_i; move [2*functions] holds the control points' dx,dy pairs [length], then for
@@ -428,6 +468,47 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const do
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const double *x, const double *y,
                                    int64_t stride, const double *x_new, const double *y_new, int64_t stride_new,
                                    double *error, int32_t *point, hm_error *err);
+
+/* ---- Meshes in parts: several processes, see harmorph_mpi.h ---------------------------------------------------------- */
+
+/* Rows of some points: a basis for the part of the mesh that a process has. Its point k is points[k], counted from the mesh's
+ * index_base, in any order, ghosts and repeats too; hm_morph, hm_adjoint, hm_boundary_error and hm_basis_values work with
+ * arrays of n points in that order, and points in reports are places in the list. Points of the wall stay what they are, at
+ * the first place where the list names them. It has no cells: calls that take a mesh refuse it. Like any basis it is one
+ * block that needs nothing else and may be moved. The size is enough for any list of n points.
+ * Made of a share that has not all functions, it waits for its values, see hm_parcel_unpack. */
+HM_API hm_status hm_extract_size(const hm_basis *basis, int32_t n, size_t *bytes, hm_error *err);
+HM_API hm_status hm_extract_init(hm_basis **rows, void *block, size_t bytes, const hm_basis *basis, int32_t n,
+                                 const int32_t *points, hm_error *err);
+
+/* Which functions, from 0, part k (from 0) of n_parts may solve: all parts together all functions, in order, as evenly as can
+ * be. *n is 0 where there are more parts than functions. */
+HM_API hm_status hm_share_of(const hm_analysis *analysis, int32_t part, int32_t n_parts, int32_t *first, int32_t *n,
+                             hm_error *err);
+/* A share: a basis with a place for functions first .. first+n-1 only, from 0, n >= 0. hm_plan_solve solves these, with the
+ * same bits as all of them together; the report is of the share, its partition_defect 0. Calls that need all functions
+ * (morph, adjoint) refuse it. */
+HM_API hm_status hm_share_size(const hm_analysis *analysis, int32_t first, int32_t n, size_t *bytes, hm_error *err);
+HM_API hm_status hm_share_init(hm_basis **share, void *block, size_t bytes, const hm_analysis *analysis, int32_t first,
+                               int32_t n, hm_error *err);
+/* Parcels take a share's values to another process's rows: doubles [*doubles] for a list of n points. Unpack those of all
+ * shares in the order of their functions, each for the list that the rows were made with; with the last one the rows are
+ * solved. */
+HM_API hm_status hm_parcel_size(const hm_basis *share, int32_t n, int64_t *doubles, hm_error *err);
+HM_API hm_status hm_parcel_pack(const hm_basis *share, int32_t n, const int32_t *points, double *parcel, hm_error *err);
+HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t doubles, hm_error *err);
+
+/* hm_adjoint in parts, with the same bits for any parts: the largest of all parts' scales; the sums [4 * functions *
+ * numbers_per_value] of each part at that scale, added up elementwise; the gradient of these. Each point of the mesh counts
+ * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-64 of the scale (a
+ * power of two below 4 max|F| max|dj|): the error is at most 2^-53 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
+ * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
+HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
+                                  int32_t *scale, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_adjoint_sums(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
+                                 int32_t scale, int64_t *sums, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const int64_t *sums, double *gradient,
+                                   hm_error *err);
 
 /* ---- Validity and quality ---------------------------------------------------------------------------------------- */
 
@@ -461,6 +542,68 @@ HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const do
  * displacement, relative to them. Call it before the morph; nothing has moved yet. */
 HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy, int64_t stride,
                            const hm_executor *executor, hm_step_report *step, hm_quality_report *quality, hm_error *err);
+
+/* ---- Large movements that stay valid ------------------------------------------------------------------------------- */
+
+/* A ladder; the first rung that reaches the target is the last one that is climbed:
+ *   HM_RUNG_LINEAR     x + sum_i F_i dP_i, if its admissible step is above 1
+ *   HM_RUNG_OTHER      the same with other bases that the caller has solved (operators, exponents), in their order
+ *   HM_RUNG_SUBSTEPS   several steps, each at most half of what is admissible; the functions are solved again on the mesh of
+ *                      the step before, whose structure serves again. Points on curves and rigid bodies are always where the
+ *                      B-spline, or the body, of the control points at that moment is. On the way a body turns and scales
+ *                      about the centre of its control points as the best fitting similarity does, at an even rate; what
+ *                      is left of the movement grows linearly. Functions with real values move on straight lines.
+ *   HM_RUNG_UNTANGLED  the rest of the way at once; inner points then find places in which no cell is inverted (foldover-free
+ *                      energy of Garanzha et al., ACM Trans. Graph. 40 (2021); the initial cells are the shapes wanted)
+ * A boundary that crosses itself at the target is refused at once. */
+enum { HM_RUNG_LINEAR = 0, HM_RUNG_OTHER = 1, HM_RUNG_SUBSTEPS = 2, HM_RUNG_UNTANGLED = 3 };
+
+typedef struct hm_safe_options {
+    uint64_t struct_size;
+    int32_t  max_resolves;         /* how often the functions may be solved again; 0 means 10; negative: never */
+    int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of those not to be tried */
+    int32_t  n_others;             /* >= 0 */
+    int32_t  reserved;             /* 0 */
+    const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset correction; for a
+                                      derivative only those with the basis's numbers_per_value are tried */
+} hm_safe_options;
+
+typedef struct hm_safe_report {
+    uint64_t struct_size;
+    int32_t  rung;                 /* HM_RUNG_... that moved the mesh last */
+    int32_t  other;                /* which of `others`, from 0; -1: none */
+    int32_t  steps, resolves;
+    double   step_fraction;        /* [0..1] of the way to the target; 1: all of it */
+    double   admissible;           /* [-] of the last step that was tried, in parts of it, see hm_step_report */
+    int32_t  cell, point;          /* what limits it; -1: nothing */
+    int32_t  untangled;            /* cells that were inverted before untangling */
+    int32_t  iterations;           /* of untangling */
+    int32_t  crossing_points[4];   /* see hm_quality_report */
+    int32_t  inverted;             /* cells of x_new: always 0 */
+    int32_t  min_quality_cell;
+    double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
+    double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
+    double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
+    int32_t  angle_point;          /* where the angle changed most; -1: no point of the wall has such an edge */
+    int32_t  min_height_point, max_height_point;
+    int32_t  reserved;             /* 0 */
+} hm_safe_report;
+
+/* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
+HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
+/* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
+ * may be the mesh's own arrays. Returns HM_OK: all of `move`; HM_NOT_CONVERGED: the same, but functions on the way missed
+ * the tolerance. HM_SHORT: the last valid mesh, report.step_fraction of the way.
+ * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
+ * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
+ *
+ * derivative NULL, or another basis of the same analysis (hm_basis_init): it receives the sum of the steps' functions, each
+ * times what its step is of the whole movement, with which hm_morph is the derivative of x_new by `move`, and hm_adjoint its
+ * transpose. Exact on the wall. Neglected elsewhere: that the functions of later steps depend on where earlier ones put
+ * the mesh, that lengths of steps and the turning of bodies depend on `move`, and what untangling moved. */
+HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, double *x_new, double *y_new,
+                               int64_t stride_new, hm_basis *derivative, void *work, size_t bytes,
+                               const hm_safe_options *options, hm_safe_report *report, hm_error *err);
 
 #ifdef __cplusplus
 }

@@ -1,40 +1,25 @@
 // The C interface, part 3: everything that needs only a solved basis and the mesh.
 #include "fault_text.hpp"
+#include "harmorph/adjoint.hpp"
 #include "harmorph/assessment.hpp"
 #include "harmorph/crossing.hpp"
 #include "harmorph/morph.hpp"
-#include "views.hpp"
+#include "open_basis.hpp"
 
 namespace harmorph {
 namespace {
-
-Status open_basis(const hm_basis* basis, Basis& out, Fault& fault) noexcept {
-    if (basis == nullptr) return fault.refuse(Status::bad_argument, "basis is NULL");
-    out = Basis::view(static_cast<const void*>(basis));
-    return Status::ok;
-}
-
-Status open_solved(const hm_basis* basis, Basis& out, Fault& fault) noexcept {
-    HARMORPH_TRY(open_basis(basis, out, fault));
-    if (out.header->solved == 1) return Status::ok;
-    return fault.refuse(Status::bad_basis, "the basis has not been solved");
-}
 
 // Basis and mesh that belong together, as far as counts and layout tell.
 Status open_pair(const hm_basis* basis, const hm_mesh* given, Basis& out, Mesh& mesh, Fault& fault) noexcept {
     HARMORPH_TRY(open_basis(basis, out, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
+    if (out.header->counts.cells == 0) {
+        return fault.refuse(Status::bad_basis, "the basis is of a list of points: it knows no cells and goes with no mesh");
+    }
     if (mesh.n_points == out.n_points() && mesh.n_cells == out.header->counts.cells) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells", Counts::from_zero,
                         out.n_points(), out.header->counts.cells);
-}
-
-Status check_points(Points points, Fault& fault) noexcept {
-    if (points.x == nullptr || points.y == nullptr) {
-        return fault.refuse(Status::bad_argument, "an array of coordinates is NULL");
-    }
-    return points.stride >= 1 ? Status::ok : fault.refuse(Status::bad_argument, "a stride is negative");
 }
 
 Status check_finite(const double* numbers, Index n, const char* sentence, Fault& fault) noexcept {
@@ -46,7 +31,7 @@ Status check_finite(const double* numbers, Index n, const char* sentence, Fault&
 }
 
 Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept {
-    return check_finite(move, 2 * basis.n_functions(), "the movement of function # (from 0) is not finite", fault);
+    return check_finite(move, 2 * basis.header->counts.functions(), "the movement of function # (from 0) is not finite", fault);
 }
 
 Bases bases_of(Basis const& basis) noexcept { return {basis.header != nullptr ? basis.header->index_base : 0, 0}; }
@@ -176,14 +161,15 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     Basis b;
     if (values == nullptr) fault.refuse(Status::bad_argument, "values is NULL");
     if (!failed(fault.status) && !failed(open_solved(basis, b, fault))) {
-        if (function < 0 || function >= b.n_functions()) {
+        Index const held = function - b.header->counts.first_held;
+        if (function < 0 || held < 0 || held >= b.n_functions()) {
             fault.refuse(Status::bad_argument, "there is no function #; the basis has @", Counts::from_zero, function,
                          b.n_functions());
         } else if (number < 0 || number >= numbers_of(b.kind())) {
             fault.refuse(Status::bad_argument, "values have no number #; they have @", Counts::from_zero, number,
                          numbers_of(b.kind()));
         } else {
-            Index const place = number * b.n_functions() + function;
+            Index const place = number * b.n_functions() + held;
             for (Index point = 0; point < b.n_points(); ++point) values[point] = b.row(point)[place];
         }
     }
@@ -197,7 +183,7 @@ hm_status hm_morph(const hm_basis* basis, const double* move, const double* x, c
     Executor threads;
     Points const from = points_of(x, y, stride);
     MutablePoints const to{x_new, y_new, stride_of(stride_new)};
-    if (!failed(open_solved(basis, b, fault)) && !failed(view_executor(executor, threads, fault)) &&
+    if (!failed(open_complete(basis, b, fault)) && !failed(view_executor(executor, threads, fault)) &&
         !failed(check_move(b, move, fault)) && !failed(check_points({to.x, to.y, to.stride}, fault)) && (!from.given() || !failed(check_points(from, fault)))) {
         morph(b, move, from, to, threads);
     }
@@ -211,7 +197,7 @@ hm_status hm_adjoint(const hm_basis* basis, const double* dj_dx, const double* d
     Executor threads;
     Points const by_points = points_of(dj_dx, dj_dy, stride);
     if (gradient == nullptr) fault.refuse(Status::bad_argument, "gradient is NULL");
-    if (!failed(fault.status) && !failed(open_solved(basis, b, fault)) && !failed(check_points(by_points, fault)) &&
+    if (!failed(fault.status) && !failed(open_complete(basis, b, fault)) && !failed(check_points(by_points, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
         adjoint_morph(b, by_points, gradient, threads);
     }

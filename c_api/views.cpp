@@ -7,8 +7,12 @@ Status missing(Fault& fault, const char* sentence) noexcept { return fault.refus
 
 // Operator, weight, scheme and engine, and whether they go together.
 Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
-    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED || o.scheme != HM_COMPACT ||
-        o.engine < HM_DIRECT || o.engine > HM_FAS || (o.engine != HM_DIRECT && o.operator_kind == HM_CONFORMAL)) {
+    bool const real = o.operator_kind != HM_CONFORMAL;
+    bool const known = o.operator_kind >= HM_CONFORMAL && o.operator_kind <= HM_WEIGHTED;
+    bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
+    bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
+    bool const iterative = real && o.scheme == HM_COMPACT && (o.engine == HM_MULTIGRID || o.engine == HM_FAS);
+    if (!known || !(plain || bounded || iterative)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
@@ -16,6 +20,7 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
                             Counts::from_zero, o.exponent_quarters);
     }
     method.operator_kind = static_cast<Operator>(o.operator_kind);
+    method.scheme = static_cast<Scheme>(o.scheme);
     method.engine = static_cast<Engine>(o.engine);
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
@@ -177,6 +182,10 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
                             Counts::from_zero, o.kernel);
     }
     method.kernel = static_cast<Kernel>(o.kernel);
+    if (o.precision < HM_DOUBLE || o.precision > HM_SINGLE) {
+        return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
+    }
+    method.precision = static_cast<Precision>(o.precision);
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};

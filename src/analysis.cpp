@@ -20,10 +20,12 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     if (n_conditions == 0) return;
     Index const components = its_problem.method.components(demands);
     arena.take(tangent, components == 2 ? mesh.n_points : 0);
+    bool const bounded = its_problem.method.bounded();
+    if (bounded) triangulation.lay_out(arena, mesh);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
     Index const most_unknowns = components * mesh.n_points;
-    graph.lay_out(arena, mesh, components);
+    graph.lay_out(arena, bounded ? triangulation.mesh : mesh, components);
     arena.take(order, most_unknowns);
     layer_work.lay_out(arena, most_unknowns);
     if (its_problem.method.engine != Engine::direct) return arena.take(border.position, most_unknowns);
@@ -76,6 +78,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
                             inverted, none, 0.5 * corners.smallest());
     }
+    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(mesh, representative, reversed, fault));
     HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
     find_levers(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     if (!tangent.empty()) {
@@ -84,7 +87,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (problem.demands.periodic) {
         HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, fault));
     }
-    graph.build(mesh, edges, representative, kinds);
+    graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     topology = topology_print(mesh);
@@ -96,7 +99,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 Status Analysis::check_parts(Fault& fault) noexcept {
     Demands const& demands = problem.demands;
     if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
-    Index const floating = graph.first_floating(problem.mesh, edges, representative, kinds, order, layer_work.reached);
+    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds, order,
+                                                layer_work.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
@@ -152,11 +156,11 @@ BasisCounts Analysis::basis_counts() const noexcept {
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
     counts.conditions = conditions.count();
-    return counts;
+    return counts.share(0, counts.functions());
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {
-    if (problem.demands.slip || problem.method.conformal()) return MatrixKind::two_lines;
+    if (problem.demands.slip) return MatrixKind::two_lines;
     return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
 }
 

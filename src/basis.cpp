@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "harmorph/fixed_sum.hpp"
 #include "harmorph/hash.hpp"
 
 namespace harmorph {
@@ -21,6 +22,7 @@ bool counts_make_sense(BasisCounts const& counts) noexcept {
     for (Index const count : all) {
         if (count < 0) return false;
     }
+    if (counts.first_held < 0 || counts.held < 0 || counts.held > counts.functions() - counts.first_held) return false;
     return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
 }
 
@@ -52,7 +54,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
     arena.take(reversed, counts.cells);
-    arena.take(value, Offset{counts.points} * (Offset{numbers_of(counts.kind)} * counts.functions()));
+    arena.take(value, Offset{counts.points} * (Offset{numbers_of(counts.kind)} * counts.held));
 }
 
 Size Basis::bytes(BasisCounts const& counts) noexcept {
@@ -111,6 +113,19 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     return out;
 }
 
+BoundaryFunctions Basis::held_boundary_functions(Index slot) const noexcept {
+    BasisCounts const& counts = header->counts;
+    BoundaryFunctions const all = boundary_functions(slot);
+    BoundaryFunctions out;
+    for (Index k = 0; k < all.order; ++k) {
+        Index const place = all.function[k] - counts.first_held;
+        if (place < 0 || place >= counts.held) continue;
+        out.function[out.order] = place;
+        out.value[out.order++] = all.value[k];
+    }
+    return out;
+}
+
 Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     Vec2 sum;
     for (Index k = 0; k < order; ++k) {
@@ -120,7 +135,11 @@ Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     return sum;
 }
 
-void Basis::seal() const noexcept {
+void Basis::seal(Real at_least) const noexcept {
+    LargestMagnitude largest;
+    largest.include(at_least);
+    for (Real const number : value) largest.include(number);
+    header->largest = largest.value();
     header->solved = 1;
     header->checksum = checksum_of(*header);
 }
@@ -171,6 +190,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return refuse("the basis is damaged: its checksum does not fit");
     }
     if (mesh == nullptr) return Status::ok;
+    if (header.counts.cells == 0) return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
     if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);

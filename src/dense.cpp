@@ -5,72 +5,99 @@
 namespace harmorph::dense {
 
 // One set of kernels for each kind of processor; see dense_kernel.hpp. Columns are counted in the front.
-#define HARMORPH_DECLARE(kernel)                                                                                         \
-    namespace kernel {                                                                                                   \
+#define HARMORPH_DECLARE(kernel)                                                                                          \
+    namespace kernel {                                                                                                    \
     /* The rows of the strip that begins at pivot `first`, columns from .. to-1, minus what earlier strips contribute. */ \
-    void take_off_earlier(Panel const& panel, Index first, Index from, Index to, Real* packing) noexcept;                \
-    /* Factors the strip's own columns. */                                                                               \
-    Index factor_diagonal(Panel const& panel, Index first, Real floor) noexcept;                                         \
-    /* And then any others. */                                                                                           \
-    void finish_columns(Panel const& panel, Index first, Index from, Index to) noexcept;                                 \
-    /* The band of the update matrix that begins at row `first`. */                                                      \
-    void update_band(Panel const& panel, UpdateMatrix const& update, Index first, Real* packing) noexcept;               \
-    /* Right-hand sides: a strip's own pivots, and what they contribute to rows from .. to-1 or receive in them. */      \
-    void solve_strip_forward(Panel const& panel, Index first, Real* y, Index row) noexcept;                              \
-    void take_off_forward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept;           \
-    void take_off_backward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept;          \
-    void solve_strip_backward(Panel const& panel, Index first, Real* y, Index row) noexcept;                             \
+    template <class Number, Index planes>                                                                                 \
+    void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept;       \
+    /* Factors the strip's own columns. */                                                                                \
+    template <class Number, Index planes>                                                                                 \
+    Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* least) noexcept;                         \
+    /* And then any others. */                                                                                            \
+    template <class Number, Index planes>                                                                                 \
+    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept;         \
+    /* The band of the update matrix that begins at row `first`. */                                                       \
+    template <class Number, Index planes>                                                                                 \
+    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,                         \
+                     Number* packing) noexcept;                                                                           \
+    /* Right-hand sides: a strip's own pivots, and what they contribute to rows from .. to-1 or receive in them. */       \
+    template <class Number, Index planes>                                                                                 \
+    void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept;                     \
+    template <class Number, Index planes>                                                                                 \
+    void take_off_forward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept;  \
+    template <class Number, Index planes>                                                                                 \
+    void take_off_backward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept; \
+    template <class Number, Index planes>                                                                                 \
+    void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept;                    \
+    /* See the header. */                                                                                                 \
+    template <class Number>                                                                                               \
+    void extend_add(UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,                 \
+                    UpdateMatrix<Number> const& update) noexcept;                                                         \
+    template <class Number>                                                                                               \
+    void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept;                 \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
 namespace {
 
-constexpr Index chunk_columns = 192;           // a whole number of tiles, whatever the kernel
+constexpr Index chunk_columns = 192;               // a whole number of tiles, whatever the kernel
 constexpr Offset worth_threads = Offset{1} << 22;  // multiplications
-constexpr Index most_tile_rows = 8;            // of all kernels: a range of rows is cut into the same tiles as the whole
+constexpr Index most_tile_rows = 8;                // of all kernels: a range of rows is cut into the same tiles as the whole
 
-// body(i, packing) for i in 0 .. n-1, on the caller's threads if that is worth it.
-template <class Body>
-void spread(Workers const& workers, Offset multiplications, Index n, Body const& body) noexcept {
-    Index const threads = workers.executor.is_serial() || multiplications < worth_threads ? 1 : workers.executor.n_threads;
-    Index const used = smaller(threads, n);
-    workers.executor.for_each(used, [&](Index thread) {
-        for (Index i = thread; i < n; i += used) body(i, workers.packing + thread * packing_entries);
-    });
+// The kernels for real or for complex numbers.
+template <class Number, Index planes>
+struct Chosen {
+    Kernel kernel;
+
+    void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) const noexcept {
+        HARMORPH_CALL(kernel, take_off_earlier<Number, planes>(panel, first, from, to, packing))
+    }
+    Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* least) const noexcept {
+        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, least))
+    }
+    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) const noexcept {
+        HARMORPH_CALL(kernel, finish_columns<Number, planes>(panel, first, from, to, packing))
+    }
+    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
+                     Number* packing) const noexcept {
+        HARMORPH_CALL(kernel, update_band<Number, planes>(panel, update, first, packing))
+    }
+    void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) const noexcept {
+        HARMORPH_CALL(kernel, solve_strip_forward<Number, planes>(panel, first, y, row))
+    }
+    void take_off_forward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) const noexcept {
+        HARMORPH_CALL(kernel, take_off_forward<Number, planes>(panel, first, y, row, from, to))
+    }
+    void take_off_backward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from,
+                           Index to) const noexcept {
+        HARMORPH_CALL(kernel, take_off_backward<Number, planes>(panel, first, y, row, from, to))
+    }
+    void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, Index row) const noexcept {
+        HARMORPH_CALL(kernel, solve_strip_backward<Number, planes>(panel, first, y, row))
+    }
+};
+
+// body(kernels) for the panel's number of planes.
+template <class Number, class Body>
+auto with_kernels(Kernel kernel, Panel<Number> const& panel, Body const& body) noexcept {
+    if (panel.planes == 2) return body(Chosen<Number, 2>{kernel});
+    return body(Chosen<Number, 1>{kernel});
 }
 
 constexpr Index pieces(Index n, Index size) noexcept { return (n + size - 1) / size; }
 
-void take_off_earlier(Kernel kernel, Panel const& panel, Index first, Index from, Index to, Real* packing) noexcept {
-    HARMORPH_CALL(kernel, take_off_earlier(panel, first, from, to, packing))
-}
+// Multiplications of real numbers in one of the panel's.
+template <class Number>
+Offset cost(Panel<Number> const& panel) noexcept { return Offset{panel.planes} * panel.planes; }
 
-Index factor_diagonal(Kernel kernel, Panel const& panel, Index first, Real floor) noexcept {
-    HARMORPH_CALL(kernel, factor_diagonal(panel, first, floor))
-}
-
-void finish_columns(Kernel kernel, Panel const& panel, Index first, Index from, Index to) noexcept {
-    HARMORPH_CALL(kernel, finish_columns(panel, first, from, to))
-}
-
-void update_band(Kernel kernel, Panel const& panel, UpdateMatrix const& update, Index first, Real* packing) noexcept {
-    HARMORPH_CALL(kernel, update_band(panel, update, first, packing))
-}
-
-void solve_strip_forward(Kernel kernel, Panel const& panel, Index first, Real* y, Index row) noexcept {
-    HARMORPH_CALL(kernel, solve_strip_forward(panel, first, y, row))
-}
-
-void take_off_forward(Kernel kernel, Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
-    HARMORPH_CALL(kernel, take_off_forward(panel, first, y, row, from, to))
-}
-
-void take_off_backward(Kernel kernel, Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
-    HARMORPH_CALL(kernel, take_off_backward(panel, first, y, row, from, to))
-}
-
-void solve_strip_backward(Kernel kernel, Panel const& panel, Index first, Real* y, Index row) noexcept {
-    HARMORPH_CALL(kernel, solve_strip_backward(panel, first, y, row))
+// body(i, packing) for i in 0 .. n-1, on the caller's threads if that is worth it.
+template <class Number, class Body>
+void spread(Workers<Number> const& workers, Index planes, Offset multiplications, Index n, Body const& body) noexcept {
+    Index const threads = workers.executor.is_serial() || multiplications < worth_threads ? 1 : workers.executor.n_threads;
+    Index const used = smaller(threads, n);
+    workers.executor.for_each(used, [&](Index thread) {
+        for (Index i = thread; i < n; i += used) body(i, workers.packing + thread * planes * packing_entries);
+    });
 }
 
 // body(from, to) for ranges of whole tiles that together are rows begin .. end-1.
@@ -83,50 +110,91 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
+template <class Number>
+Index own_end(Panel<Number> const& panel, Index first) noexcept { return smaller(panel.pivots, first + strip); }
+
 }  // namespace
 
-Index factor(Kernel kernel, Panel const& panel, Real floor, Workers const& workers) noexcept {
-    for (Index first = 0; first < panel.pivots; first += strip) {
-        Index const own_end = smaller(panel.pivots, first + strip);
-        Index const n_chunks = pieces(panel.front - own_end, chunk_columns);
-        auto const begin_of = [&](Index chunk) { return own_end + chunk * chunk_columns; };
-        auto const end_of = [&](Index chunk) { return smaller(panel.front, own_end + (chunk + 1) * chunk_columns); };
-        Offset const entries = Offset{own_end - first} * (panel.front - first);
-        if (first > 0) {
-            spread(workers, entries * first, n_chunks + 1, [&](Index i, Real* packing) {
-                if (i == 0) return take_off_earlier(kernel, panel, first, first, own_end, packing);
-                take_off_earlier(kernel, panel, first, begin_of(i - 1), end_of(i - 1), packing);
+template <class Number>
+Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept {
+    return with_kernels(kernel, panel, [&](auto const& kernels) {
+        for (Index first = 0; first < panel.pivots; first += strip) {
+            Index const end = own_end(panel, first);
+            Index const n_chunks = pieces(panel.front - end, chunk_columns);
+            auto const begin_of = [&](Index chunk) { return end + chunk * chunk_columns; };
+            auto const end_of = [&](Index chunk) { return smaller(panel.front, end + (chunk + 1) * chunk_columns); };
+            Offset const multiplications = cost(panel) * (end - first) * (panel.front - first);
+            Number least[strip];
+            for (Index k = first; k < end; ++k) least[k - first] = floor * panel.row(k)[k];
+            if (first > 0) {
+                spread(workers, panel.planes, multiplications * first, n_chunks + 1, [&](Index i, Number* packing) {
+                    if (i == 0) return kernels.take_off_earlier(panel, first, first, end, packing);
+                    kernels.take_off_earlier(panel, first, begin_of(i - 1), end_of(i - 1), packing);
+                });
+            }
+            Index const bad = kernels.factor_diagonal(panel, first, least);
+            if (bad != none) return bad;
+            spread(workers, panel.planes, multiplications * strip / 2, n_chunks, [&](Index i, Number* packing) {
+                kernels.finish_columns(panel, first, begin_of(i), end_of(i), packing);
             });
         }
-        Index const bad = factor_diagonal(kernel, panel, first, floor);
-        if (bad != none) return bad;
-        spread(workers, entries * strip / 2, n_chunks,
-               [&](Index i, Real*) { finish_columns(kernel, panel, first, begin_of(i), end_of(i)); });
-    }
-    return none;
+        return none;
+    });
 }
 
-void update_border(Kernel kernel, Panel const& panel, UpdateMatrix const& update, Workers const& workers) noexcept {
-    spread(workers, UpdateMatrix::entries(update.n) * panel.pivots, pieces(update.n, strip),
-           [&](Index band, Real* packing) { update_band(kernel, panel, update, band * strip, packing); });
+template <class Number>
+void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
+                   Workers<Number> const& workers) noexcept {
+    with_kernels(kernel, panel, [&](auto const& kernels) {
+        spread(workers, panel.planes, cost(panel) * update_entries(update.n) * panel.pivots, pieces(update.n, strip),
+               [&](Index band, Number* packing) { kernels.update_band(panel, update, band * strip, packing); });
+    });
 }
 
-void solve_forward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept {
-    for (Index first = 0; first < panel.pivots; first += strip) {
-        Index const own_end = smaller(panel.pivots, first + strip);
-        solve_strip_forward(kernel, panel, first, y, row);
-        spread_rows(executor, own_end, panel.front, Offset{own_end - first} * row,
-                    [&](Index from, Index to) { take_off_forward(kernel, panel, first, y, row, from, to); });
-    }
+template <class Number>
+void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept {
+    with_kernels(kernel, panel, [&](auto const& kernels) {
+        for (Index first = 0; first < panel.pivots; first += strip) {
+            Index const end = own_end(panel, first);
+            kernels.solve_strip_forward(panel, first, y, row);
+            spread_rows(executor, end, panel.front, cost(panel) * (end - first) * row,
+                        [&](Index from, Index to) { kernels.take_off_forward(panel, first, y, row, from, to); });
+        }
+    });
 }
 
-void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept {
-    for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
-        Index const own_end = smaller(panel.pivots, first + strip);
-        spread_rows(executor, first, own_end, Offset{panel.front - own_end} * row,
-                    [&](Index from, Index to) { take_off_backward(kernel, panel, first, y, row, from, to); });
-        solve_strip_backward(kernel, panel, first, y, row);
-    }
+template <class Number>
+void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept {
+    with_kernels(kernel, panel, [&](auto const& kernels) {
+        for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
+            Index const end = own_end(panel, first);
+            spread_rows(executor, first, end, cost(panel) * (panel.front - end) * row,
+                        [&](Index from, Index to) { kernels.take_off_backward(panel, first, y, row, from, to); });
+            kernels.solve_strip_backward(panel, first, y, row);
+        }
+    });
 }
+
+template <class Number>
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept {
+    HARMORPH_CALL(kernel, extend_add<Number>(from, targets, panel, update))
+}
+
+template <class Number>
+void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept {
+    HARMORPH_CALL(kernel, add_rows<Number>(n, from, targets, y, length))
+}
+
+#define HARMORPH_MAKE(Number)                                                                                            \
+    template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                        \
+    template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&, Workers<Number> const&) noexcept; \
+    template void solve_forward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                 \
+    template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
+    template void extend_add(Kernel, UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                  \
+                             UpdateMatrix<Number> const&) noexcept;                                                      \
+    template void add_rows(Kernel, Index, const Number*, Targets const&, Number*, Index) noexcept;
+HARMORPH_MAKE(double)
+HARMORPH_MAKE(float)
 
 }  // namespace harmorph::dense

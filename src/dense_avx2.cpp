@@ -13,9 +13,42 @@
 #endif
 
 #define HARMORPH_KERNEL avx2
-#define HARMORPH_LANES 4
 #define HARMORPH_TILE_ROWS 4
-#define HARMORPH_FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+namespace harmorph::dense::avx2 {
+namespace {
+
+template <class Number>
+struct Registers;
+
+template <>
+struct Registers<double> {
+    typedef double Vector __attribute__((vector_size(32), aligned(8), may_alias));
+
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE void store_first(double* to, Vector v, Index n) noexcept {
+        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    }
+    static HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
+};
+
+template <>
+struct Registers<float> {
+    typedef float Vector __attribute__((vector_size(32), aligned(4), may_alias));
+
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE void store_first(float* to, Vector v, Index n) noexcept {
+        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    }
+    static HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
+};
+
+}  // namespace
+}  // namespace harmorph::dense::avx2
+
 #include "dense_kernel.hpp"
 
 #if defined(__clang__)

@@ -13,9 +13,42 @@
 #endif
 
 #define HARMORPH_KERNEL avx512
-#define HARMORPH_LANES 8
 #define HARMORPH_TILE_ROWS 8
-#define HARMORPH_FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+namespace harmorph::dense::avx512 {
+namespace {
+
+template <class Number>
+struct Registers;
+
+template <>
+struct Registers<double> {
+    typedef double Vector __attribute__((vector_size(64), aligned(8), may_alias));
+
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm512_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE void store_first(double* to, Vector v, Index n) noexcept {
+        _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1u << n) - 1), v);
+    }
+    static HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
+};
+
+template <>
+struct Registers<float> {
+    typedef float Vector __attribute__((vector_size(64), aligned(4), may_alias));
+
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm512_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE void store_first(float* to, Vector v, Index n) noexcept {
+        _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1u << n) - 1), v);
+    }
+    static HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
+};
+
+}  // namespace
+}  // namespace harmorph::dense::avx512
+
 #include "dense_kernel.hpp"
 
 #if defined(__clang__)

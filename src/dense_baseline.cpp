@@ -1,12 +1,46 @@
 // Dense kernels for whatever the compiler may assume: SSE2 on x86-64, NEON on aarch64, plain numbers elsewhere.
 #if defined(__aarch64__)
 #include <arm_neon.h>
-#define HARMORPH_FMA(a, b, c) vfmaq_f64(c, a, b)
-#else
-#define HARMORPH_FMA(a, b, c) ((a) * (b) + (c))
 #endif
 
+#include "harmorph/dense.hpp"
+
 #define HARMORPH_KERNEL baseline
-#define HARMORPH_LANES 2
 #define HARMORPH_TILE_ROWS 4
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+namespace harmorph::dense::baseline {
+namespace {
+
+// What one register holds, numbers that may begin anywhere: c + a b, c - a b, and a store of the first n < lanes numbers.
+template <class Number>
+struct Registers {
+    typedef Number Vector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+
+#if defined(__aarch64__)
+    static HARMORPH_INLINE float64x2_t multiply_add(float64x2_t a, float64x2_t b, float64x2_t c) noexcept {
+        return vfmaq_f64(c, a, b);
+    }
+    static HARMORPH_INLINE float64x2_t multiply_subtract(float64x2_t a, float64x2_t b, float64x2_t c) noexcept {
+        return vfmsq_f64(c, a, b);
+    }
+    static HARMORPH_INLINE float32x4_t multiply_add(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
+        return vfmaq_f32(c, a, b);
+    }
+    static HARMORPH_INLINE float32x4_t multiply_subtract(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
+        return vfmsq_f32(c, a, b);
+    }
+#else
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+#endif
+    static HARMORPH_INLINE void store_first(Number* to, Vector v, Index n) noexcept {
+        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    }
+    static HARMORPH_INLINE Number square_root(Number x) noexcept { return static_cast<Number>(__builtin_sqrt(x)); }
+};
+
+}  // namespace
+}  // namespace harmorph::dense::baseline
+
 #include "dense_kernel.hpp"

@@ -1,333 +1,439 @@
 // The dense kernels for one kind of vector register. A file that includes this has defined HARMORPH_KERNEL (a namespace),
-// HARMORPH_LANES (numbers in a register), HARMORPH_TILE_ROWS and HARMORPH_FMA(a, b, c) = a * b + c of vectors, and has told
-// the compiler which instructions it may use.
+// HARMORPH_TILE_ROWS, and in that namespace Registers<double> and Registers<float>: see dense_baseline.cpp. It has told the
+// compiler which instructions it may use.
 // Everything rests on one product, D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
 #include "harmorph/dense.hpp"
 
 namespace harmorph::dense::HARMORPH_KERNEL {
 namespace {
 
-constexpr Index lanes = HARMORPH_LANES;
-constexpr Index tile_rows = HARMORPH_TILE_ROWS;
-constexpr Index tile_vectors = 3;
-constexpr Index tile_columns = lanes * tile_vectors;
-
-// Vectors that may begin at any number.
-typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
-#define HARMORPH_INLINE inline __attribute__((always_inline))
-
 // Not the core's: a copy of that compiled here might be linked everywhere.
 HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
 
-HARMORPH_INLINE Vector load(const Real* from) noexcept { return *reinterpret_cast<const Vector*>(from); }
-HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
+template <class Number>
+using Vector = typename Registers<Number>::Vector;
+template <class Number>
+constexpr Index lanes = static_cast<Index>(sizeof(Vector<Number>) / sizeof(Number));
 
-// c + a b for every number of the vectors.
-HARMORPH_INLINE Vector multiply_add(Real a, Vector b, Vector c) noexcept {
-    Vector const all = a - Vector{};
-    return HARMORPH_FMA(all, b, c);
+// A complex tile takes two registers for each one of a real tile.
+template <Index planes>
+constexpr Index tile_rows = HARMORPH_TILE_ROWS / planes;
+constexpr Index tile_vectors = 3;
+template <class Number>
+constexpr Index tile_columns = tile_vectors * lanes<Number>;
+static_assert(block % tile_rows<1> == 0, "a block is a whole number of tiles");
+
+template <class Number>
+HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept {
+    return *reinterpret_cast<const Vector<Number>*>(from);
+}
+template <class Number>
+HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept {
+    *reinterpret_cast<Vector<Number>*>(to) = v;
 }
 
-// A is read transposed (element (k, r) at a[k * row + r]) or plainly (element (r, k) at a[r * row + k]).
-enum class Op { transposed, plain };
-enum class Store { subtract, set };
-
-struct Source {
-    const Real* a;
-    Offset a_row;
-    const Real* b;
-    Offset b_row;
-    Index from, to;  // the summation index k
-};
-
-struct Target {
-    Real* d;
-    Offset row;
-    Index columns;  // valid ones in the tile; the rest is computed and thrown away
-};
-
-template <Op op, Store how, Index rows, Index vectors>
-HARMORPH_INLINE void tile(Source const& s, Target const& t) noexcept {
-    Vector sum[rows][vectors] = {};
-    for (Index k = s.from; k < s.to; ++k) {
-        Vector b[vectors];
-        for (Index v = 0; v < vectors; ++v) b[v] = load(s.b + k * s.b_row + v * lanes);
-        for (Index r = 0; r < rows; ++r) {
-            Real const a = op == Op::transposed ? s.a[k * s.a_row + r] : s.a[r * s.a_row + k];
-            for (Index v = 0; v < vectors; ++v) sum[r][v] = multiply_add(a, b[v], sum[r][v]);
-        }
-    }
-    for (Index r = 0; r < rows; ++r) {
-        for (Index v = 0; v < vectors; ++v) {
-            Real* const to = t.d + r * t.row + v * lanes;
-            if ((v + 1) * lanes <= t.columns) {
-                store(to, how == Store::subtract ? load(to) - sum[r][v] : sum[r][v]);
-            } else {
-                for (Index lane = 0; lane < t.columns - v * lanes; ++lane) {
-                    to[lane] = how == Store::subtract ? to[lane] - sum[r][v][lane] : sum[r][v][lane];
-                }
-            }
-        }
-    }
-}
-
-template <Op op, Store how, Index rows>
-HARMORPH_INLINE void tile_of_rows(Source const& s, Target const& t) noexcept {
-    static_assert(tile_vectors == 3, "one case for each number of vectors");
-    if (t.columns > 2 * lanes) return tile<op, how, rows, 3>(s, t);
-    if (t.columns > lanes) return tile<op, how, rows, 2>(s, t);
-    return tile<op, how, rows, 1>(s, t);
-}
-
-template <Op op, Store how>
-void any_tile(Index rows, Source const& s, Target const& t) noexcept {
-    switch (rows) {
-        case 1: return tile_of_rows<op, how, 1>(s, t);
-        case 2: return tile_of_rows<op, how, 2>(s, t);
-        case 3: return tile_of_rows<op, how, 3>(s, t);
-        case 4: return tile_of_rows<op, how, 4>(s, t);
-#if HARMORPH_TILE_ROWS == 8
-        case 5: return tile_of_rows<op, how, 5>(s, t);
-        case 6: return tile_of_rows<op, how, 6>(s, t);
-        case 7: return tile_of_rows<op, how, 7>(s, t);
-        case 8: return tile_of_rows<op, how, 8>(s, t);
-#endif
-        default: return;
-    }
-}
-
-// A block of memory with its row length.
+// Rows of a matrix: from one row to the next, and from a row's real parts to its imaginary parts.
+template <class Number>
 struct Rows {
-    const Real* data;
-    Offset length;
+    Number* data;
+    Offset length, plane;
+
+    HARMORPH_INLINE Rows at(Index row, Index column) const noexcept { return {data + row * length + column, length, plane}; }
 };
 
 struct Shape {
     Index rows, columns, depth;
 };
 
-// D [rows x columns] -= op(A) B, read where they are: for what fits the first-level cache. upper: D begins on the diagonal,
-// and what is below it is not wanted.
-template <Op op>
-void subtract_product(Shape shape, Rows a, Rows b, Real* d, Offset d_row, bool upper = false) noexcept {
-    for (Index c = 0; c < shape.columns; c += tile_columns) {
-        Index const columns = smaller(tile_columns, shape.columns - c);
-        Index const wanted = upper ? smaller(shape.rows, c + tile_columns) : shape.rows;
-        for (Index r = 0; r < wanted; r += tile_rows) {
-            const Real* const first = op == Op::transposed ? a.data + r : a.data + r * a.length;
-            any_tile<op, Store::subtract>(smaller(tile_rows, shape.rows - r),
-                                          {first, a.length, b.data + c, b.length, 0, shape.depth},
-                                          {d + r * d_row + c, d_row, columns});
+// op(A) of A's element (k, r): its conjugate transpose, or A as it stands, element (r, k).
+enum class Op { conjugate_transposed, plain };
+enum class Store { subtract, set };
+
+// sum += op(a) b for one plane of b. Both loops are short and unrolled, whatever the compiler's level, so that the sums
+// stay in registers.
+template <Op op, Index planes, Index plane, Index rows, Index vectors, class Number>
+HARMORPH_INLINE void multiply_add(const Number* a, Offset next_row, Offset a_plane, const Number* b,
+                                  Vector<Number> (&sum)[planes][rows][vectors]) noexcept {
+    Vector<Number> factor[vectors];
+#pragma GCC unroll 8
+    for (Index v = 0; v < vectors; ++v) factor[v] = load(b + v * lanes<Number>);
+#pragma GCC unroll 8
+    for (Index r = 0; r < rows; ++r) {
+        Vector<Number> const real = a[r * next_row] - Vector<Number>{};
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) {
+            sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
+        }
+        if constexpr (planes == 2) {
+            constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);  // i * i = -1, and the conjugate's sign
+            Vector<Number> const imaginary = a[r * next_row + a_plane] - Vector<Number>{};
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                Vector<Number>& to = sum[1 - plane][r][v];
+                to = adds ? Registers<Number>::multiply_add(imaginary, factor[v], to)
+                          : Registers<Number>::multiply_subtract(imaginary, factor[v], to);
+            }
         }
     }
 }
 
-// Copies `width` columns of a block's `depth` rows next to each other.
-HARMORPH_INLINE void pack(Rows from, Index depth, Index width, Real* to) noexcept {
+// The summation index goes from `begin` to `end`; `columns` of D are wanted, the rest is computed and thrown away.
+template <Op op, Store how, Index planes, Index rows, Index vectors, class Number>
+HARMORPH_INLINE void tile(Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d, Index columns) noexcept {
+    Offset const next_row = op == Op::plain ? a.length : 1, next_k = op == Op::plain ? 1 : a.length;
+    Vector<Number> sum[planes][rows][vectors] = {};
+    for (Index k = begin; k < end; ++k) {
+        const Number* const from = a.data + k * next_k;
+        const Number* const row = b.data + k * b.length;
+        multiply_add<op, planes, 0>(from, next_row, a.plane, row, sum);
+        if constexpr (planes == 2) multiply_add<op, planes, 1>(from, next_row, a.plane, row + b.plane, sum);
+    }
+#pragma GCC unroll 2
+    for (Index plane = 0; plane < planes; ++plane) {
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                Number* const to = d.data + r * d.length + plane * d.plane + v * lanes<Number>;
+                Vector<Number> const found = how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v];
+                Index const wanted = columns - v * lanes<Number>;
+                if (v + 1 < vectors || wanted >= lanes<Number>) {
+                    store(to, found);
+                } else {
+                    Registers<Number>::store_first(to, found, wanted);
+                }
+            }
+        }
+    }
+}
+
+template <Op op, Store how, Index planes, Index rows, class Number>
+void tile_of_rows(Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d, Index columns) noexcept {
+    static_assert(tile_vectors == 3, "one case for each number of vectors");
+    if (columns > 2 * lanes<Number>) return tile<op, how, planes, rows, 3>(a, b, begin, end, d, columns);
+    if (columns > lanes<Number>) return tile<op, how, planes, rows, 2>(a, b, begin, end, d, columns);
+    return tile<op, how, planes, rows, 1>(a, b, begin, end, d, columns);
+}
+
+template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number>
+HARMORPH_INLINE void any_tile(Index rows, Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d,
+                              Index columns) noexcept {
+    if constexpr (most_rows > 1) {
+        if (rows < most_rows) return any_tile<op, how, planes, most_rows - 1>(rows, a, b, begin, end, d, columns);
+    }
+    return tile_of_rows<op, how, planes, most_rows>(a, b, begin, end, d, columns);
+}
+
+// D [rows x columns] -= op(A) B, read where they are. upper: D begins on the diagonal, and what is below it is not wanted.
+template <Op op, Index planes, class Number>
+void subtract_product(Shape shape, Rows<Number> a, Rows<Number> b, Rows<Number> d, bool upper = false) noexcept {
+    for (Index r = 0; r < shape.rows; r += tile_rows<planes>) {
+        Index const rows = smaller(tile_rows<planes>, shape.rows - r);
+        Rows<Number> const its = op == Op::plain ? a.at(r, 0) : a.at(0, r);
+        for (Index c = upper ? r : 0; c < shape.columns; c += tile_columns<Number>) {
+            any_tile<op, Store::subtract, planes>(rows, its, b.at(0, c), 0, shape.depth, d.at(r, c),
+                                                  smaller(tile_columns<Number>, shape.columns - c));
+        }
+    }
+}
+
+// Copies `width` columns next to each other; whole vectors are written.
+template <Index planes, Index width, class Number>
+HARMORPH_INLINE Rows<Number> pack(Rows<Number> from, Index depth, Number* to) noexcept {
     for (Index k = 0; k < depth; ++k) {
-        for (Index i = 0; i < width; ++i) to[k * width + i] = from.data[k * from.length + i];
+#pragma GCC unroll 2
+        for (Index plane = 0; plane < planes; ++plane) {
+            for (Index i = 0; i < width; ++i) {
+                to[(k * planes + plane) * width + i] = from.data[k * from.length + plane * from.plane + i];
+            }
+        }
     }
+    return {to, planes * width, width};
 }
 
-// D [rows x columns] -= A^T B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
+// D [rows x columns] -= A^H B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
 // memory. depth, rows <= strip.
-void subtract_packed(Shape shape, Rows a, Rows b, Real* d, Offset d_row, Real* packing, bool upper) noexcept {
-    Real* const packed_a = packing;
-    Real* const packed_b = packing + strip * strip;
-    Index const whole_rows = shape.rows / tile_rows * tile_rows;
-    for (Index r = 0; r < whole_rows; r += tile_rows) {
-        pack({a.data + r, a.length}, shape.depth, tile_rows, packed_a + r * shape.depth);
-    }
-    for (Index c = 0; c < shape.columns; c += tile_columns) {
-        Index const columns = smaller(tile_columns, shape.columns - c);
-        pack({b.data + c, b.length}, shape.depth, tile_columns, packed_b);
-        Index const wanted = upper ? smaller(shape.rows, c + tile_columns) : shape.rows;
-        for (Index r = 0; r < wanted; r += tile_rows) {
-            bool const whole = r < whole_rows;
-            Source const source{whole ? packed_a + r * shape.depth : a.data + r, whole ? Offset{tile_rows} : a.length, packed_b,
-                                tile_columns, 0, shape.depth};
-            any_tile<Op::transposed, Store::subtract>(smaller(tile_rows, shape.rows - r), source,
-                                                      {d + r * d_row + c, d_row, columns});
+template <Index planes, class Number>
+void subtract_packed(Shape shape, Rows<Number> a, Rows<Number> b, Rows<Number> d, Number* packing, bool upper) noexcept {
+    constexpr Index height = tile_rows<planes>, width = tile_columns<Number>;
+    Number* const packed_b = packing + planes * strip * strip;
+    Index const whole_rows = shape.rows / height * height;
+    auto const packed_a = [&](Index r) { return packing + Offset{planes} * r * shape.depth; };
+    for (Index r = 0; r < whole_rows; r += height) pack<planes, height>(a.at(0, r), shape.depth, packed_a(r));
+    for (Index c = 0; c < shape.columns; c += width) {
+        Rows<Number> const factor = pack<planes, width>(b.at(0, c), shape.depth, packed_b);
+        Index const wanted = upper ? smaller(shape.rows, c + width) : shape.rows;
+        for (Index r = 0; r < wanted; r += height) {
+            Rows<Number> const its = r < whole_rows ? Rows<Number>{packed_a(r), planes * height, height} : a.at(0, r);
+            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(height, shape.rows - r), its, factor, 0,
+                                                                        shape.depth, d.at(r, c),
+                                                                        smaller(width, shape.columns - c));
         }
     }
 }
 
-// b [n x columns] = inverse^T b, inverse upper triangular: row r needs rows <= r, so the last rows go first.
-void apply_inverse_transposed(Index n, Index columns, Rows inverse, Real* b, Offset b_row) noexcept {
-    for (Index c = 0; c < columns; c += tile_columns) {
-        for (Index r = (n - 1) / tile_rows * tile_rows; r >= 0; r -= tile_rows) {
-            Index const rows = smaller(tile_rows, n - r);
-            any_tile<Op::transposed, Store::set>(rows, {inverse.data + r, inverse.length, b + c, b_row, 0, r + rows},
-                                                 {b + r * b_row + c, b_row, smaller(tile_columns, columns - c)});
+// b [n x columns] = E b, E lower triangular: row r needs rows <= r, so the last rows go first.
+template <Index planes, class Number>
+void apply_inverse(Index n, Index columns, Rows<Number> inverse, Rows<Number> b) noexcept {
+    for (Index c = 0; c < columns; c += tile_columns<Number>) {
+        for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0; r -= tile_rows<planes>) {
+            Index const rows = smaller(tile_rows<planes>, n - r);
+            any_tile<Op::plain, Store::set, planes>(rows, inverse.at(r, 0), b.at(0, c), 0, r + rows, b.at(r, c),
+                                                    smaller(tile_columns<Number>, columns - c));
         }
     }
 }
 
-// b [n x columns] = inverse b: row r needs rows >= r, so the first rows go first.
-void apply_inverse(Index n, Index columns, Rows inverse, Real* b, Offset b_row) noexcept {
-    for (Index c = 0; c < columns; c += tile_columns) {
-        for (Index r = 0; r < n; r += tile_rows) {
-            any_tile<Op::plain, Store::set>(smaller(tile_rows, n - r),
-                                            {inverse.data + r * inverse.length, inverse.length, b + c, b_row, r, n},
-                                            {b + r * b_row + c, b_row, smaller(tile_columns, columns - c)});
+// b [n x columns] = E^H b: row r needs rows >= r, so the first rows go first.
+template <Index planes, class Number>
+void apply_inverse_transposed(Index n, Index columns, Rows<Number> inverse, Rows<Number> b) noexcept {
+    for (Index c = 0; c < columns; c += tile_columns<Number>) {
+        for (Index r = 0; r < n; r += tile_rows<planes>) {
+            any_tile<Op::conjugate_transposed, Store::set, planes>(smaller(tile_rows<planes>, n - r), inverse.at(0, r),
+                                                                   b.at(0, c), r, n, b.at(r, c),
+                                                                   smaller(tile_columns<Number>, columns - c));
         }
     }
 }
 
-// A diagonal block in rows of one fixed length, so that all loops are over whole vectors.
-struct Square {
-    Real at[block][block];
+// to [n] = factor * from, n <= block; whole vectors are read.
+template <class Number>
+HARMORPH_INLINE void copy_scaled(Number* to, const Number* from, Number factor, Index n) noexcept {
+    for (Index c = 0; c < n; c += lanes<Number>) {
+        Vector<Number> const v = factor * load(from + c);
+        if (n - c >= lanes<Number>) {
+            store(to + c, v);
+        } else {
+            Registers<Number>::store_first(to + c, v, n - c);
+        }
+    }
+}
+
+// A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H | L^-1], A = L D L^H.
+template <Index planes, class Number>
+struct BlockBesideUnit {
+    static constexpr Index width = 2 * block;
+    Number at[block][planes][width + lanes<Number>];
+
+    BlockBesideUnit(Rows<Number> a, Index n) noexcept {
+        for (Index r = 0; r < n; ++r) {
+            for (Index plane = 0; plane < planes; ++plane) {
+                Number* const row = at[r][plane];
+                copy_scaled(row, a.data + r * a.length + plane * a.plane, Number{1}, block);
+                for (Index c = block; c < width; ++c) row[c] = 0;
+            }
+            at[r][0][block + r] = 1;
+        }
+    }
+
+    // row r -= conj(factor) * row k, where they differ from 0: from column r of A to column k of the unit matrix.
+    HARMORPH_INLINE void subtract(Index r, Index k, Number real, Number imaginary) noexcept {
+        for (Index c = r / lanes<Number> * lanes<Number>; c <= block + k; c += lanes<Number>) {
+            Vector<Number> const re = load(at[k][0] + c);
+            Vector<Number> to = load(at[r][0] + c) - real * re;
+            if constexpr (planes == 2) {
+                Vector<Number> const im = load(at[k][1] + c);
+                to -= imaginary * im;
+                store(at[r][1] + c, load(at[r][1] + c) - real * im + imaginary * re);
+            }
+            store(at[r][0] + c, to);
+        }
+    }
 };
-static_assert(block % lanes == 0, "rows are whole vectors");
 
-// row -= factor * other, from the vector that holds column `from` on.
-HARMORPH_INLINE void subtract_row(Real* row, Real factor, const Real* other, Index from) noexcept {
-    for (Index c = from / lanes * lanes; c < block; c += lanes) store(row + c, multiply_add(-factor, load(other + c), load(row + c)));
-}
-
-// Cholesky of the leading n x n part. Returns a pivot that fails, or none.
-Index factor_square(Square& a, Index n, Real floor) noexcept {
-    Real least[block];
-    for (Index k = 0; k < n; ++k) least[k] = floor * a.at[k][k];
+// Cholesky of a diagonal block, whose place the inverse of U^H takes. Returns a pivot that is not above `least`, or none.
+template <Index planes, class Number>
+Index factor_block(Rows<Number> a, Index n, const Number* least) noexcept {
+    BlockBesideUnit<planes, Number> both(a, n);
+    Number pivot[block];
     for (Index k = 0; k < n; ++k) {
-        Real* const row = a.at[k];
-        if (!(row[k] > least[k])) return k;
-        Real const root = __builtin_sqrt(row[k]), scale = 1 / root;
-        for (Index c = k / lanes * lanes; c < block; c += lanes) store(row + c, scale * load(row + c));
-        row[k] = root;
-        for (Index r = k + 1; r < n; ++r) subtract_row(a.at[r], row[r], row, r);
+        pivot[k] = both.at[k][0][k];
+        if (!(pivot[k] > least[k])) return k;
+        Number const inverse = 1 / pivot[k];
+        for (Index r = k + 1; r < n; ++r) {
+            both.subtract(r, k, both.at[k][0][r] * inverse, planes == 2 ? both.at[k][planes - 1][r] * inverse : 0);
+        }
+    }
+    for (Index r = 0; r < n; ++r) {
+        Number const scale = 1 / Registers<Number>::square_root(pivot[r]);
+        for (Index plane = 0; plane < planes; ++plane) {
+            copy_scaled(a.data + r * a.length + plane * a.plane, both.at[r][plane] + block, scale, n);
+        }
     }
     return none;
 }
 
-// Rows from the last one up: row k of the inverse is (e_k - sum_j U_kj (row j of the inverse)) / U_kk.
-void invert_square(Square const& u, Index n, Square& inverse) noexcept {
-    inverse = {};
-    for (Index k = n - 1; k >= 0; --k) {
-        Real* const row = inverse.at[k];
-        for (Index j = k + 1; j < n; ++j) subtract_row(row, u.at[k][j], inverse.at[j], j);
-        Real const scale = 1 / u.at[k][k];
-        for (Index c = k / lanes * lanes; c < block; c += lanes) store(row + c, scale * load(row + c));
-        row[k] = scale;
-    }
-}
-
-// Cholesky of a diagonal block, and the inverse of its factor in its place.
-Index factor_block(Real* a, Offset row, Index n, Real floor) noexcept {
-    Square square = {}, inverse;
-    for (Index r = 0; r < n; ++r) {
-        for (Index c = r; c < n; ++c) square.at[r][c] = a[r * row + c];
-    }
-    Index const bad = factor_square(square, n, floor);
-    if (bad != none) return bad;
-    invert_square(square, n, inverse);
-    for (Index r = 0; r < n; ++r) {
-        for (Index c = 0; c < n; ++c) a[r * row + c] = c < r ? 0 : inverse.at[r][c];
-    }
-    return none;
-}
-
-struct Strip {
-    Real* rows;     // its first pivot's column is number 0
-    Offset length;
+template <class Number>
+struct Strip : Rows<Number> {  // its first pivot's column is number 0
     Index n;
 };
 
-Strip strip_of(Panel const& panel, Index first) noexcept {
-    return {panel.data + panel.strip_start(first), panel.row_length(first), smaller(strip, panel.pivots - first)};
+template <Index planes, class Number>
+HARMORPH_INLINE Strip<Number> strip_of(Panel<Number> const& panel, Index first) noexcept {
+    Offset const plane = panel.front - first;
+    return {{panel.data + planes * strip_start(panel.front, first), planes * plane, plane},
+            smaller(strip, panel.pivots - first)};
+}
+
+// Right-hand sides from a pivot's row on.
+template <Index planes, class Number>
+HARMORPH_INLINE Rows<Number> sides(Number* y, Index row, Index pivot) noexcept {
+    return {y + Offset{planes} * row * pivot, Offset{planes} * row, row};
+}
+
+// to [n] += from; whole vectors are read.
+template <class Number>
+HARMORPH_INLINE void add_run(Number* to, const Number* from, Index n) noexcept {
+    Index i = 0;
+    for (; i + lanes<Number> <= n; i += lanes<Number>) store(to + i, load(to + i) + load(from + i));
+    if (i < n) Registers<Number>::store_first(to + i, load(to + i) + load(from + i), n - i);
+}
+
+// A row of an upper triangle, from column `begin` on.
+template <class Number>
+HARMORPH_INLINE void add_row(Number* to, const Number* from, Index begin, Index end, Targets const& targets) noexcept {
+    for (Index c = begin; c < end; c = targets.ends[c]) add_run(to + targets.at[c], from + c, targets.ends[c] - c);
 }
 
 constexpr Index packing_pays = 96;  // rows longer than this are copied before they are multiplied
 
 }  // namespace
 
-void take_off_earlier(Panel const& panel, Index first, Index from, Index to, Real* packing) noexcept {
-    Strip const own = strip_of(panel, first);
-    bool const diagonal = from == first;
+template <class Number, Index planes>
+void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index earlier = 0; earlier < first; earlier += strip) {
-        Strip const above = strip_of(panel, earlier);
-        subtract_packed({own.n, to - from, above.n}, {above.rows + (first - earlier), above.length},
-                        {above.rows + (from - earlier), above.length}, own.rows + (from - first), own.length, packing,
-                        diagonal);
+        Strip<Number> const above = strip_of<planes>(panel, earlier);
+        subtract_packed<planes>({own.n, to - from, above.n}, above.at(0, first - earlier), above.at(0, from - earlier),
+                                own.at(0, from - first), packing, from == first);
     }
 }
 
-Index factor_diagonal(Panel const& panel, Index first, Real floor) noexcept {
-    Strip const own = strip_of(panel, first);
+template <class Number, Index planes>
+Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* least) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        Rows const above{own.rows + k, own.length};
-        Real* const diagonal = own.rows + k * own.length + k;
-        if (k > 0) subtract_product<Op::transposed>({n, own.n - k, k}, above, above, diagonal, own.length);
-        Index const bad = factor_block(diagonal, own.length, n, floor);
+        Rows<Number> const above = own.at(0, k), its = own.at(k, k);
+        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, own.n - k, k}, above, above, its);
+        Index const bad = factor_block<planes>(its, n, least + k);
         if (bad != none) return first + k + bad;
-        apply_inverse_transposed(n, own.n - k - n, {diagonal, own.length}, diagonal + n, own.length);
+        apply_inverse<planes>(n, own.n - k - n, its, its.at(0, n));
     }
     return none;
 }
 
-void finish_columns(Panel const& panel, Index first, Index from, Index to) noexcept {
-    Strip const own = strip_of(panel, first);
-    Real* const columns = own.rows + (from - first);
+template <class Number, Index planes>
+void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number*) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
+    Rows<Number> const columns = own.at(0, from - first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        Real* const its = columns + k * own.length;
-        Rows const above{own.rows + k, own.length};
-        if (k > 0) subtract_product<Op::transposed>({n, to - from, k}, above, {columns, own.length}, its, own.length);
-        apply_inverse_transposed(n, to - from, {own.rows + k * own.length + k, own.length}, its, own.length);
+        Rows<Number> const its = columns.at(k, 0);
+        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, to - from, k}, own.at(0, k), columns, its);
+        apply_inverse<planes>(n, to - from, own.at(k, k), its);
     }
 }
 
-void update_band(Panel const& panel, UpdateMatrix const& update, Index begin, Real* packing) noexcept {
-    Index const rows = smaller(strip, update.n - begin), width = padded(update.n - begin);  // padding may be written
-    Real* const d = update.row(begin) + begin;
-    Offset const d_row = update.row_length(begin);
+template <class Number, Index planes>
+void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin, Number* packing) noexcept {
+    Offset const plane = padded(update.n - begin);  // padding may be written
+    Rows<Number> const d{update.data + planes * band_start(update.n, begin), planes * plane, plane};
+    Index const rows = smaller(strip, update.n - begin);
     for (Index first = 0; first < panel.pivots; first += strip) {
-        Strip const own = strip_of(panel, first);
-        Rows const columns{own.rows + (panel.pivots - first) + begin, own.length};
-        if (own.length > packing_pays) {
-            subtract_packed({rows, width, own.n}, columns, columns, d, d_row, packing, true);
+        Strip<Number> const own = strip_of<planes>(panel, first);
+        Rows<Number> const columns = own.at(0, panel.pivots - first + begin);
+        Shape const shape{rows, static_cast<Index>(plane), own.n};
+        if (own.plane > packing_pays) {
+            subtract_packed<planes>(shape, columns, columns, d, packing, true);
         } else {
-            subtract_product<Op::transposed>({rows, width, own.n}, columns, columns, d, d_row, true);
+            subtract_product<Op::conjugate_transposed, planes>(shape, columns, columns, d, true);
         }
     }
 }
 
-void solve_strip_forward(Panel const& panel, Index first, Real* y, Index row) noexcept {
-    Strip const own = strip_of(panel, first);
+template <class Number, Index planes>
+void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
+    Rows<Number> const done = sides<planes>(y, row, first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        const Real* const diagonal = own.rows + k * own.length + k;
-        Real* const its = y + Offset{first + k} * row;
-        apply_inverse_transposed(n, row, {diagonal, own.length}, its, row);
-        subtract_product<Op::transposed>({own.n - k - n, row, n}, {diagonal + n, own.length}, {its, row}, its + Offset{n} * row,
-                                         row);
+        Rows<Number> const its = done.at(k, 0);
+        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, row, k}, own.at(0, k), done, its);
+        apply_inverse<planes>(n, row, own.at(k, k), its);
     }
 }
 
-void take_off_forward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
-    Strip const own = strip_of(panel, first);
-    subtract_product<Op::transposed>({to - from, row, own.n}, {own.rows + (from - first), own.length},
-                                     {y + Offset{first} * row, row}, y + Offset{from} * row, row);
+template <class Number, Index planes>
+void take_off_forward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
+    subtract_product<Op::conjugate_transposed, planes>({to - from, row, own.n}, own.at(0, from - first),
+                                                       sides<planes>(y, row, first), sides<planes>(y, row, from));
 }
 
-void take_off_backward(Panel const& panel, Index first, Real* y, Index row, Index from, Index to) noexcept {
-    Strip const own = strip_of(panel, first);
+template <class Number, Index planes>
+void take_off_backward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
     Index const known = first + own.n;
-    subtract_product<Op::plain>({to - from, row, panel.front - known},
-                                {own.rows + (from - first) * own.length + own.n, own.length}, {y + Offset{known} * row, row},
-                                y + Offset{from} * row, row);
+    subtract_product<Op::plain, planes>({to - from, row, panel.front - known}, own.at(from - first, own.n),
+                                        sides<planes>(y, row, known), sides<planes>(y, row, from));
 }
 
-void solve_strip_backward(Panel const& panel, Index first, Real* y, Index row) noexcept {
-    Strip const own = strip_of(panel, first);
+template <class Number, Index planes>
+void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept {
+    Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
         Index const n = smaller(block, own.n - k);
-        const Real* const diagonal = own.rows + k * own.length + k;
-        Real* const its = y + Offset{first + k} * row;
-        subtract_product<Op::plain>({n, row, own.n - k - n}, {diagonal + n, own.length}, {its + Offset{n} * row, row}, its, row);
-        apply_inverse(n, row, {diagonal, own.length}, its, row);
+        Rows<Number> const its = sides<planes>(y, row, first + k);
+        subtract_product<Op::plain, planes>({n, row, own.n - k - n}, own.at(k, k + n), its.at(n, 0), its);
+        apply_inverse_transposed<planes>(n, row, own.at(k, k), its);
     }
 }
+
+template <class Number>
+void extend_add(UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept {
+    Index const planes = from.planes;
+    for (Index r = 0; r < from.n; ++r) {
+        Index const band = r / strip * strip;
+        Offset const plane = padded(from.n - band);
+        const Number* const row = from.data + planes * (band_start(from.n, band) + (r - band) * plane) - band;
+        // The target's row, such that to[column] is the entry in a column of the front.
+        Index const target = targets.at[r];
+        bool const is_pivot = target < panel.pivots;
+        Index const number = is_pivot ? target : target - panel.pivots, first = number / strip * strip;
+        Offset const its_plane = is_pivot ? panel.front - first : padded(update.n - first);
+        Offset const start = is_pivot ? strip_start(panel.front, first) : band_start(update.n, first);
+        Number* const to = (is_pivot ? panel.data : update.data - panel.pivots) +
+                           planes * (start + (number - first) * its_plane) - first;
+        add_row(to, row, r, from.n, targets);
+        if (planes == 2) add_row(to + its_plane, row + plane, r, from.n, targets);
+    }
+}
+
+template <class Number>
+void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept {
+    for (Index r = 0; r < n; ++r) add_run(y + Offset{targets.at[r]} * length, from + Offset{r} * length, length);
+}
+
+#define HARMORPH_MAKE(Number, planes)                                                                                      \
+    template void take_off_earlier<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;           \
+    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, const Number*) noexcept;                   \
+    template void finish_columns<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;             \
+    template void update_band<Number, planes>(Panel<Number> const&, UpdateMatrix<Number> const&, Index, Number*) noexcept; \
+    template void solve_strip_forward<Number, planes>(Panel<Number> const&, Index, Number*, Index) noexcept;               \
+    template void take_off_forward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;    \
+    template void take_off_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;   \
+    template void solve_strip_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index) noexcept;
+#define HARMORPH_MAKE_MOVES(Number)                                                                                       \
+    template void extend_add<Number>(UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                    \
+                                     UpdateMatrix<Number> const&) noexcept;                                                \
+    template void add_rows<Number>(Index, const Number*, Targets const&, Number*, Index) noexcept;
+HARMORPH_MAKE_MOVES(double)
+HARMORPH_MAKE_MOVES(float)
+HARMORPH_MAKE(double, 1)
+HARMORPH_MAKE(double, 2)
+HARMORPH_MAKE(float, 1)
+HARMORPH_MAKE(float, 2)
 
 }  // namespace harmorph::dense::HARMORPH_KERNEL

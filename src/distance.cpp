@@ -10,13 +10,15 @@ constexpr Real least_distance = 1e-30;
 // Wider vectors would be taken apart on the plain architecture. Never references to them: see Four.
 typedef Real Two __attribute__((vector_size(16), aligned(8), may_alias));
 
-Two two(const Real* from) noexcept { return *reinterpret_cast<const Two*>(from); }
-void set_two(Real* to, Two numbers) noexcept { *reinterpret_cast<Two*>(to) = numbers; }
-Two larger_of(Two a, Two b) noexcept { return a > b ? a : b; }
-Two smaller_of(Two a, Two b) noexcept { return a < b ? a : b; }
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+HARMORPH_INLINE Two two(const Real* from) noexcept { return *reinterpret_cast<const Two*>(from); }
+HARMORPH_INLINE void set_two(Real* to, Two numbers) noexcept { *reinterpret_cast<Two*>(to) = numbers; }
+HARMORPH_INLINE Two larger_of(Two a, Two b) noexcept { return a > b ? a : b; }
+HARMORPH_INLINE Two smaller_of(Two a, Two b) noexcept { return a < b ? a : b; }
 
 // Squared distances.
-Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexcept {
+HARMORPH_INLINE Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexcept {
     Two const along_x = two(segments.along_x + lane), along_y = two(segments.along_y + lane);
     Two x = from.x - two(segments.x + lane), y = from.y - two(segments.y + lane);
     Two const nearest = (x * along_x + y * along_y) * two(segments.inverse + lane);
@@ -26,14 +28,14 @@ Two squares(FaceDistance::Segments const& segments, Index lane, Vec2 from) noexc
     return x * x + y * y;
 }
 
-Two squares(FaceDistance::Boxes const& boxes, Index lane, Vec2 from) noexcept {
+HARMORPH_INLINE Two squares(FaceDistance::Boxes const& boxes, Index lane, Vec2 from) noexcept {
     Two const x = larger_of(two(boxes.low_x + lane) - from.x, from.x - two(boxes.high_x + lane));
     Two const y = larger_of(two(boxes.low_y + lane) - from.y, from.y - two(boxes.high_y + lane));
     Two const outside_x = larger_of(x, Two{0, 0}), outside_y = larger_of(y, Two{0, 0});
     return outside_x * outside_x + outside_y * outside_y;
 }
 
-Real nearest_square(FaceDistance::Segments const& segments, Vec2 from) noexcept {
+HARMORPH_INLINE Real nearest_square(FaceDistance::Segments const& segments, Vec2 from) noexcept {
     Two nearest = squares(segments, 0, from);
     for (Index lane = 2; lane < lanes; lane += 2) nearest = smaller_of(nearest, squares(segments, lane, from));
     return smaller(nearest[0], nearest[1]);
@@ -45,13 +47,13 @@ struct Candidates {
     Index lane[lanes];
     Real square[lanes];  // to the chord or box, by lane
 
-    Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real square_reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real square_reach) noexcept {
         for (Index k = 0; k < lanes; k += 2) set_two(square + k, squares(boxes, k, from));
         Real const limit = (1 + 2 * slack) * square_reach;
         for (Index k = 0; k < lanes; ++k) add_if(square[k] < limit, k);
         nearest_first();
     }
-    Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
         Real limit[lanes];
         for (Index k = 0; k < lanes; k += 2) {
             Two const both = (1 + slack) * (reach + two(chords.radius + k));
@@ -64,11 +66,11 @@ struct Candidates {
 
 private:
     // Without a branch, which nobody could predict.
-    void add_if(bool is_one, Index k) noexcept {
+    HARMORPH_INLINE void add_if(bool is_one, Index k) noexcept {
         lane[n] = k;
         n += is_one ? 1 : 0;
     }
-    void nearest_first() noexcept {
+    HARMORPH_INLINE void nearest_first() noexcept {
         Index best = 0;
         for (Index k = 1; k < n; ++k) best = square[lane[k]] < square[lane[best]] ? k : best;
         if (n < 2) return;
@@ -136,7 +138,7 @@ private:
             Real const limit = (1 + slack) * (reach + chords.radius[lane]);
             if (node[lane] == tried_ || !(candidates.square[lane] < limit * limit)) continue;
             Real const square = nearest_square(tree_.groups[node[lane]], from_);
-            if (!(square < square_)) continue;
+            if (!(square < square_ || (square == square_ && node[lane] < group))) continue;  // whatever the guess was
             square_ = square;
             reach = square_root(square);
             group = node[lane];
@@ -197,26 +199,24 @@ Start start_near(FaceDistance const& tree, Vec2 centre, Real reach) noexcept {
     return start;
 }
 
-// Cells with consecutive numbers, most often neighbours: they share what the tree is asked.
+// Cells or edges with consecutive numbers, most often neighbours: they share what the tree is asked.
 struct Block {
     static constexpr Index most = 32;
 
     Index n;
-    Vec2 barycentre[most];  // in units
+    Vec2 place[most];  // in units
     Vec2 centre;
     Real radius;
 
-    Block(Mesh const& mesh, Points points, Index first, Real inverse_unit) noexcept
-        : n(smaller(most, mesh.n_cells - first)) {
+    // place_of(number) for all numbers below `end`.
+    template <class PlaceOf>
+    Block(Index first, Index end, PlaceOf place_of) noexcept : n(smaller(most, end - first)) {
         Vec2 low{infinity, infinity}, high{-infinity, -infinity};
         for (Index k = 0; k < n; ++k) {
-            Cell const cell = mesh.cell(first + k);
-            Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
-            if (cell.n == 4) sum = sum + points[cell.point[3]];
-            Vec2 const p = (cell.n == 4 ? 0.25 * inverse_unit : inverse_unit / 3) * sum;
+            Vec2 const p = place_of(first + k);
             low = {smaller(low.x, p.x), smaller(low.y, p.y)};
             high = {larger(high.x, p.x), larger(high.y, p.y)};
-            barycentre[k] = p;
+            place[k] = p;
         }
         centre = 0.5 * (low + high);
         radius = 0.5 * length(high - low);
@@ -241,6 +241,24 @@ void to_weights(Span<Real> numbers, Index quarters) noexcept {
     for (Index k = 0; k < numbers.count(); ++k) numbers[k] = 1 / power[k];
 }
 
+// k [n] at place_of(number), in units.
+template <class PlaceOf>
+void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor, PlaceOf place_of) noexcept {
+    if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
+    constexpr Index least_blocks = 128;
+    executor.for_ranges((k.count() + Block::most - 1) / Block::most, least_blocks, [&](Index begin, Index end) {
+        Search search(faces);
+        for (Index number = begin; number < end; ++number) {
+            Block const block(number * Block::most, k.count(), place_of);
+            Real const nearest = square_root(search.from_anywhere(block.centre));
+            Start const start = start_near(faces, block.centre, (1 + slack) * (nearest + 2 * block.radius));
+            Span<Real> const its = k.from(number * Block::most, block.n);
+            for (Index i = 0; i < block.n; ++i) its[i] = search.from_near(start, block.place[i]);
+            to_weights(its, quarters);
+        }
+    });
+}
+
 }  // namespace
 
 Real FaceDistance::distance(Vec2 from) const noexcept {
@@ -248,20 +266,46 @@ Real FaceDistance::distance(Vec2 from) const noexcept {
     return square_root(Search(*this).from_anywhere(inverse_unit * from)) / inverse_unit;
 }
 
+FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
+    if (count == 0) return {};
+    Search search(*this);
+    search.group = group;
+    Vec2 const here = inverse_unit * from;
+    search.from_anywhere(here);
+    group = search.group;
+    Segments const& its = groups[group];
+    Foot best;
+    Real least = infinity;
+    for (Index lane = 0; lane < lanes && lanes * group + lane < count; ++lane) {
+        Vec2 const start{its.x[lane], its.y[lane]}, along{its.along_x[lane], its.along_y[lane]};
+        Real const t = clamp(dot(here - start, along) * its.inverse[lane], 0.0, 1.0);
+        Real const distance = square(here - start - t * along);
+        if (!(distance < least)) continue;
+        least = distance;
+        best = {lanes * group + lane, t};
+    }
+    return best;
+}
+
+Vec2 FaceDistance::at(Foot const& foot, Points points) const noexcept {
+    Face const& face = faces[foot.face];
+    return (1 - foot.t) * points[face.point[0]] + foot.t * points[face.point[1]];
+}
+
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept {
-    if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
-    constexpr Index least_blocks = 128;
-    executor.for_ranges((mesh.n_cells + Block::most - 1) / Block::most, least_blocks, [&](Index begin, Index end) {
-        Search search(faces);
-        for (Index number = begin; number < end; ++number) {
-            Block const block(mesh, points, number * Block::most, faces.inverse_unit);
-            Real const nearest = square_root(search.from_anywhere(block.centre));
-            Start const start = start_near(faces, block.centre, (1 + slack) * (nearest + 2 * block.radius));
-            Span<Real> const its = k.from(number * Block::most, block.n);
-            for (Index cell = 0; cell < block.n; ++cell) its[cell] = search.from_near(start, block.barycentre[cell]);
-            to_weights(its, quarters);
-        }
+    weigh(faces, quarters, k, executor, [&](Index number) {
+        Cell const cell = mesh.cell(number);
+        Vec2 sum = points[cell.point[0]] + points[cell.point[1]] + points[cell.point[2]];
+        if (cell.n == 4) sum = sum + points[cell.point[3]];
+        return (cell.n == 4 ? 0.25 * faces.inverse_unit : faces.inverse_unit / 3) * sum;
+    });
+}
+
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
+                 Executor const& executor) noexcept {
+    weigh(faces, quarters, k, executor, [&](Index number) {
+        return 0.5 * faces.inverse_unit * (points[edges[number].begin] + points[edges[number].end]);
     });
 }
 

@@ -107,7 +107,8 @@ void FaceDistance::find_unit(Points points) noexcept {
     for (Face const& face : faces.first(count)) {
         for (Index const point : face.point) all.include(points[point]);
     }
-    unit = count == 0 ? 0 : power_of_two_below(larger(all.size().x, all.size().y));
+    extent = count == 0 ? 0 : larger(all.size().x, all.size().y);
+    unit = power_of_two_below(extent);
     inverse_unit = unit > 0 && is_finite(1 / unit) ? 1 / unit : 1;
 }
 

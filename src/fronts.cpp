@@ -48,7 +48,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         Index const border = static_cast<Index>(border_start[t]);
         Index const front = tree.nodes[t].pivots() + border;
         sizes.border_entries += border;
-        sizes.factor_entries += dense::Panel::entries(tree.nodes[t].pivots(), front);
+        sizes.factor_entries += dense::panel_entries(tree.nodes[t].pivots(), front);
         sizes.largest_front = larger(sizes.largest_front, front);
         sizes.largest_border = larger(sizes.largest_border, border);
     }

@@ -1,13 +1,29 @@
 #include "harmorph/harmonic.hpp"
 
+#include "harmorph/bounded.hpp"
 #include "harmorph/stiffness.hpp"
 
 namespace harmorph {
 namespace {
 
-// Rounding leaves less on most meshes; on very uneven ones a step of refinement brings it back.
+// Rounding leaves less on most meshes; on very uneven ones a step of refinement brings it back. With a factor in single
+// precision each step gains about six digits.
 constexpr Real refined_above = 1e-13;
-constexpr Index most_refinements = 2;
+// Engines that iterate stop where they are asked to.
+constexpr Index most_refinements(Method const& method) noexcept {
+    if (method.engine != Engine::direct) return 0;
+    return method.precision == Precision::in_single ? 8 : 2;
+}
+
+// Columns that are refined at a time: what the dead stack has room for, but at least a few.
+Index residual_width(Analysis const& analysis, Matrix const& matrix, Index columns) noexcept {
+    bool const in_single = analysis.problem.method.precision == Precision::in_single;
+    Offset const stack = analysis.is_direct() ? analysis.subtrees.top_stack_entries : 0;
+    Offset const stack_bytes = stack * static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
+    Offset const room = stack_bytes / (Offset{larger(matrix.n, 1)} * static_cast<Offset>(sizeof(Real)));
+    Offset const least = in_single ? 8 : 6;
+    return static_cast<Index>(smaller(larger(room, least), Offset{smaller(columns, Residual::widest)}));
+}
 
 }  // namespace
 
@@ -17,17 +33,21 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     arena.take(line_of, n);
     arena.take(reversed, n_cells);
     bool const weighted = analysis.problem.method.quarters > 0;
-    wall.lay_out(arena, weighted ? static_cast<Size>(analysis.count_wall_faces()) : 0);
-    arena.take(conductivity, weighted ? n_cells : 0);
+    wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
+    Index const n_edges = analysis.problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
+    arena.take(delaunay_edges, n_edges);
+    arena.take(conductivity, !weighted ? 0 : n_edges > 0 ? n_edges : n_cells);
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
-    Index const columns = numbers_of(counts.kind) * counts.functions() / matrix.components();
+    Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
+    Index const columns = matrix.is_complex() ? counts.functions() : line_length;
     lay_out_engine(arena, analysis, columns);
-    residual.lay_out(arena, n, matrix.is_complex());
+    residual.lay_out(arena, n, matrix.is_complex(), residual_width(analysis, matrix, columns));
 }
 
 void Plan::lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept {
     if (analysis.is_direct()) {
-        engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns);
+        engine.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns, matrix.is_complex(),
+                       analysis.problem.method.precision);
         Size const shared = arena.mark();
         engine.lay_out_stack(arena);
         return arena.release(shared);
@@ -55,12 +75,19 @@ void Plan::init(Analysis const& analysis) noexcept {
     topology = analysis.topology;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
+    region_counts = RegionCounts::of(mesh, analysis.edges);
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
-    if (!conductivity.empty()) wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
-    matrix.build(mesh, analysis.edges, analysis.representative, analysis.graph, analysis.order, analysis.border.position,
-                 analysis.wall_work.slot, analysis.tangent);
+    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    n_wall_faces = wall.count;
+    if (method.bounded()) {
+        Index n = 0;
+        analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
+        analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
+    }
+    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
+                 analysis.border.position, analysis.wall_work.slot, analysis.tangent);
     engine.executor = analysis.problem.executor;
     init_engine(analysis);
 }
@@ -79,14 +106,7 @@ void Plan::init_engine(Analysis const& analysis) noexcept {
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
-    if (!conductivity.empty()) {
-        wall.build(points);
-        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
-    }
-    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
-    if (inverted != none) {
-        return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
-    }
+    HARMORPH_TRY(assemble(points, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
     Status const status = factor_engine(points, fault);
@@ -96,6 +116,34 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
+}
+
+Status Plan::assemble(Points points, Fault& fault) noexcept {
+    return method.bounded() ? assemble_edges(points, fault) : assemble_cells(points, fault);
+}
+
+Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
+    }
+    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
+    if (inverted == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+}
+
+Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
+    if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
+        return fault.refuse(Status::unsupported, "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+    }
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_edges(wall, delaunay_edges, points, method.quarters, conductivity, engine.executor);
+    }
+    Index const thin = assemble_bounded(delaunay_edges, points, conductivity, matrix);
+    if (thin == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "a triangle at the points # and @ is too thin for its area to be computed",
+                        Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 
 Status Plan::factor_engine(Points points, Fault& fault) noexcept {
@@ -115,28 +163,20 @@ Status Plan::solve_engine(Rows const& values, IterationReport& report, Fault& fa
 
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
-    bool const same_counts = std::memcmp(&basis.header->counts, &basis_counts, sizeof basis_counts) == 0;
-    if (!same_counts || basis.header->topology != topology || basis.header->conditions != conditions) {
-        return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
-    }
+    HARMORPH_TRY(check_fit(basis, fault));
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Lines const all = lines(basis);
     set_right_hand_sides(matrix, all);
-    HARMORPH_TRY(solve_engine({basis.value.data(), line_of.data(), all.length(), all.columns(matrix)}, report.iteration, fault));
+    Index const columns = all.columns(matrix);
+    HARMORPH_TRY(solve_engine({basis.value.data(), line_of.data(), all.length(), columns, columns}, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     report.unknowns = matrix.n;
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
-    HARMORPH_TRY(measure_residual(basis, report, fault));
-    Index const refinements = method.engine == Engine::direct ? most_refinements : 0;  // the others stop where they are asked to
-    while (report.residual > refined_above && report.refinements < refinements) {
-        HARMORPH_TRY(refine(basis, fault));
-        ++report.refinements;
-        HARMORPH_TRY(measure_residual(basis, report, fault));
-    }
+    HARMORPH_TRY(refine(basis, report, fault));
     if (matrix.kind == MatrixKind::two_lines) turn_slipping_lines(basis);
     copy_joined_points(basis);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
@@ -163,6 +203,14 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
     }
     n_cells = levels.level[level].n;
     return Status::ok;
+}
+
+Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
+    BasisCounts const whole = basis.header->counts.share(0, basis_counts.held);
+    bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
+    bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
+    if (same_counts && same_mesh && basis.header->method.agrees_with(method)) return Status::ok;
+    return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
 // A slipping point has moved along its tangent: from its one line to those of x and y.
@@ -192,37 +240,55 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
     }
 }
 
-Status Plan::measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept {
+// What is left of the equations, and iterative refinement where that is too much.
+Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     Lines const all = lines(basis);
     Index const n_columns = all.columns(matrix);
     report.residual = 0;
     report.residual_function = none;
-    for (Index first = 0; first < n_columns; first += Residual::width) {
-        Index const n = smaller(Residual::width, n_columns - first);
-        Residual::Norms const norms = residual.compute(matrix, all, first, n);
+    report.refinements = 0;
+    for (Index first = 0; first < n_columns; first += residual.width) {
+        Index const n = smaller(residual.width, n_columns - first);
+        Residual::Norms norms;
+        Index steps = 0;
+        HARMORPH_TRY(refine_columns(all, first, n, norms, steps, fault));
+        report.refinements = larger(report.refinements, steps);
         for (Index k = 0; k < n; ++k) {
             Real const relative = norms.relative(k);
             bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
             if (!worse) continue;
             report.residual = relative;
-            report.residual_function = (first + k) % basis.n_functions();
+            report.residual_function = basis.header->counts.first_held + (first + k) % basis.n_functions();
         }
-        if (report.refinements > 0) continue;  // fractions never go back
         HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
 }
 
-// One step of iterative refinement: what is left of the equations is solved for, and added.
-Status Plan::refine(Basis const& basis, Fault& fault) noexcept {
-    Lines const all = lines(basis);
-    for (Index first = 0; first < all.columns(matrix); first += Residual::width) {
-        Index const n = smaller(Residual::width, all.columns(matrix) - first);
-        residual.compute(matrix, all, first, n);
-        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, Residual::width, n}, Progress{}, fault));
-        residual.add_to(matrix, all, first, n);
+// What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits
+// do not depend on those solved with it.
+Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps,
+                            Fault& fault) noexcept {
+    Offset const row_length = Offset{engine.planes} * residual.width;
+    Residual::Choice wanted;
+    Real before[Residual::widest];
+    for (Index k = 0; k < n; ++k) {
+        wanted.column[k] = true;
+        before[k] = infinity;
     }
-    return Status::ok;
+    for (;; ++steps) {
+        norms = residual.compute(matrix, all, first, n);
+        bool any = false;
+        for (Index k = 0; k < n; ++k) {
+            Real const now = norms.relative(k);
+            wanted.column[k] = wanted.column[k] && now > refined_above && now < 0.5 * before[k];
+            before[k] = now;
+            any = any || wanted.column[k];
+        }
+        if (!any || steps == most_refinements(method)) return Status::ok;
+        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, row_length, n, residual.width}, Progress{}, fault));
+        residual.add_to(matrix, all, first, n, wanted);
+    }
 }
 
 void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& analysis) noexcept {

@@ -3,15 +3,15 @@
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #define HARMORPH_FOR_EACH_KERNEL(declare) declare(baseline) declare(avx2) declare(avx512)
-#define HARMORPH_CALL(kernel, call)               \
-    switch (kernel) {                             \
-        case Kernel::avx512: return avx512::call; \
-        case Kernel::avx2: return avx2::call;     \
-        default: return baseline::call;           \
+#define HARMORPH_CALL(kernel, ...)                       \
+    switch (kernel) {                                    \
+        case Kernel::avx512: return avx512::__VA_ARGS__; \
+        case Kernel::avx2: return avx2::__VA_ARGS__;     \
+        default: return baseline::__VA_ARGS__;           \
     }
 #else
 #define HARMORPH_FOR_EACH_KERNEL(declare) declare(baseline)
-#define HARMORPH_CALL(kernel, call) \
-    static_cast<void>(kernel);      \
-    return baseline::call;
+#define HARMORPH_CALL(kernel, ...) \
+    static_cast<void>(kernel);     \
+    return baseline::__VA_ARGS__;
 #endif

@@ -15,6 +15,15 @@ void sort_row(Span<Index> row) noexcept {
     }
 }
 
+// Across a periodic pair two points may share cells on both sides. Returns how many columns are left.
+Offset drop_repeats(Span<Index> row) noexcept {
+    Size kept = 0;
+    for (Size i = 0; i < row.size(); ++i) {
+        if (i == 0 || row[i] != row[i - 1]) row[kept++] = row[i];
+    }
+    return static_cast<Offset>(kept);
+}
+
 // Rows are short: a handful of entries, but for hubs of fans.
 template <class I>
 I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept {
@@ -82,7 +91,9 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
         for (Index const neighbour : graph.of(order[row])) {
             if (position[neighbour] > row) column[filled++] = position[neighbour];
         }
-        sort_row(column.from(start[row], filled - start[row]));
+        Span<Index> const its = column.from(start[row], filled - start[row]);
+        sort_row(its);
+        filled = start[row] + drop_repeats(its);
     }
     start[n] = filled;
 
@@ -106,25 +117,29 @@ void Matrix::clear() const noexcept {
     fill(coupling_imaginary, 0.0);
 }
 
-Offset Matrix::find(Index row, Index later) const noexcept {
-    return find_in_row<Offset>(column, start[row], start[row + 1], later);
-}
-
-Index Matrix::find_coupling(Index line, Index row) const noexcept {
-    return find_in_row<Index>(coupling_row, coupling_start[line], coupling_start[line + 1], row);
+// i, j: their places.
+Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
+    bool const turned = i < 0 || (j >= 0 && j < i);
+    if (turned) {
+        Index const first = i;
+        i = j;
+        j = first;
+    }
+    if (i < 0 || j == none) return {};
+    if (j >= 0) {
+        Offset const at = find_in_row<Offset>(column, start[i], start[i + 1], j);
+        return {value.data() + at, imaginary.data() + at, turned};
+    }
+    Index const at = find_in_row<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
+    return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
 }
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
-    if (i >= 0 && j >= 0) {
-        value[find(smaller(i, j), larger(i, j))] -= conductance;
-    } else if (i >= 0 && is_wall(j)) {
-        coupling_value[find_coupling(wall(j), i)] -= conductance;
-    } else if (j >= 0 && is_wall(i)) {
-        coupling_value[find_coupling(wall(i), j)] -= conductance;
-    }
+    Entry const its = entry(i, j);
+    if (its.value != nullptr) *its.value -= conductance;
 }
 
 void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
@@ -136,38 +151,23 @@ void Matrix::add_complex(Index point, Index other, Real conductance, Real circul
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
-    if (i >= 0 && j >= 0) {
-        Offset const k = find(smaller(i, j), larger(i, j));
-        value[k] -= conductance;
-        imaginary[k] += i < j ? circulation : -circulation;
-    } else if (i >= 0 && is_wall(j)) {
-        Index const k = find_coupling(wall(j), i);
-        coupling_value[k] -= conductance;
-        coupling_imaginary[k] += circulation;
-    } else if (j >= 0 && is_wall(i)) {
-        Index const k = find_coupling(wall(i), j);
-        coupling_value[k] -= conductance;
-        coupling_imaginary[k] -= circulation;
-    }
+    Entry const its = entry(i, j);
+    if (its.value == nullptr) return;
+    *its.value -= conductance;
+    *its.imaginary += its.turned ? -circulation : circulation;
 }
 
 // The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
 void Matrix::add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept {
-    Vec2 const entry = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
-    Real const block[2][2] = {{entry.x, -entry.y}, {entry.y, entry.x}};
+    Vec2 const its = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+    Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
     for (Index p = 0; p < 2; ++p) {
         Index const i = place[2 * point + p], own_j = place[2 * other + p];
         if (i >= 0) diagonal[i] += conductance;
         if (own_j >= 0) diagonal[own_j] += conductance;
         for (Index q = 0; q < 2; ++q) {
-            Index const j = place[2 * other + q];
-            if (i >= 0 && j >= 0) {
-                value[find(smaller(i, j), larger(i, j))] += block[p][q];
-            } else if (i >= 0 && is_wall(j)) {
-                coupling_value[find_coupling(wall(j), i)] += block[p][q];
-            } else if (j >= 0 && is_wall(i)) {
-                coupling_value[find_coupling(wall(i), j)] += block[p][q];
-            }
+            Entry const at = entry(i, place[2 * other + q]);
+            if (at.value != nullptr) *at.value += block[p][q];
         }
     }
 }
@@ -176,7 +176,9 @@ void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noex
     fill(faces, std::uint8_t{0});
     edges.for_each([&](Index, Index low, Index high) {
         Index const i = place[low], j = place[high];
-        if (i >= 0 && j >= 0 && i != j) faces[find(smaller(i, j), larger(i, j))] = 1;
+        if (i < 0 || j < 0 || i == j) return;
+        Index const row = smaller(i, j);
+        faces[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] = 1;
     });
 }
 

@@ -6,15 +6,7 @@ namespace harmorph {
 namespace {
 
 constexpr Index block_points = 256;      // their sums stay in the first-level cache
-constexpr Index adjoint_points = 4096;   // of one partial sum
-constexpr Index adjoint_ranges = 16;     // whatever the number of threads: the sum's bits must not depend on it
 constexpr Index least_range = 8192;      // points that are worth a thread
-constexpr Offset worth_asking = Offset{1} << 16;  // values; fewer are done before the processor has told what it is
-
-Kernel kernel_for(Basis const& basis) noexcept {
-    return Offset{basis.n_points()} * basis.row_length() < worth_asking ? Kernel::baseline : best_kernel();
-}
-
 // A sum of 0 keeps the bits: -0.0 + 0.0 would not.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
@@ -46,56 +38,15 @@ void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points fro
     }
 }
 
-// total += what points begin .. begin+n-1 give to numbers first .. first+width-1 of their rows.
-void add_part(Kernel kernel, Basis const& basis, Points gradient_by_points, Index begin, Index n, Index first, Index width,
-              Movements& total) noexcept {
-    Movements sum = {};
-    for (Index p = begin; p < begin + n; p += block_points) {
-        Index const count = smaller(block_points, begin + n - p);
-        Vec2 by[block_points];
-        for (Index i = 0; i < count; ++i) by[i] = gradient_by_points[p + i];
-        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.row_length(), count, width}, by, sum);
-    }
-    for (Index k = 0; k < width; ++k) {
-        total.x[k] += sum.x[k];
-        total.y[k] += sum.y[k];
-    }
-}
-
 }  // namespace
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
-    Kernel const kernel = kernel_for(basis);
+    Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
     executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
         for (Index begin = range_begin; begin < range_end; begin += block_points) {
             morph_block(kernel, basis, move, from, to, begin, smaller(block_points, range_end - begin));
         }
     });
-}
-
-void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
-    Index const n_functions = basis.n_functions(), row_length = basis.row_length(), n_points = basis.n_points();
-    Kernel const kernel = kernel_for(basis);
-    for (Index i = 0; i < 2 * n_functions; ++i) gradient[i] = 0;
-    for (Index first = 0; first < row_length; first += Movements::most) {
-        Index const width = smaller(Movements::most, row_length - first);
-        Movements sum[adjoint_ranges];
-        executor.for_each(adjoint_ranges, [&](Index range) {
-            auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / adjoint_ranges); };
-            sum[range] = {};
-            for (Index begin = bound(range); begin < bound(range + 1); begin += adjoint_points) {
-                Index const n = smaller(adjoint_points, bound(range + 1) - begin);
-                add_part(kernel, basis, gradient_by_points, begin, n, first, width, sum[range]);
-            }
-        });
-        for (Index k = 0; k < width; ++k) {
-            Vec2 total;
-            for (Movements const& its : sum) total = total + Vec2{its.x[k], its.y[k]};
-            Index const plane = (first + k) / n_functions, function = (first + k) % n_functions;
-            gradient[2 * function] += dot(total, moved_by(basis.kind(), plane, {1, 0}));
-            gradient[2 * function + 1] += dot(total, moved_by(basis.kind(), plane, {0, 1}));
-        }
-    }
 }
 
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
@@ -111,14 +62,16 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
 
 BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     BasisMeasures measures;
-    Index const n_functions = basis.n_functions(), n_control = basis.header->counts.control;
+    BasisCounts const& counts = basis.header->counts;
+    Index const n_functions = basis.n_functions();
+    Index const n_control = clamp(counts.control - counts.first_held, Index{0}, n_functions);  // of those held
     ValueKind const kind = basis.kind();
     auto const raise = [](BoundaryError& worst, Real error, Index point) {
         if (worst.point == none || !(error <= worst.error)) worst = {error, point};  // NaN is the worst
     };
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
-        BoundaryFunctions const functions = basis.boundary_functions(slot);
+        BoundaryFunctions const functions = basis.held_boundary_functions(slot);
         const Real* const values = basis.row(point);
         for (Index plane = 0; plane < numbers_of(kind); ++plane) {
             Real sum = 0;
@@ -131,7 +84,7 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
                 raise(measures.value, absolute(value - expected), point);
                 sum += i < n_control ? value : 0;
             }
-            if (!basis.is_on_curve(slot)) continue;
+            if (!basis.is_on_curve(slot) || !counts.complete()) continue;
             Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
             if (!(defect <= measures.partition_defect)) measures.partition_defect = defect;
         }

@@ -2,9 +2,20 @@
 
 namespace harmorph {
 
-void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees,
-                           Index width) noexcept {
+template <class Number>
+void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept {
+    Offset const lanes = subtrees.lanes;
+    arena.take(its.factor, planes * factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
+    arena.take(its.packing, lanes * planes * dense::packing_entries);
+    Offset const stacks = lanes > 1 ? lanes + 1 : 1;
+    arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length() + dense::overread);
+}
+
+void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width,
+                           bool complex, Precision its_precision) noexcept {
     subtrees = its_subtrees;
+    precision = its_precision;
+    planes = complex ? 2 : 1;
     largest_border = sizes.largest_border;
     padded_width = dense::padded(width);
     Offset const lanes = subtrees.lanes;
@@ -13,65 +24,51 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     arena.take(border_start, Offset{nodes} + 1);
     arena.take(border, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
-    arena.take(factor, sizes.factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
     arena.take(target, lanes * largest_border);
     arena.take(run_end, lanes * largest_border);
-    arena.take(packing, lanes * dense::packing_entries);
-    Offset const stacks = lanes > 1 ? lanes + 1 : 1;
-    arena.take(rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * padded_width + dense::overread);
+    if (precision == Precision::in_single) {
+        lay_out_numbers(arena, sizes.factor_entries, singles);
+    } else {
+        lay_out_numbers(arena, sizes.factor_entries, doubles);
+    }
 }
 
 void Multifrontal::lay_out_stack(Arena& arena) noexcept {
     Offset const lanes = subtrees.lanes > 1 ? subtrees.lanes : 0;
-    arena.take(stack, subtrees.top_stack_entries + subtrees.kept_entries + lanes * subtrees.stack_entries);
+    Offset const entries = subtrees.top_stack_entries + subtrees.kept_entries + lanes * subtrees.stack_entries;
+    if (precision == Precision::in_single) {
+        arena.take(singles.stack, planes * entries);
+    } else {
+        arena.take(doubles.stack, planes * entries);
+    }
 }
 
 void Multifrontal::place_panels() noexcept {
     Offset next = 0;
     for (Index node = 0; node < tree.count; ++node) {
         panel_start[node] = next;
-        Index const pivots = tree.nodes[node].pivots();
-        next += dense::Panel::entries(pivots, pivots + border_of(node).count());
+        next += planes * dense::panel_entries(pivots_of(node), front_of(node));
         if (subtrees.find(node) != none) next += dense::overread;  // what comes next is another lane's
     }
     panel_start[tree.count] = next;
 }
 
-dense::Panel Multifrontal::panel(Index node) const noexcept {
-    Index const pivots = tree.nodes[node].pivots();
-    return {factor.data() + panel_start[node], pivots, pivots + border_of(node).count()};
-}
-
-Multifrontal::Lane Multifrontal::top_lane() const noexcept {
-    return {executor, stack.data(), rows.data(), packing.data(), target.data(), run_end.data()};
-}
-
-Multifrontal::Lane Multifrontal::lane(Index number) const noexcept {
-    Offset const n = number;
-    return {Executor{},
-            stack.data() + subtrees.top_stack_entries + subtrees.kept_entries + n * subtrees.stack_entries,
-            rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * padded_width,
-            packing.data() + n * dense::packing_entries,
-            target.data() + n * largest_border,
-            run_end.data() + n * largest_border};
-}
-
-void Multifrontal::find_targets(Index child, Index parent, Lane const& lane) const noexcept {
+void Multifrontal::find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept {
     auto const& its = tree.nodes[parent];
-    Span<const Index> const from = border_of(child), to = border_of(parent);
+    Span<const Index> const below = border_of(child), above = border_of(parent);
     Index at = 0;
-    for (Index r = 0; r < from.count(); ++r) {
-        if (from[r] < its.end) {
-            lane.target[r] = from[r] - its.begin;
+    for (Index r = 0; r < below.count(); ++r) {
+        if (below[r] < its.end) {
+            targets.at[r] = below[r] - its.begin;
             continue;
         }
-        while (to[at] != from[r]) ++at;  // both increase
-        lane.target[r] = its.pivots() + at;
+        while (above[at] != below[r]) ++at;  // both increase
+        targets.at[r] = its.pivots() + at;
     }
-    for (Index r = from.count() - 1; r >= 0; --r) {
-        bool const goes_on = r + 1 < from.count() && lane.target[r + 1] == lane.target[r] + 1 &&
-                             lane.target[r + 1] != its.pivots();  // pivots and border lie in two blocks
-        lane.run_end[r] = goes_on ? lane.run_end[r + 1] : r + 1;
+    for (Index r = below.count() - 1; r >= 0; --r) {
+        bool const goes_on = r + 1 < below.count() && targets.at[r + 1] == targets.at[r] + 1 &&
+                             targets.at[r + 1] != its.pivots();  // pivots and border lie in two blocks
+        targets.ends[r] = goes_on ? targets.ends[r + 1] : r + 1;
     }
 }
 

@@ -4,88 +4,105 @@ namespace harmorph {
 namespace {
 
 constexpr Index nodes_between_reports = 512;
-
-using Lane = Multifrontal::Lane;
+constexpr Offset most_prefetched = 8192;  // entries; larger ones are read in longer runs
 
 // Right-hand sides travel up the tree like update matrices, in rows as long as all functions together, and solutions down.
+template <class Number>
 class Substitution {
 public:
-    Substitution(Multifrontal const& engine, Rows const& values) noexcept
-        : engine_(engine), values_(values), row_(dense::padded(values.width)) {}
+    using Lane = Multifrontal::Lane<Number>;
+    using Panel = dense::Panel<Number>;
 
-    // Solves U^T y = y. `front` receives the node's right-hand sides: pivots' rows, then what is left for the border's.
+    Substitution(Multifrontal const& engine, Rows const& values) noexcept
+        : engine_(engine), values_(values), width_(dense::padded(values.width)), row_(engine.planes * width_) {}
+
+    // Numbers in the right-hand sides of a front.
+    Offset entries(Index node) const noexcept { return Offset{engine_.front_of(node)} * row_; }
+
+    // Solves U^H y = y. `front` receives the node's right-hand sides: pivots' rows, then what is left for the border's.
     template <class Told>
-    Status forward(Index node, Real* front, Real* free, Lane const& lane, Told const& told) const noexcept {
+    Status forward(Index node, Number* front, Number* free, Lane const& lane, Told const& told) const noexcept {
         auto const& its = engine_.tree.nodes[node];
-        dense::Panel const panel = engine_.panel(node);
-        for (Index k = 0; k < panel.pivots; ++k) gather(values_[its.begin + k], front + Offset{k} * row_);
-        Real* const border = front + Offset{panel.pivots} * row_;
-        fill(Span<Real>(border, static_cast<Size>(Offset{panel.border()} * row_)), 0.0);
+        Panel const panel = engine_.panel<Number>(node);
+        for (Index k = 0; k < panel.pivots; ++k) gather(its.begin + k, front + Offset{k} * row_);
+        Number* const border = front + Offset{panel.pivots} * row_;
+        fill(Span<Number>(border, static_cast<Size>(Offset{panel.border()} * row_)), Number{0});
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
-            dense::Panel const below = engine_.panel(child);
-            Real* const from = done != none ? engine_.kept_rows(done) : free;
-            if (done == none) HARMORPH_TRY(forward(child, free, free + Offset{below.front} * row_, lane, told));
-            engine_.find_targets(child, node, lane);
-            add_rows(below.border(), from + Offset{below.pivots} * row_, front, lane);
+            Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
+            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), lane, told));
+            engine_.find_targets(child, node, lane.targets);
+            dense::add_rows(engine_.kernel, engine_.border_of(child).count(), from + Offset{engine_.pivots_of(child)} * row_,
+                            lane.targets, front, row_);
         }
-        dense::solve_forward(engine_.kernel, panel, front, row_, lane.executor);
-        for (Index k = 0; k < panel.pivots; ++k) scatter(front + Offset{k} * row_, values_[its.begin + k]);
+        prefetch_panel(node + 1);
+        dense::solve_forward(engine_.kernel, panel, front, width_, lane.executor);
+        for (Index k = 0; k < panel.pivots; ++k) scatter(front + Offset{k} * row_, its.begin + k);
         return told(node);
     }
 
     // Solves U x = y for the node's pivots; all positions above it are known.
     void backward(Index node, Lane const& lane) const noexcept {
         auto const& its = engine_.tree.nodes[node];
-        dense::Panel const panel = engine_.panel(node);
-        Real* to = lane.rows;
-        for (Index k = its.begin; k < its.end; ++k, to += row_) gather(values_[k], to);
+        Panel const panel = engine_.panel<Number>(node);
+        Number* to = lane.rows;
+        for (Index k = its.begin; k < its.end; ++k, to += row_) gather(k, to);
         for (Index const position : engine_.border_of(node)) {
-            gather(values_[position], to);
+            gather(position, to);
             to += row_;
         }
-        dense::solve_backward(engine_.kernel, panel, lane.rows, row_, lane.executor);
-        for (Index k = 0; k < panel.pivots; ++k) scatter(lane.rows + Offset{k} * row_, values_[its.begin + k]);
+        prefetch_panel(node - 1);
+        dense::solve_backward(engine_.kernel, panel, lane.rows, width_, lane.executor);
+        for (Index k = 0; k < panel.pivots; ++k) scatter(lane.rows + Offset{k} * row_, its.begin + k);
     }
 
 private:
-    void gather(const Real* from, Real* to) const noexcept {
-        for (Index i = 0; i < values_.width; ++i) to[i] = from[i];
-        for (Index i = values_.width; i < row_; ++i) to[i] = 0;
+    // Fronts are too small for the processor to guess what comes next.
+    void prefetch_panel(Index node) const noexcept {
+        if (node < 0 || node >= engine_.tree.count) return;
+        const Number* const begin = engine_.panel<Number>(node).data;
+        Offset const entries = smaller(engine_.panel_start[node + 1] - engine_.panel_start[node], most_prefetched);
+        constexpr Offset line = 64 / sizeof(Number);
+        for (Offset k = 0; k < entries; k += line) __builtin_prefetch(begin + k, 0, 2);
     }
-    void scatter(const Real* from, Real* to) const noexcept {
-        for (Index i = 0; i < values_.width; ++i) to[i] = from[i];
+
+    void gather(Index position, Number* to) const noexcept {
+        const Real* from = values_[position];
+        for (Index plane = 0; plane < engine_.planes; ++plane, from += values_.plane, to += width_) {
+            for (Index i = 0; i < values_.width; ++i) to[i] = static_cast<Number>(from[i]);
+            for (Index i = values_.width; i < width_; ++i) to[i] = 0;
+        }
     }
-    void add_rows(Index n, const Real* from, Real* front, Lane const& lane) const noexcept {
-        for (Index r = 0; r < n; ++r, from += row_) {
-            Real* const to = front + Offset{lane.target[r]} * row_;
-            for (Index i = 0; i < row_; ++i) to[i] += from[i];
+    void scatter(const Number* from, Index position) const noexcept {
+        Real* to = values_[position];
+        for (Index plane = 0; plane < engine_.planes; ++plane, from += width_, to += values_.plane) {
+            for (Index i = 0; i < values_.width; ++i) to[i] = from[i];
         }
     }
 
     Multifrontal const& engine_;
     Rows const& values_;
-    Index row_;
+    Index width_, row_;  // of one plane; of all
 };
 
 }  // namespace
 
-Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
-    Substitution const substitution(*this, values);
+template <class Number>
+Status Multifrontal::solve_in(Rows const& values, Progress const& progress, Fault& fault) noexcept {
+    Substitution<Number> const substitution(*this, values);
     Index done = 0;
     auto const told = [&](Index) {
         if (++done % nodes_between_reports != 0) return Status::ok;
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1), fault);
     };
-    Lane const lane = top_lane();
-    for_each_subtree([&](Subtree const& subtree, Lane const& its) {
-        Real* const front = kept_rows(subtrees.find(subtree.root));
+    Lane<Number> const lane = top_lane<Number>();
+    for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& its) {
+        Number* const front = kept_rows<Number>(subtrees.find(subtree.root));
         substitution.forward(subtree.root, front, its.rows, its, [](Index) { return Status::ok; });
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        Offset const entries = Offset{panel(node).front} * dense::padded(values.width);
-        HARMORPH_TRY(substitution.forward(node, lane.rows, lane.rows + entries, lane, told));
+        HARMORPH_TRY(substitution.forward(node, lane.rows, lane.rows + substitution.entries(node), lane, told));
     }
     Index next_subtree = subtrees.count - 1;
     for (Index node = tree.count - 1; node >= 0; --node) {
@@ -96,10 +113,15 @@ Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& 
         substitution.backward(node, lane);
         HARMORPH_TRY(told(node));
     }
-    for_each_subtree([&](Subtree const& subtree, Lane const& its) {
+    for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& its) {
         for (Index node = subtree.root; node >= subtree.first; --node) substitution.backward(node, its);
     });
     return Status::ok;
+}
+
+Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
+    if (precision == Precision::in_single) return solve_in<float>(values, progress, fault);
+    return solve_in<double>(values, progress, fault);
 }
 
 }  // namespace harmorph

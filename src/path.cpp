@@ -55,11 +55,14 @@ void MovementPath::init(Basis const& basis, const Real* move) noexcept {
     for (Index body = 0; body < basis.header->counts.bodies; ++body) {
         Index const translation = n_control + 2 * body, turn = translation + 1;
         groups[translation] = {{}, {target[2 * translation], target[2 * translation + 1]}, {1, 0}, 1};
-        groups[turn] = {{}, {}, {1 + target[2 * turn], target[2 * turn + 1]}, 1};
+        Vec2 const change{target[2 * turn], target[2 * turn + 1]}, ratio = Vec2{1, 0} + change;
+        bool const turns = length(ratio) > least_ratio;
+        groups[turn] = {{}, {}, turns ? ratio : Vec2{1, 0}, 1};
         group_of[translation] = translation;
         group_of[turn] = turn;
-        start[translation] = drift[translation] = drift[turn] = {};
+        start[translation] = drift[translation] = {};
         start[turn] = {1, 0};
+        drift[turn] = turns ? Vec2{} : change;
     }
 }
 

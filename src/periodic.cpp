@@ -32,15 +32,20 @@ public:
             high = {larger(high.x, at.x), larger(high.y, at.y)};
             shift = shift + (1.0 / n) * (position(image_of(k)) - at);
         }
-        Real const extent = length(high - low) + length(shift);
+        Real worst = 0;
+        Index worst_at = 0;
         for (Index k = 0; k < n; ++k) {
-            Vec2 const misfit = position(image_of(k)) - position(chain_[k]) - shift;
-            if (!(length(misfit) <= translated_within * extent)) {
-                return fault.refuse(Status::bad_condition, "points # and @ of a periodic pair are no translates: off by ~",
-                                    Counts::mesh, chain_[k], image_of(k), length(misfit));
+            Real const misfit = length(position(image_of(k)) - position(chain_[k]) - shift);
+            if (misfit > worst) {
+                worst = misfit;
+                worst_at = k;
             }
-            HARMORPH_TRY(tie(image_of(k), chain_[k], fault));
         }
+        if (!(worst <= translated_within * (length(high - low) + length(shift)))) {
+            return fault.refuse(Status::bad_condition, "points # and @ of a periodic pair are no translates: off by ~",
+                                Counts::mesh, chain_[worst_at], image_of(worst_at), worst);
+        }
+        for (Index k = 0; k < n; ++k) HARMORPH_TRY(tie(image_of(k), chain_[k], fault));
         return Status::ok;
     }
 

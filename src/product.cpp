@@ -7,15 +7,20 @@ namespace harmorph {
 #define HARMORPH_DECLARE(kernel)                                                                           \
     namespace kernel {                                                                                     \
     void multiply_rows(ValueRows const& rows, Movements const& by, Vec2* sum) noexcept;                    \
-    void multiply_rows_transposed(ValueRows const& rows, const Vec2* by, Movements& total) noexcept;       \
+    void multiply_rows_transposed(ValueRows const& rows, const Vec2* by, FixedSums& total) noexcept;       \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
+
+Kernel product_kernel(Offset values) noexcept {
+    constexpr Offset worth_asking = Offset{1} << 16;
+    return values < worth_asking ? Kernel::baseline : best_kernel();
+}
 
 void multiply_rows(Kernel kernel, ValueRows const& rows, Movements const& by, Vec2* sum) noexcept {
     HARMORPH_CALL(kernel, multiply_rows(rows, by, sum))
 }
 
-void multiply_rows_transposed(Kernel kernel, ValueRows const& rows, const Vec2* by, Movements& total) noexcept {
+void multiply_rows_transposed(Kernel kernel, ValueRows const& rows, const Vec2* by, FixedSums& total) noexcept {
     HARMORPH_CALL(kernel, multiply_rows_transposed(rows, by, total))
 }
 

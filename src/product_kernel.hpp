@@ -13,6 +13,7 @@ constexpr Index tile_points = 4;         // prefetched together, and in the tran
 
 typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 typedef Real Two __attribute__((vector_size(16), aligned(8), may_alias));
+typedef std::uint64_t Integers __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
 // Never references to vectors: clang forgets then that they may begin at any number.
@@ -53,18 +54,46 @@ HARMORPH_INLINE void multiply_row(const Real* values, Index n, Movements const& 
     sum_y += total_of(y);
 }
 
+HARMORPH_INLINE Integers load(const std::uint64_t* from) noexcept { return *reinterpret_cast<const Integers*>(from); }
+HARMORPH_INLINE void store(std::uint64_t* to, Integers v) noexcept { *reinterpret_cast<Integers*>(to) = v; }
+
+// The bits of numbers rounded to FixedSum's grids: multiples of the unit, above the grid's own bits.
+HARMORPH_INLINE Integers coarse_bits(Vector t) noexcept { return reinterpret_cast<Integers>(t + FixedSum::coarse_grid); }
+HARMORPH_INLINE Integers fine_bits(Vector t) noexcept {
+    Vector const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
+    return reinterpret_cast<Integers>((t - coarse) + FixedSum::fine_grid);
+}
+
 template <Index points>
-HARMORPH_INLINE void multiply_transposed(const Real* values, Offset row, Index n, const Vec2* by, Movements& total) noexcept {
+HARMORPH_INLINE void multiply_transposed(const Real* values, Offset row, Index n, const Vec2* by, FixedSums& total) noexcept {
     for (Index k = 0; k < n; k += lanes) {
-        Vector x = load(total.x + k), y = load(total.y + k);
+        Integers coarse_x = load(total.coarse_x + k), coarse_y = load(total.coarse_y + k);
+        Integers fine_x = load(total.fine_x + k), fine_y = load(total.fine_y + k);
         for (Index p = 0; p < points; ++p) {
             const Real* const from = values + p * row + k;
             Vector const f = n - k >= lanes ? load(from) : Vector(HARMORPH_LOAD_PART(from, n - k));
-            x += f * by[p].x;
-            y += f * by[p].y;
+            Vector const x = f * by[p].x, y = f * by[p].y;
+            coarse_x += coarse_bits(x);
+            fine_x += fine_bits(x);
+            coarse_y += coarse_bits(y);
+            fine_y += fine_bits(y);
         }
-        store(total.x + k, x);
-        store(total.y + k, y);
+        store(total.coarse_x + k, coarse_x);
+        store(total.coarse_y + k, coarse_y);
+        store(total.fine_x + k, fine_x);
+        store(total.fine_y + k, fine_y);
+    }
+}
+
+// The grids' bits of all points, in whole vectors as they were added.
+HARMORPH_INLINE void take_off_grids(Index n_points, Index n, FixedSums& total) noexcept {
+    std::uint64_t const times = static_cast<std::uint64_t>(n_points);
+    std::uint64_t const coarse = times * bits_of(FixedSum::coarse_grid), fine = times * bits_of(FixedSum::fine_grid);
+    for (Index k = 0; k < (n + lanes - 1) / lanes * lanes; ++k) {
+        total.coarse_x[k] -= coarse;
+        total.coarse_y[k] -= coarse;
+        total.fine_x[k] -= fine;
+        total.fine_y[k] -= fine;
     }
 }
 
@@ -78,7 +107,7 @@ void multiply_rows(ValueRows const& rows, Movements const& by, Vec2* sum) noexce
     }
 }
 
-void multiply_rows_transposed(ValueRows const& rows, const Vec2* by, Movements& total) noexcept {
+void multiply_rows_transposed(ValueRows const& rows, const Vec2* by, FixedSums& total) noexcept {
     Index p = 0;
     for (; p + tile_points <= rows.n_points; p += tile_points) {
         const Real* const values = rows.values + p * rows.row;
@@ -88,6 +117,7 @@ void multiply_rows_transposed(ValueRows const& rows, const Vec2* by, Movements& 
     for (; p < rows.n_points; ++p) {
         multiply_transposed<1>(rows.values + p * rows.row, rows.row, rows.n_functions, by + p, total);
     }
+    take_off_grids(rows.n_points, rows.n_functions, total);
 }
 
 }  // namespace harmorph::HARMORPH_KERNEL

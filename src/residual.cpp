@@ -3,12 +3,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Index width = Residual::width;
-
 // Real arithmetic for one plane of numbers, complex for two: the second plane follows `plane` numbers after the first.
 template <Index planes>
 struct Columns {
-    Index n;
+    Index n, width;  // of them; room for as many
 
     // row -= (re + i im) x
     void subtract(Real re, Real im, const Real* x, Offset plane, Real* row) const noexcept {
@@ -22,19 +20,18 @@ struct Columns {
     }
 
     void add_squares(Span<const Real> rows, Real* sums) const noexcept {
-        for (Size i = 0; i < rows.size(); i += width) {
-            for (Index k = 0; k < width; ++k) {
-                sums[k] += rows[i + static_cast<Size>(k)] * rows[i + static_cast<Size>(k)];
-            }
+        for (const Real* row = rows.begin(); row != rows.end(); row += width) {
+            for (Index k = 0; k < n; ++k) sums[k] += row[k] * row[k];
         }
     }
 };
 
 template <Index planes>
-Residual::Norms compute_planes(Matrix const& matrix, Lines const& lines, Index first, Index n, Span<Real> value) noexcept {
-    Columns<planes> const columns{n};
+Residual::Norms compute_planes(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width,
+                               Span<Real> value) noexcept {
+    Columns<planes> const columns{n, width};
     Offset const plane = lines.columns(matrix);
-    auto const row_of = [&](Index position) { return value.data() + Offset{position} * (planes * width); };
+    auto const row_of = [&](Index position) { return value.data() + Offset{position} * planes * width; };
     Residual::Norms norms;
     fill(value, 0.0);
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
@@ -67,18 +64,18 @@ Real Residual::Norms::relative(Index k) const noexcept {
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    return matrix.is_complex() ? compute_planes<2>(matrix, lines, first, n, value)
-                               : compute_planes<1>(matrix, lines, first, n, value);
+    return matrix.is_complex() ? compute_planes<2>(matrix, lines, first, n, width, value)
+                               : compute_planes<1>(matrix, lines, first, n, width, value);
 }
 
-void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+void Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     Offset const plane = lines.columns(matrix);
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
             Real* const to = lines.at(i) + p * plane + first;
             const Real* const from = value.data() + (Offset{i} * planes + p) * width;
-            for (Index k = 0; k < n; ++k) to[k] += from[k];
+            for (Index k = 0; k < n; ++k) to[k] = chosen.column[k] ? to[k] + from[k] : to[k];
         }
     }
 }

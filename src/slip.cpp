@@ -18,7 +18,10 @@ public:
             Index const begin = boundary_.loop_start[loop], n = boundary_.loop_start[loop + 1] - begin;
             Index first = 0;  // face of the loop with which a line begins
             while (first < n && continues(loop, begin + first)) ++first;
-            if (first == n) return curved(begin, fault);
+            if (first == n) {  // no line, or one without end
+                HARMORPH_TRY(curved(begin, fault));
+                continue;
+            }
             for (Index from = 0; from < n;) {
                 Index to = from + 1;
                 while (to < n && continues(loop, begin + (first + to) % n)) ++to;

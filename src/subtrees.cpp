@@ -10,7 +10,7 @@ public:
     Costs(AssemblyTree const& tree, Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
 
     Index border(Index node) const noexcept { return static_cast<Index>(border_start_[node + 1] - border_start_[node]); }
-    Offset update(Index node) const noexcept { return dense::UpdateMatrix::entries(border(node)); }
+    Offset update(Index node) const noexcept { return dense::update_room(border(node)); }
     Index front(Index node) const noexcept { return tree_.nodes[node].pivots() + border(node); }
 
     Subtree subtree(Index root) const noexcept {

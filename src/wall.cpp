@@ -196,8 +196,10 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     Vec2 at[2];
     curve_point(curve, u, 1, at);
     Vec2 const offset = point - at[0];
-    constexpr Real least_turning_radius = 1e-3;  // of the parameter's range, by which offsets are much smaller
-    return length(at[1]) * (curve.end() - curve.begin()) * least_turning_radius > length(offset) ? offset : Vec2{};
+    CurveBasis const functions = curve_basis(curve, u, 1);
+    Real slopes = 0;
+    for (Index k = 0; k < functions.order; ++k) slopes += absolute(functions.value[1][k]);
+    return length(offset) * slopes < length(at[1]) ? offset : Vec2{};
 }
 
 void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,

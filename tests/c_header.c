@@ -58,6 +58,7 @@ int main(void) {
     HAS_SIZE_FIRST(hm_mesh_report);
     HAS_SIZE_FIRST(hm_solve_report);
     HAS_SIZE_FIRST(hm_basis_info);
+    HAS_SIZE_FIRST(hm_transfer_report);
     HAS_SIZE_FIRST(hm_step_report);
     HAS_SIZE_FIRST(hm_quality_report);
     if (sizeof(void *) == 8) {

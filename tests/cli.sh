@@ -46,8 +46,9 @@ leaves_nothing() { # leaves_nothing NAME FILE: neither the file nor a temporary 
 # ---- Inputs ------------------------------------------------------------------------------------------------------
 
 # A ring of quads, some split into triangles, between a circle of radius 1 and one of radius 4.
-awk 'BEGIN {
-    n = 48; m = 12; pi = atan2(0, -1)
+make_ring() { # make_ring POINTS-ROUND CELLS-OUTWARDS
+    awk -v n="$1" -v m="$2" 'BEGIN {
+    pi = atan2(0, -1)
     print "% a ring\nNDIME= 2\nNELEM= " n * m + n
     for (j = 0; j < m; j++) for (i = 0; i < n; i++) {
         a = j * n + i; b = j * n + (i + 1) % n
@@ -63,7 +64,9 @@ awk 'BEGIN {
     for (i = 0; i < n; i++) print "3 " i " " (i + 1) % n
     print "MARKER_TAG= far\nMARKER_ELEMS= " n
     for (i = 0; i < n; i++) print "3 " m * n + i " " m * n + (i + 1) % n
-}' >"$tmp/ring.su2"
+}'
+}
+make_ring 48 12 >"$tmp/ring.su2"
 ring=$tmp/ring.su2 curve=$tmp/ring.curve basis=$tmp/ring.basis
 
 # The same ring as other programs write it: carriage returns, points first, odd blanks, and things that are passed over.
@@ -92,7 +95,7 @@ awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
 runs "--version" 0 --version
-for command in fit solve morph export check demo; do
+for command in fit solve morph export check transfer demo; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
 done
@@ -155,11 +158,15 @@ check "zero move: unlimited step is null" says '"admissible_step": null'
 runs "a moved mesh only warns" 0 morph "$tmp/small.su2" "$basis" --move "$no_moves"
 check "a moved mesh only warns: says so" says 'warning'
 runs "export" 0 export "$ring" "$basis" --function 12 --csv "$tmp/f.csv" --vtu "$tmp/f.vtu" --svg "$tmp/f.svg"
-check "export: CSV columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,value
+check "export: CSV columns" sh -c "head -1 '$tmp/f.csv' | grep -Eqx 'point,x,y,(value,imaginary|xx,xy,yx,yy)'"
 check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625
 refuses "export: function out of range" 2 '--function' export "$ring" "$basis" --function 13 --csv "$tmp/f.csv"
 refuses "export: nothing to write" 2 'nothing to write' export "$ring" "$basis" --function 1
-runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far -o "$tmp/free.basis"
+runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far --operator laplace -o "$tmp/free.basis"
+runs "solve, bounded" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme bounded -o "$tmp/bounded.basis" --json
+check "solve, bounded: no value below 0" says '"min_value": 0,'
+refuses "the bounded scheme has no conformal operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+    --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
 refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"
@@ -225,6 +232,46 @@ refuses "boundary edge on no marker" 3 "$tmp/bad.su2" check "$tmp/bad.su2"
 head -c 3000 "$harmorph" >"$tmp/bad.su2"
 refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
 
+# ---- Pictures ----------------------------------------------------------------------------------------------------
+
+runs "morph: pictures" 0 morph "$ring" "$basis" --move "$tmp/small.txt" --svg "$tmp/whole.svg" --window -4,-4,4,4 \
+    --boundary-svg "$tmp/boundary.svg"
+check "morph: the window shows the far field" test "$(wc -c <"$tmp/whole.svg")" -gt "$(wc -c <"$tmp/small.svg")"
+check "morph: the boundary picture has a circle for each point" test "$(grep -c '<circle.*r="3.2"' "$tmp/boundary.svg")" -gt 47
+for window in 1,2,3 1,2,3,4,5 1,1,1,2 2,0,1,1 a,b,c,d ,,,; do
+    refuses "a window $window" 2 '--window expects' export "$ring" "$basis" --function 1 --svg "$tmp/x" --window $window
+done
+
+# ---- Coarse to fine ----------------------------------------------------------------------------------------------
+
+make_ring 110 31 >"$tmp/fine.su2"
+runs "transfer" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine.basis" --json
+has_keys "transfer: keys" points cells functions interpolated outside max_distance boundary_error wall_correction \
+    analysis_seconds transfer_seconds
+check "transfer: counts" says '"points": 3520, "cells": 3520, "functions": 12, "interpolated": 3300, "outside": 0'
+runs "transfer: its basis morphs the fine mesh" 0 morph "$tmp/fine.su2" "$tmp/fine.basis" --move "$tmp/small.txt" --json
+check "transfer: the wall moves as the B-spline" grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0)' "$tmp/out"
+runs "transfer: threads" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine2.basis" --threads 2
+check "transfer: threads give the same bits" cmp "$tmp/fine.basis" "$tmp/fine2.basis"
+check "transfer: says how many were interpolated" says '3300 of them interpolated'
+awk 'NF == 3 && index($0, ".") { $1 = 1.5 * $1; $2 = 1.5 * $2 } { print }' "$tmp/fine.su2" >"$tmp/larger.su2"
+refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
+sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
+refuses "transfer: a marker that is missing" 2 "'body'" transfer "$ring" "$basis" "$tmp/renamed.su2" -o "$tmp/x"
+refuses "transfer: a basis of another mesh" 3 'another mesh' transfer "$tmp/fine.su2" "$basis" "$ring" -o "$tmp/x"
+
+# ---- The shipped meshes of the paper's cases lie on their curves, to the digits of the files ---------------------
+
+on_curve() { # on_curve MESH SOLVE-OPTIONS...
+    mesh=$1; shift
+    runs "$mesh: solve" 0 solve "$meshes/$mesh.su2" "$@" --operator laplace -o "$tmp/paper.basis"
+    check "$mesh: on its curve" grep -E 'mesh from curve +[0-9.]+e-(09|1[0-9]) at most' "$tmp/out"
+}
+on_curve two_bodies --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve"
+on_curve diffuser_airfoil --curve airfoil="$meshes/diffuser_airfoil.curve"
+on_curve axisymmetric_diffuser --curve diffuser="$meshes/axisymmetric_diffuser.curve" --slip axis
+on_curve cage --curve cage="$meshes/cage.curve"
+
 # ---- Bad curve, moves and basis files ----------------------------------------------------------------------------
 
 bad_curve() { # bad_curve NAME LINE TEXT CONTENT
@@ -274,6 +321,159 @@ if [ -c /dev/full ]; then
     "$harmorph" check "$ring" >/dev/full 2>/dev/null
     check "standard output on a full disk" test $? -eq 3
 fi
+
+# ---- Operators, conditions, safe morphs --------------------------------------------------------------------------
+
+# A square of 12 x 12 cells round a block of 4 x 2.
+awk 'BEGIN {
+    n = 12
+    for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) if (!(i > 4 && i < 8 && j > 5 && j < 7)) id[i, j] = points++
+    for (j = 0; j < n; j++) for (i = 0; i < n; i++) if (!(i >= 4 && i < 8 && j >= 5 && j < 7))
+        cell[cells++] = "9 " id[i, j] " " id[i + 1, j] " " id[i + 1, j + 1] " " id[i, j + 1]
+    print "NDIME= 2\nNELEM= " cells
+    for (k = 0; k < cells; k++) print cell[k]
+    print "NPOIN= " points
+    for (j = 0; j <= n; j++) for (i = 0; i <= n; i++) if ((i, j) in id) print i, j
+    print "NMARK= 5\nMARKER_TAG= low\nMARKER_ELEMS= 12"
+    for (k = 0; k < n; k++) print 3, id[k, 0], id[k + 1, 0]
+    print "MARKER_TAG= high\nMARKER_ELEMS= 12"
+    for (k = 0; k < n; k++) print 3, id[k, n], id[k + 1, n]
+    print "MARKER_TAG= in:let\nMARKER_ELEMS= 12"
+    for (k = 0; k < n; k++) print 3, id[0, k], id[0, k + 1]
+    print "MARKER_TAG= out\nMARKER_ELEMS= 12"
+    for (k = 0; k < n; k++) print 3, id[n, k], id[n, k + 1]
+    print "MARKER_TAG= block\nMARKER_ELEMS= 12"
+    for (i = 4; i < 8; i++) print 3 " " id[i, 5] " " id[i + 1, 5] "\n" 3 " " id[i, 7] " " id[i + 1, 7]
+    for (j = 5; j < 7; j++) print 3 " " id[4, j] " " id[4, j + 1] "\n" 3 " " id[8, j] " " id[8, j + 1]
+}' >"$tmp/box.su2"
+box=$tmp/box.su2 on_block="--curve block=$tmp/block.curve"
+printf 'degree 1\nclosed tied\npoints 4\n4 5\n8 5\n8 7\n4 7\nknots 7\n0 0 1 2 3 4 4\n' >"$tmp/block.curve"
+# place X Y FILE: where the mesh in FILE has the point that box.su2 has at X, Y
+place() {
+    awk -v x="$1" -v y="$2" '/^NPOIN/ { left = $2; if (++file == 1) at = -1; k = 0; next }
+        left > 0 { if (file == 1 && $1 == x && $2 == y) at = k; if (file == 2 && k == at) print $1, $2; k++; left-- }' "$box" "$3"
+}
+near() { # near X Y WANTED_X WANTED_Y: to 1e-12; a * is any
+    echo "$@" | awk 'function off(a, b) { return b != "*" && (a - b > 1e-12 || b - a > 1e-12) } { exit off($1, $3) || off($2, $4) || NF != 4 }'
+}
+turn() { # turn DEGREES [SHIFT]: moves of the block's corners about its middle, and to the right
+    awk -v a="$1" -v d="${2:-0}" 'BEGIN {
+        a *= atan2(0, -1) / 180; split("4 8 8 4", x); split("5 5 7 7", y)
+        for (k = 1; k <= 4; k++) { u = x[k] - 6; v = y[k] - 6
+            printf "%d %.17g %.17g\n", k, u * cos(a) - v * sin(a) - u + d, u * sin(a) + v * cos(a) - v } }'
+}
+
+for operator in laplace weighted conformal; do
+    runs "solve --operator $operator" 0 solve "$box" $on_block --operator $operator -o "$tmp/$operator.basis"
+done
+runs "solve: conformal is the default" 0 solve "$box" $on_block -o "$tmp/default.basis"
+check "solve: conformal is the default: equal files" cmp "$tmp/conformal.basis" "$tmp/default.basis"
+runs "solve: 1.5 is its exponent" 0 solve "$box" $on_block --exponent 1.5 -o "$tmp/default.basis"
+check "solve: 1.5 is its exponent: equal files" cmp "$tmp/conformal.basis" "$tmp/default.basis"
+runs "solve --exponent 0" 0 solve "$box" $on_block --exponent 0 -o "$tmp/flat.basis"
+check "solve --exponent 0: other functions" sh -c "! cmp -s '$tmp/conformal.basis' '$tmp/flat.basis'"
+refuses "--operator unknown" 2 "'biharmonic'" solve "$box" $on_block --operator biharmonic -o "$tmp/x"
+for exponent in -1 4.25 1.3 x '' nan inf 1e300; do
+    refuses "--exponent '$exponent'" 2 '--exponent' solve "$box" $on_block --exponent "$exponent" -o "$tmp/x"
+done
+refuses "--exponent with laplace" 2 'weight' solve "$box" $on_block --operator laplace --exponent 1 -o "$tmp/x"
+refuses "--offset-correction with laplace" 2 'offset' solve "$box" $on_block --operator laplace --offset-correction -o "$tmp/x"
+refuses "--free with conformal" 2 'slip' solve "$box" $on_block --free out -o "$tmp/x"
+runs "--offset-correction" 0 solve "$box" $on_block --offset-correction -o "$tmp/offset.basis"
+
+turn 40 >"$tmp/turn40.txt"
+for operator in laplace weighted conformal flat offset; do
+    runs "morph by a basis: $operator" 0 morph "$box" "$tmp/$operator.basis" --move "$no_moves" -o "$tmp/same.su2"
+    check "morph by a basis: $operator: zero move, identical file" cmp "$box" "$tmp/same.su2"
+done
+runs "export of a real function" 0 export "$box" "$tmp/laplace.basis" --function 4 --csv "$tmp/f.csv" --svg "$tmp/f.svg"
+check "export of a real function: columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,value
+refuses "export: a number that a real value does not have" 2 '--number' export "$box" "$tmp/laplace.basis" --function 4 \
+    --number 2 --csv "$tmp/f.csv"
+
+runs "--slip" 0 solve "$box" $on_block --slip low,high --slip in:let -o "$tmp/slip.basis"
+runs "export of a function with slip" 0 export "$box" "$tmp/slip.basis" --function 4 --number 4 --csv "$tmp/f.csv" --svg "$tmp/f.svg"
+check "export of a function with slip: columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,xx,xy,yx,yy
+runs "--slip: morph" 0 morph "$box" "$tmp/slip.basis" --move "$tmp/turn40.txt" -o "$tmp/slip.su2"
+check "--slip: points below slide on their line" near $(place 5 0 "$tmp/slip.su2") '*' 0
+check "--slip: and do slide" sh -c "! echo $(place 5 0 "$tmp/slip.su2") | grep -q '^5 '"
+check "--slip: at the left, too" near $(place 0 7 "$tmp/slip.su2") 0 '*'
+check "--slip: corners stay" near $(place 0 0 "$tmp/slip.su2") 0 0
+check "--slip: what is fixed stays" near $(place 12 7 "$tmp/slip.su2") 12 7
+refuses "--slip on a marker with a curve" 2 'two conditions' solve "$box" $on_block --slip block -o "$tmp/x"
+refuses "--slip on an unknown marker" 2 "'high'" solve "$box" $on_block --slip top -o "$tmp/x"
+sed 's/^5 0$/5 -.01/' "$box" >"$tmp/bent.su2"
+refuses "--slip on a bent line" 2 'not straight' solve "$tmp/bent.su2" $on_block --slip low -o "$tmp/x"
+
+runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:let:out -o "$tmp/pair.basis"
+runs "--periodic: morph" 0 morph "$box" "$tmp/pair.basis" --move "$tmp/turn40.txt" -o "$tmp/pair.su2"
+set -- $(place 0 7 "$tmp/pair.su2")
+check "--periodic: both sides move alike" near $(place 12 7 "$tmp/pair.su2") "$(echo "$1" | awk '{ printf "%.17g", $1 + 12 }')" "$2"
+check "--periodic: and do move" sh -c "! echo '$2' | grep -q '^7$'"
+refuses "--periodic without a partner" 2 '--periodic' solve "$box" $on_block --periodic low -o "$tmp/x"
+refuses "--periodic with an unknown partner" 2 "'low:nowhere'" solve "$box" $on_block --periodic low:nowhere -o "$tmp/x"
+refuses "--periodic: no translates" 2 'periodic' solve "$tmp/bent.su2" $on_block --periodic low:high -o "$tmp/x"
+
+runs "--rigid" 0 solve "$box" --rigid block -o "$tmp/rigid.basis" --json
+check "--rigid: functions" says '"functions": 2'
+printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"
+runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe
+check "--rigid: turned and scaled about its middle, and moved" near $(place 4 5 "$tmp/rigid.su2") 7.75 3.25
+runs "--rigid with a centre" 0 solve "$box" --rigid block=4,5 -o "$tmp/hinge.basis"
+printf 'rigid block 0 0 20\n' >"$tmp/hinge.txt"
+runs "--rigid with a centre: morph" 0 morph "$box" "$tmp/hinge.basis" --move "$tmp/hinge.txt" -o "$tmp/hinge.su2"
+check "--rigid with a centre: it stays" near $(place 4 5 "$tmp/hinge.su2") 4 5
+check "--rigid with a centre: the angle is in degrees" near $(place 8 5 "$tmp/hinge.su2") \
+    "$(awk 'BEGIN { printf "%.17g", 4 + 4 * cos(atan2(0, -1) / 9) }')" '*'
+for centre in 4 4, ,5 4,5,6 x,y nan,0; do
+    refuses "--rigid block=$centre" 2 '--rigid' solve "$box" --rigid block=$centre -o "$tmp/x"
+done
+bad_body() { # bad_body NAME LINE CONTENT
+    printf "$3" >"$tmp/bad.txt"
+    refuses "$1" 3 "$tmp/bad.txt:$2: " morph "$box" "$tmp/rigid.basis" --move "$tmp/bad.txt" -o "$tmp/x"
+}
+bad_body "moves: a body without an angle" 1 'rigid block 1 2\n'
+bad_body "moves: a marker of no body" 2 '\nrigid low 1 2 3\n'
+bad_body "moves: a body twice" 2 'rigid block 1 0 0\nrigid block 1 0 0\n'
+bad_body "moves: an angle that is none" 1 'rigid block 1 0 right\n'
+bad_body "moves: control points where there are none" 1 '1 0 0\n'
+
+turn 150 >"$tmp/turn150.txt"
+turn 3 4.5 >"$tmp/away.txt"
+turn 60 >"$tmp/turn60.txt"
+refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" -o "$tmp/turned.su2"
+runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/turned.su2" --json
+has_keys "--safe: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds \
+    step_fraction steps resolves rung
+check "--safe: the whole way" says '"step_fraction": 1,'
+check "--safe: nothing inverted" says '"inverted": 0'
+check "--safe: not by the linear morph" sh -c "! grep -q '\"rung\": \"linear\"' '$tmp/out'"
+runs "--safe: check of the result" 0 check "$tmp/turned.su2"
+check "--safe: the block is where it should be" near $(place 8 6 "$tmp/turned.su2") \
+    $(awk 'BEGIN { a = atan2(0, -1) * 5 / 6; printf "%.17g %.17g", 6 + 2 * cos(a), 6 + 2 * sin(a) }')
+runs "--safe: a small move" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --json
+check "--safe: a small move: linear" says '"rung": "linear"'
+runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe
+check "--safe for people: rung" says 'rung:'
+runs "--other" 0 morph "$box" "$tmp/laplace.basis" --move "$tmp/turn60.txt" --safe --other "$tmp/conformal.basis" --json
+check "--other: helps" says '"rung": "other"'
+refuses "--other of other conditions" 3 'other bases' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe \
+    --other "$tmp/rigid.basis"
+refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --other "$basis"
+refuses "--safe: a boundary that crosses itself" 1 'crosses itself' morph "$box" "$tmp/conformal.basis" \
+    --move "$tmp/away.txt" --safe -o "$tmp/away.su2"
+leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/away.su2"
+turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
+refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
+    --safe -o "$tmp/outside.su2" --json
+has_keys "--safe: short of the target: JSON all the same" inverted admissible_step self_crossing boundary_error min_quality \
+    mean_quality morph_seconds step_fraction steps resolves rung
+leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
+runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
+    -o "$tmp/outside.su2"
+runs "--safe: short of the target, --force: the last valid mesh" 0 check "$tmp/outside.su2"
+check "--safe: short of the target, --force: which moved" sh -c "! cmp -s '$box' '$tmp/outside.su2'"
+leaves_nothing "refused commands leave no file" "$tmp/x"
 
 # ---- The demo on the shipped mesh --------------------------------------------------------------------------------
 

@@ -78,7 +78,8 @@ double by_trying_all(Loops const& loops, Point p) {
     for (std::size_t loop = 0; loop + 1 < loops.loop_start.size(); ++loop) {
         Index const begin = loops.loop_start[loop], end = loops.loop_start[loop + 1];
         for (Index k = begin; k < end; ++k) {
-            std::size_t const a = static_cast<std::size_t>(k), b = static_cast<std::size_t>(k + 1 == end ? begin : k + 1);
+            std::size_t const a = static_cast<std::size_t>(k);
+            std::size_t const b = static_cast<std::size_t>(k + 1 == end ? begin : k + 1);
             least = std::fmin(least, from_segment(p, {loops.x[a], loops.y[a]}, {loops.x[b], loops.y[b]}));
         }
     }
@@ -202,17 +203,45 @@ TEST_CASE("ends and degenerate faces: beyond the ends of a face its ends count; 
 TEST_CASE("only the chosen faces count, and moved coordinates count when the tree is built again") {
     Loops loops;
     loops.add(ellipse(100, 1, 1, {0, 0}));
-    loops.add(ellipse(40, 1, 1, {10, 0}));
+    loops.add(ellipse(37, 1, 1, {10, 0}));
     harmorph::Boundary const boundary = loops.boundary();
     Tree tree(loops.point.size());
     tree.choose(boundary, [&](Index face) { return boundary.marker[face] == 2; });
     tree.build(loops.points());
-    CHECK(tree.count == 40);
-    CHECK(tree.distance({0, 0}) == doctest::Approx(9));
+    CHECK(tree.count == 37);
+    double const gap = 10 - std::cos(pi / 37);   // a side is in front
+    CHECK(tree.distance({0, 0}) == doctest::Approx(gap));
     for (double& x : loops.x) x += 2;
-    CHECK(tree.distance({0, 0}) == doctest::Approx(9));
+    CHECK(tree.distance({0, 0}) == doctest::Approx(gap));
     tree.build(loops.points());
-    CHECK(tree.distance({0, 0}) == doctest::Approx(11));
+    CHECK(tree.distance({0, 0}) == doctest::Approx(gap + 2));
+    tree.choose(boundary, [](Index face) { return face == 117; });   // alone: the rest of its group is empty
+    tree.build(loops.points());
+    long double const alone =
+        from_segment({20, 1}, {loops.x[117], loops.y[117]}, {loops.x[118], loops.y[118]});
+    CHECK(tree.distance({20, 1}) == doctest::Approx(static_cast<double>(alone)));
+}
+
+TEST_CASE("feet: the nearest place, whichever group is tried first, also where two faces are equally near") {
+    Loops loops;
+    std::vector<Point> stairs;   // corners at whole numbers, so that distances from both faces there are the same to the bit
+    for (int k = 0; k < 40; ++k) stairs.insert(stairs.end(), {{1.0 * k, 1.0 * k}, {k + 1.0, 1.0 * k}});
+    loops.add(stairs);
+    Tree const tree(loops);
+    for (int k = 1; k < 39; ++k)
+        for (Point const p : {Point{k + 1.25, k - 0.5}, Point{k + 0.375, k - 0.25}, Point{k - 3.0, k + 4.0}}) {
+            harmorph::Index group = 0;
+            FaceDistance::Foot const expected = tree.foot(vec(p), group);
+            Vec2 const at = tree.at(expected, loops.points());
+            CHECK(std::hypot(at.x - p.x, at.y - p.y) == doctest::Approx(by_trying_all(loops, p)).epsilon(1e-14));
+            for (harmorph::Index guess = 0; guess < tree.groups.count(); ++guess) {
+                group = guess;
+                FaceDistance::Foot const seen = tree.foot(vec(p), group);
+                CHECK((seen.face == expected.face && seen.t == expected.t));
+            }
+        }
+    harmorph::Index group = 0;
+    CHECK(Tree(std::size_t{0}).foot({0, 0}, group).face == harmorph::none);
 }
 
 TEST_CASE("scaled by powers of two: the same to the last bit, up to sizes whose squares are no numbers") {
@@ -267,9 +296,9 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
     for (Index quarters = 0; quarters <= 16; ++quarters) {
         std::vector<double> const k = weights_of(mesh, tree, quarters);
-        double worst = 0;   // in what rounding of the coordinates may do to the distance
+        double worst = 0;   // in what rounding may do
         for (std::size_t cell = 0; cell < k.size(); ++cell) {
-            double const rounding = 1e-14 + quarters * 1e-16 / distance[cell];
+            double const rounding = 1e-14 + quarters * 4e-16 / distance[cell];   // of either barycentre: 3 in 2^-53
             double const fourth = (k[cell] * k[cell]) * (k[cell] * k[cell]);   // times (d / unit)^quarters is 1
             double product = fourth;
             for (Index factor = 0; factor < quarters; ++factor) product *= distance[cell] / tree.unit;

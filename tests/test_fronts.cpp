@@ -71,11 +71,11 @@ TEST_CASE("borders are what elimination fills, and nothing that no pivot of the 
 }
 
 TEST_CASE("panels have room for every entry on and above the diagonal, and for hardly more") {
-    using harmorph::dense::Panel;
+    using Panel = harmorph::dense::Panel<double>;
     for (Index const pivots : {1, 31, 32, 33, 127, 128, 129, 256, 300, 1000})
         for (Index const border : {0, 1, 17, 500}) {
             Index const front = pivots + border;
-            Offset const entries = Panel::entries(pivots, front);
+            Offset const entries = harmorph::dense::panel_entries(pivots, front);
             std::vector<double> data(static_cast<std::size_t>(entries), 0.0);
             Panel const panel{data.data(), pivots, front};
             for (Index k = 0; k < pivots; ++k)
@@ -88,9 +88,9 @@ TEST_CASE("panels have room for every entry on and above the diagonal, and for h
 }
 
 TEST_CASE("update matrices have a place of its own for every entry of the upper triangle, rows padded to whole vectors") {
-    using harmorph::dense::UpdateMatrix;
+    using UpdateMatrix = harmorph::dense::UpdateMatrix<double>;
     for (Index const n : {0, 1, 7, 8, 9, 127, 128, 129, 256, 300, 1000}) {
-        Offset const entries = UpdateMatrix::entries(n);
+        Offset const entries = harmorph::dense::update_entries(n);
         std::vector<double> data(static_cast<std::size_t>(entries), 0.0);
         UpdateMatrix const matrix{data.data(), n};
         for (Index r = 0; r < n; ++r)

@@ -155,30 +155,11 @@ TEST_CASE("a free symmetry line: half the annulus has half of the symmetric solu
         for (int const refine : {1, 2}) {
             int const n_r = 10 * refine, n_t = 30 * refine;
             Case its;
-            for (int j = 0; j <= n_r; ++j)
-                for (int i = 0; i <= n_t; ++i) {
-                    Complex const z = std::polar(r0 * std::pow(r1 / r0, 1.0 * j / n_r), pi * i / n_t);
-                    its.mesh.add_point({z.real(), z.imag()});
-                }
-            for (int j = 0; j < n_r; ++j)
-                for (int i = 0; i < n_t; ++i) {
-                    int const a = j * (n_t + 1) + i, b = a + n_t + 1;
-                    its.mesh.add_quad(a, b, b + 1, a + 1,
-                                      kind == Cells::triangles || (kind == Cells::hybrid && 2 * j >= n_r));
-                }
-            for (int i = 0; i < n_t; ++i) {
-                its.mesh.add_face(i + 1, i, body);
-                its.mesh.add_face(n_r * (n_t + 1) + i, n_r * (n_t + 1) + i + 1, far_field);
-                its.give(i, 1.0 * i / n_t);
-            }
-            its.give(n_t, 1);
-            for (int j = 0; j < n_r; ++j) {
-                its.mesh.add_face(j * (n_t + 1), (j + 1) * (n_t + 1), bottom);
-                its.mesh.add_face((j + 1) * (n_t + 1) + n_t, j * (n_t + 1) + n_t, bottom);
-            }
+            its.mesh = half_annulus(n_r, n_t, r0, r1, kind);
+            for (int i = 0; i <= n_t; ++i) its.give(i, 1.0 * i / n_t);
             its.curves = arc;
             its.put_on_curves(body);
-            its.set_free(bottom);
+            its.set_free(symmetry_line);
             Solved const solved(its);
             CHECK(solved.report.curve_points == n_t + 1);   // the ends belong to both: the curve comes first
             error[refine - 1] =

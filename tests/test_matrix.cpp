@@ -87,3 +87,47 @@ TEST_CASE("places tell unknowns, wall points, and points whose value is 0") {
     }
     CHECK((unknowns == seen->graph.n && on_wall == 48 && zero == 24 + 12 + 1));   // 36 points of the rectangle's sides
 }
+
+TEST_CASE("circulations stand above the diagonal as they are and below it turned, wherever the points come in the order") {
+    Case its = two_body_case(Cells::hybrid, 6, 4);
+    Analysed const seen(its);
+    harmorph::Analysis const& a = *seen.operator->();
+    AssembledMatrix sparse(a, true);
+    CHECK(sparse.matrix.is_complex());
+    CHECK_FALSE(AssembledMatrix(a).matrix.is_complex());
+    ComplexDenseMatrix by_points(static_cast<std::size_t>(its.mesh.n_points()));
+    std::mt19937 random(6);
+    harmorph::Mesh const mesh = core_mesh(its.mesh);
+    for (Index c = 0; c < mesh.n_cells; ++c) {
+        harmorph::Cell const cell = mesh.cell(c);
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const p = cell.point[k], q = cell.point[(k + 1) % cell.n];
+            double const conductance = uniform(random), circulation = uniform(random);
+            sparse.matrix.add(p, q, conductance, circulation);
+            std::size_t const i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
+            by_points.at(i, i) += conductance;
+            by_points.at(j, j) += conductance;
+            by_points.at(i, j) += std::complex<double>(-conductance, circulation);
+            by_points.at(j, i) += std::complex<double>(-conductance, -circulation);
+        }
+    }
+    ComplexDenseMatrix const found = sparse.complex_unknowns();
+    harmorph::Matrix const& m = sparse.matrix;
+    double worst = 0, size = 0;
+    auto const point = [&](std::size_t i) { return static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i))); };
+    for (std::size_t i = 0; i < sparse.size(); ++i)
+        for (std::size_t j = 0; j < sparse.size(); ++j)
+            worst = std::fmax(worst, std::abs(found.at(i, j) - by_points.at(point(i), point(j))));
+    for (Index slot = 0; slot < a.wall.count; ++slot)
+        for (Index c = m.coupling_start[slot]; c < m.coupling_start[slot + 1]; ++c) {
+            std::complex<double> const coupling(m.coupling_value[c], m.coupling_imaginary[c]);
+            std::size_t const i = point(static_cast<std::size_t>(m.coupling_row[c]));
+            worst = std::fmax(worst, std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
+            size = std::fmax(size, std::fabs(coupling.imag()));
+        }
+    CHECK(worst < 1e-14);
+    CHECK(size > 0.1);
+    sparse.matrix.clear();
+    for (double const imaginary : m.imaginary) CHECK(imaginary == 0);
+    for (double const imaginary : m.coupling_imaginary) CHECK(imaginary == 0);
+}

@@ -1,7 +1,7 @@
 // The direct engine against dense Cholesky, and its residual on meshes of every kind.
 #include <doctest/doctest.h>
 
-#include <fixtures/matrices.hpp>
+#include <fixtures/frontal_system.hpp>
 
 #include <limits>
 
@@ -106,5 +106,123 @@ TEST_CASE("two parts that are not joined are solved side by side") {
         CHECK(largest_difference({f.begin(), f.begin() + first}, expected) < 1e-14);
         CHECK(largest_difference({g.begin() + first, g.end()}, expected) < 1e-14);
         for (std::size_t k = 0; k < n; ++k) CHECK((f[n + k] == 0 && g[k] == 0));
+    }
+}
+
+namespace {
+
+double largest_error(FrontalSystem const& system, std::vector<double> const& sides, std::vector<double> const& found,
+                     ComplexDenseMatrix const& factored, Index width) {
+    double worst = 0;
+    for (Index i = 0; i < width; ++i) {
+        std::vector<std::complex<double>> b;
+        for (std::size_t k = 0; k < system.assembled.size(); ++k) b.push_back(system.entry(sides, k, static_cast<std::size_t>(i)));
+        b = factored.solve(b);
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            double const error = std::abs(system.entry(found, k, static_cast<std::size_t>(i)) - b[k]);
+            if (!(error <= worst)) worst = error;
+        }
+    }
+    return worst;
+}
+
+// For an analysis with several lanes.
+struct Threads {
+    Backwards order;
+    hm_executor executor;
+    hm_options options{};
+
+    explicit Threads(Index n) : executor(order.executor(n)) {
+        options.struct_size = sizeof options;
+        options.executor = &executor;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Hermitian matrices with random circulations: the same as dense Cholesky, in both precisions, in any number of lanes") {
+    for (Cells const kind : {Cells::quads, Cells::triangles})
+        for (int const n_r : {3, 12})
+            for (Index const threads : {1, 3}) {
+                Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
+                Threads const lanes(threads);
+                Analysed const seen(its, &lanes.options);
+                for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single})
+                    for (Index const width : {1, 8, 11}) {
+                        FrontalSystem system(*seen.operator->(), true, precision, width);
+                        system.randomise(7, 0.8);
+                        ComplexDenseMatrix dense = system.assembled.complex_unknowns();
+                        REQUIRE(dense.factor());
+                        system.factorise();
+                        std::vector<double> const sides = system.some_sides();
+                        std::vector<double> found = sides;
+                        system.solve(found);
+                        double const error = largest_error(system, sides, found, dense, width);
+                        INFO(dense.n << " unknowns, " << threads << " threads, " << width << " sides");
+                        CHECK(error < (precision == harmorph::Precision::in_double ? 1e-13 : 1e-4));
+                        if (precision == harmorph::Precision::in_single && dense.n > 50) CHECK(error > 1e-10);   // it is
+                    }
+            }
+}
+
+TEST_CASE("without circulation the complex engine gives the real one's answer") {
+    Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
+    Analysed const seen(its);
+    for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single}) {
+        FrontalSystem complex(*seen.operator->(), true, precision, 9), real(*seen.operator->(), false, precision, 18);
+        complex.randomise(3, 0);
+        real.randomise(3, 0);
+        complex.factorise();
+        real.factorise();
+        std::vector<double> found = complex.some_sides(), expected = found;   // real and imaginary parts: twice as many sides
+        complex.solve(found);
+        real.solve(expected);
+        CHECK(largest_difference(found, expected) < (precision == harmorph::Precision::in_double ? 1e-14 : 1e-5));
+    }
+}
+
+TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]") {
+    Case its = ring_case(6, 30, 0.5, 2, Cells::triangles, 2, 5);
+    Analysed const seen(its);
+    FrontalSystem system(*seen.operator->(), true, harmorph::Precision::in_double, 1);
+    system.randomise(11, 1.5);
+    ComplexDenseMatrix const a = system.assembled.complex_unknowns();
+    std::size_t const n = a.n;
+    DenseMatrix twice(2 * n);
+    std::vector<double> sides = system.some_sides(), b(2 * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            twice.at(i, j) = twice.at(n + i, n + j) = a.at(i, j).real();
+            twice.at(n + i, j) = a.at(i, j).imag();
+            twice.at(i, n + j) = -a.at(i, j).imag();
+        }
+        b[i] = sides[2 * i];
+        b[n + i] = sides[2 * i + 1];
+    }
+    REQUIRE(twice.factor());
+    b = twice.solve(b);
+    system.factorise();
+    system.solve(sides);
+    double worst = 0;
+    for (std::size_t i = 0; i < n; ++i)
+        worst = std::fmax(worst, std::fmax(std::fabs(sides[2 * i] - b[i]), std::fabs(sides[2 * i + 1] - b[n + i])));
+    CHECK(worst < 1e-13);
+}
+
+TEST_CASE("a Hermitian matrix that is not positive definite is refused, by position") {
+    Case its = ring_case(8, 40, 0.5, 2, Cells::triangles, 2, 5);
+    for (Index const threads : {1, 3}) {
+        Threads const lanes(threads);
+        Analysed const seen(its, &lanes.options);
+        for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single})
+            for (Index const bad : {0, 17, 100, 250}) {
+                FrontalSystem system(*seen.operator->(), true, precision, 4);
+                system.randomise(5, 0.5);
+                system.assembled.matrix.diagonal[bad] = -1;
+                harmorph::Fault fault;
+                CHECK(system.engine.factorise(system.assembled.matrix, harmorph::Progress{}, fault) ==
+                      harmorph::Status::not_positive);
+                CHECK(fault.item == bad);
+            }
     }
 }

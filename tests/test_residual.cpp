@@ -43,7 +43,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Arena placing(block.data(), block.size());
     residual.lay_out(placing, plan.matrix.n, false);
 
-    constexpr Index width = harmorph::Residual::width;
+    Index const width = residual.width;
     Index const function = width + 1, wrong = plan.matrix.n / 2;   // of the second group of functions
     double const by = 1e-3;
     basis.row(plan.line_of[wrong])[function] += by;
@@ -76,7 +76,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         Attempt attempt;
         REQUIRE((attempt.analyse(its.problem(), &options) && attempt.prepare()));
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine.factor) entry *= 1 + error;
+        for (double& entry : inside(attempt.plan).engine.doubles.factor) entry *= 1 + error;
         hm_status const status = hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
         INFO("error " << error << ": " << attempt.report.refinements << " steps to " << attempt.report.residual);
         CHECK(progressed.backwards == 0);

@@ -2,11 +2,13 @@
 #include "basis_file.hpp"
 #include "commands.hpp"
 #include "csv.hpp"
+#include "draw_curves.hpp"
 #include "engine.hpp"
 #include "output_file.hpp"
 #include "pictures.hpp"
 #include "solver.hpp"
 #include "vtu.hpp"
+#include "window_option.hpp"
 
 #include <cstdio>
 #include <ostream>
@@ -37,7 +39,7 @@ PointData point_data(const std::vector<Column>& columns) {
 
 // The levels are made once more, as the basis does not keep them.
 Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
-    Task task = task_of(basis, mesh);
+    Task task = task_of(basis);
     if (task.options.engine == HM_DIRECT) arguments.refuse("--level: the basis was solved by the direct engine, without levels");
     set_agglomeration(arguments, task.options);
     task.options.levels = 20;
@@ -57,7 +59,8 @@ void export_level(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Basis basis(arguments.operand(1), mesh);
     OutputFiles files;
-    files.add(path) << level_picture(mesh, basis.curves(), level_of(arguments, mesh, basis));
+    const Box window = has_window(arguments) ? window_of(arguments) : window_round({&basis.curves()}, .4);
+    files.add(path) << level_picture(mesh, basis.curves(), level_of(arguments, mesh, basis), window);
     files.commit();
 }
 
@@ -80,7 +83,9 @@ void run(const Arguments& arguments) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
     }
     if (arguments.has("--svg")) {
-        files.add(arguments.text("--svg")) << function_picture(mesh, basis, function, columns[number]);
+        files.add(arguments.text("--svg"))
+            << (has_window(arguments) ? function_picture(mesh, basis, function, columns[number], window_of(arguments))
+                                      : function_picture(mesh, basis, function, columns[number]));
     }
     files.commit();
 }
@@ -98,6 +103,7 @@ const Command export_command = {
                        "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
      {"--svg", "FILE", "picture of one number: filled cells with a colour bar"},
+     window_option,
      {"--number", "K", "which number the picture shows, in the order of the table (default 1)"},
      {"--level", "L", "picture of a level of agglomeration; 0: the mesh's own control volumes"},
      agglomeration_option},

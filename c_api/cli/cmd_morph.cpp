@@ -8,9 +8,11 @@
 #include "pictures.hpp"
 #include "su2.hpp"
 #include "vtu.hpp"
+#include "window_option.hpp"
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <ostream>
 
 namespace cli {
@@ -33,21 +35,42 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
     }
-    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << morph_picture(mesh, basis, moves, morph);
+    if (arguments.has("--svg")) {
+        files.add(arguments.text("--svg"))
+            << (has_window(arguments) ? morph_picture(mesh, basis, moves, morph, window_of(arguments))
+                                      : morph_picture(mesh, basis, moves, morph));
+    }
+    if (arguments.has("--boundary-svg")) {
+        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, moves, morph);
+    }
     files.commit();
 }
 
-void print_json(const Morph& morph) {
+const char* rung_name(std::int32_t rung) {
+    static const char* const names[] = {"linear", "other", "substeps", "untangled"};
+    return names[rung];
+}
+
+void print_json(const Morph& morph, bool safe) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted).add("admissible_step", morph.step.admissible);
     object.add("self_crossing", morph.quality.self_crossing != 0).add("boundary_error", morph.boundary_error);
     object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
     object.add("morph_seconds", morph.seconds);
+    if (safe) {
+        object.add("step_fraction", morph.safe.step_fraction).add("steps", morph.safe.steps);
+        object.add("resolves", morph.safe.resolves).add("rung", std::string(rung_name(morph.safe.rung)));
+    }
     std::printf("%s\n", object.text().c_str());
 }
 
-void print_for_people(const Morph& morph) {
+void print_for_people(const Morph& morph, bool safe) {
     const double admissible = morph.step.admissible;
+    if (safe) {
+        std::printf("target           %s %% of the way in %s, solved again %d times; rung: %s\n",
+                    brief(100 * morph.safe.step_fraction).c_str(), plural(morph.safe.steps, "step").c_str(),
+                    morph.safe.resolves, rung_name(morph.safe.rung));
+    }
     std::printf("inverted cells   %d\n", morph.quality.inverted);
     const std::string step = std::isinf(admissible) ? "unlimited" : brief(admissible) + " of this one";
     std::printf("admissible step  %s\n", step.c_str());
@@ -78,6 +101,17 @@ std::string reason(const Morph& morph, const Mesh& mesh) {
     return text;
 }
 
+Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
+                 const Threads& threads) {
+    std::vector<std::unique_ptr<Basis>> others;
+    std::vector<const hm_basis *> views;
+    for (const std::string& path : arguments.all("--other")) {
+        others.push_back(std::make_unique<Basis>(path, mesh));
+        views.push_back(others.back()->get());
+    }
+    return Morph(basis, mesh, moves, views, threads);
+}
+
 void run(const Arguments& arguments) {
     const std::string moves_path = arguments.text("--move");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
@@ -86,14 +120,16 @@ void run(const Arguments& arguments) {
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
     const std::vector<double> moves = read_moves(moves_path, basis, mesh);
     const Threads threads(threads_of(arguments));
-    const Morph morph(basis, mesh, moves, repeats, threads);
-    if (morph.valid() || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
+    const bool safe = arguments.has("--safe");
+    const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
+    const bool reached = morph.valid() && morph.refusal.empty();
+    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
     if (arguments.has("--json")) {
-        print_json(morph);
+        print_json(morph, safe);
     } else {
-        print_for_people(morph);
+        print_for_people(morph, safe);
     }
-    if (!morph.valid()) throw Failure(exit_unusable, reason(morph, mesh));
+    if (!reached) throw Failure(exit_unusable, morph.refusal.empty() ? reason(morph, mesh) : morph.refusal);
 }
 
 } // namespace
@@ -109,11 +145,17 @@ const Command morph_command = {
      {"-o", "MESH", "morphed mesh to write, SU2"},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
+     window_option,
+     {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+     {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
+     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another exponent (may be repeated)"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
      threads_option,
-     {"--force", nullptr, "write the files even if the morphed mesh is not valid (exit code 1 all the same)"},
+     {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
+                         "(exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
-                         "boundary_error, min_quality, mean_quality, morph_seconds"}},
+                         "boundary_error, min_quality, mean_quality, morph_seconds; with --safe step_fraction,\n"
+                         "steps, resolves, rung (linear, other, substeps, untangled)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};
 

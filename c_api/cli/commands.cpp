@@ -11,7 +11,7 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
-                                   &export_command, &check_command, &demo_command};
+                                   &export_command, &check_command, &transfer_command, &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
@@ -35,7 +35,7 @@ std::string program_help() {
     std::string text = introduction;
     for (const Command* command : commands) {
         std::string name = std::string("  ") + command->name;
-        name.resize(10, ' ');
+        name.resize(12, ' ');
         text += name + command->summary + '\n';
     }
     return text + conclusion;

@@ -106,11 +106,16 @@ std::string operator_name(const hm_basis_info& info) {
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
                              const Column& column) {
+    return function_picture(mesh, basis, function, column, window_round({&basis.curves()}, .4));
+}
+
+std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,
+                             const Box& window) {
     const hm_curves& curves = basis.curves();
     const std::vector<double>& values = column.values;
     const auto ends = std::minmax_element(values.begin(), values.end());
     const Range range = {*ends.first, *ends.second};
-    Plot plot(window_round({&curves}, .4),
+    Plot plot(window,
               "Function " + std::to_string(function + 1) + " of " + std::to_string(basis.functions()) +
                   (basis.info().numbers_per_value > 1 ? ", " + column.name : ""),
               operator_name(basis.info()) + " in the mesh; on the curve it is the B-spline basis function of control point " +

@@ -35,8 +35,8 @@ struct Parts {
 
 } // namespace
 
-std::string level_picture(const Mesh& mesh, const hm_curves& curves, const Level& level) {
-    Plot plot(window_round({&curves}, .4), "Level " + std::to_string(level.number) + " of agglomeration",
+std::string level_picture(const Mesh& mesh, const hm_curves& curves, const Level& level, const Box& window) {
+    Plot plot(window, "Level " + std::to_string(level.number) + " of agglomeration",
               plural(level.n_cells, "merged cell") + "; level 0 is the mesh's own control volumes; white: values are known");
     std::array<SvgPath, shades.size()> areas;
     SvgPath sides;

@@ -1,5 +1,6 @@
 #include "morph.hpp"
 
+#include "solver.hpp"
 #include "stopwatch.hpp"
 
 namespace cli {
@@ -44,12 +45,45 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
 Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
              const Threads& threads)
     : displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()), step(sized<hm_step_report>()),
-      quality(sized<hm_quality_report>()) {
+      quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+    if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
+    seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
+    judge(basis, mesh, moves, threads);
+}
+
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
+             const std::vector<const hm_basis *>& others, const Threads& threads)
+    : displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
+      quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+    const Stopwatch watch;
+    const Task task = task_of(basis);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    std::size_t bytes = 0;
+    call(mesh, hm_morph_safe_size, solver.plan(), &bytes);
+    Block work(bytes);
+    auto options = sized<hm_safe_options>();
+    options.n_others = static_cast<std::int32_t>(others.size());
+    options.others = others.data();
+    moved.x = mesh.x;
+    moved.y = mesh.y;
+    hm_error error = {};
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), moves.data(), moved.x.data(), moved.y.data(), 1, nullptr,
+                                           work.data(), bytes, &options, &safe, &error);
+    if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
+    if (status != HM_OK) refusal = error.text;
+    seconds = watch.seconds();
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh.x[point];
+        displacement.y[point] = moved.y[point] - mesh.y[point];
+    }
+    judge(basis, mesh, moves, threads);
+}
+
+void Morph::judge(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
     const hm_mesh view = mesh.view();
     call(mesh, hm_assess, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
          threads.executor(), &step, &quality);
-    if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
-    seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
     std::int32_t worst_point = -1; // of no interest
     call(mesh, hm_boundary_error, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1},
          moved.x.data(), moved.y.data(), std::int64_t{1}, &boundary_error, &worst_point);

@@ -4,6 +4,7 @@
 #include "basis_file.hpp"
 #include "threads.hpp"
 
+#include <string>
 #include <vector>
 
 namespace cli {
@@ -24,11 +25,19 @@ struct Morph {
     hm_step_report step;
     hm_quality_report quality; // relative to the mesh as it was
     double boundary_error = 0;
-    double seconds = 0;        // of one hm_morph: the median
+    double seconds = 0;        // of one hm_morph: the median; of hm_morph_safe
+    hm_safe_report safe;       // where it went the safe way
+    std::string refusal;       // of the safe way: why it did not reach the target
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
           const Threads& threads);
+    // Solves again where it must.
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const std::vector<const hm_basis *>& others,
+          const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+
+private:
+    void judge(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads);
 };
 
 } // namespace cli

@@ -74,16 +74,29 @@ std::string subtitle(const Basis& basis, const std::vector<double>& moves, const
            " at least, " + brief(morph.quality.mean_quality) + " on average";
 }
 
-} // namespace
-
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
+std::vector<double> moved_control(const Basis& basis, const std::vector<double>& moves) {
     const hm_curves& before = basis.curves();
     std::vector<double> control(before.control, before.control + 2 * before.n_control);
     for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
+    return control;
+}
+
+} // namespace
+
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
+    const std::vector<double> control = moved_control(basis, moves);
+    hm_curves after = basis.curves();
+    after.control = control.data();
+    return morph_picture(mesh, basis, moves, morph, window_round({&basis.curves(), &after}, .25));
+}
+
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph,
+                          const Box& window) {
+    const hm_curves& before = basis.curves();
+    const std::vector<double> control = moved_control(basis, moves);
     hm_curves after = before;
     after.control = control.data();
-
-    Plot plot(window_round({&before, &after}, .25), "Mesh and airfoil, morphed together", subtitle(basis, moves, morph));
+    Plot plot(window, "Mesh and airfoil, morphed together", subtitle(basis, moves, morph));
     plot.begin_inside();
     draw_mesh(plot, mesh, mesh.x, mesh.y, before_style);
     draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, after_style);

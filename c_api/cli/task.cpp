@@ -108,6 +108,14 @@ std::int32_t operator_of(const Arguments& arguments) {
     arguments.refuse("--operator is laplace, weighted or conformal, found " + quoted(name));
 }
 
+std::int32_t scheme_of(const Arguments& arguments) {
+    if (!arguments.has("--scheme")) return HM_COMPACT;
+    const std::string name = arguments.text("--scheme");
+    if (name == "compact") return HM_COMPACT;
+    if (name == "bounded") return HM_BOUNDED;
+    arguments.refuse("--scheme is compact or bounded, found " + quoted(name));
+}
+
 std::int32_t quarters_of(const Arguments& arguments) {
     if (!arguments.has("--exponent")) return 0;
     double exponent = 0;
@@ -135,6 +143,8 @@ std::vector<Option> task_options() {
     {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
                                "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
     {"--exponent", "Q", "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
+    {"--scheme", "SCHEME", "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so that\n"
+                           "laplace and weighted functions stay between 0 and 1"},
     {"--offset-correction", nullptr, "conformal: what the mesh is off its curve turns with the curve"},
     {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
 }
@@ -144,6 +154,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.tolerance = arguments.positive("--tol", 1e-10);
     task.options.operator_kind = operator_of(arguments);
     task.options.exponent_quarters = quarters_of(arguments);
+    task.options.scheme = scheme_of(arguments);
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
     set_engine(arguments, task.options);
     for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
@@ -162,7 +173,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     return task;
 }
 
-Task task_of(const Basis& basis, const Mesh&) {
+Task task_of(const Basis& basis) {
     Task task;
     const hm_basis_info& info = basis.info();
     const hm_curves& curves = basis.curves();

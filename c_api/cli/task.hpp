@@ -20,6 +20,6 @@ struct Task {
 
 std::vector<Option> task_options();
 Task task_of(const Arguments& arguments, const Mesh& mesh);
-Task task_of(const Basis& basis, const Mesh& mesh);
+Task task_of(const Basis& basis);
 
 } // namespace cli

@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/boundary.hpp"
+#include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
 #include "harmorph/fronts.hpp"
 #include "harmorph/iteration.hpp"
@@ -36,6 +37,7 @@ struct Analysis {
     Span<std::uint8_t> reversed;  // [n_cells]
     Edges edges;
     Boundary boundary;
+    Triangulation triangulation;  // bounded scheme only
     std::uint64_t topology = 0;   // fingerprint of the mesh
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
@@ -61,6 +63,9 @@ struct Analysis {
 
     bool is_direct() const noexcept { return problem.method.engine == Engine::direct; }
     bool has_conditions() const noexcept { return !conditions.empty(); }
+    // Whose edges, and diagonals of quads, join the points that share an equation.
+    Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }
+    Edges const& stencil_edges() const noexcept { return problem.method.bounded() ? triangulation.edges : edges; }
     BasisCounts basis_counts() const noexcept;
     bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
     Index count_wall_faces() const noexcept;

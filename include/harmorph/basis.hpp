@@ -11,10 +11,19 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           boundary = 0, loops = 0, conditions = 0;
+    Index first_held = 0, held = 0;  // functions that have a place: all of them, or the share of one process
     ValueKind kind = ValueKind::real;
 
     // One of each control point, and two of each rigid body: its translation, and its turn.
     Index functions() const noexcept { return control + 2 * bodies; }
+    bool complete() const noexcept { return held == functions(); }
+    // The same basis, with n functions from the first one on.
+    BasisCounts share(Index first, Index n) const noexcept {
+        BasisCounts its = *this;
+        its.first_held = first;
+        its.held = n;
+        return its;
+    }
 };
 
 // The functions that are not 0 at a point of the wall, and their values as complex numbers.
@@ -43,6 +52,8 @@ struct BasisHeader {
     Index index_base;             // of the mesh: what points and cells count from in reports
     BasisCounts counts;
     Method method;
+    Real largest;                 // no value is larger in magnitude: what the adjoint's sums are scaled by
+    Index filled;                 // functions whose values are there, from the first one on; see parcel.hpp
 };
 
 // Views into the block.
@@ -73,7 +84,7 @@ struct Basis {
     static const Basis view(const void* block) noexcept;
 
     Index n_points() const noexcept { return header->counts.points; }
-    Index n_functions() const noexcept { return header->counts.functions(); }
+    Index n_functions() const noexcept { return header->counts.held; }
     ValueKind kind() const noexcept { return header->counts.kind; }
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
     Real* row(Index point) const noexcept { return value.data() + Offset{point} * row_length(); }
@@ -81,8 +92,11 @@ struct Basis {
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
     // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;
+    // Those that have a place here, numbered from the first one held.
+    BoundaryFunctions held_boundary_functions(Index slot) const noexcept;
 
-    void seal() const noexcept;  // solved, with checksum
+    // Solved, with largest value and checksum. Of a part of a larger basis: that has values up to at_least.
+    void seal(Real at_least = 0) const noexcept;
     void unseal() const noexcept;
 };
 

@@ -1,12 +1,16 @@
 // Dense kernels of the direct engine, on row-major blocks. A front's panel holds its pivots' rows; factored, it is the upper
-// factor U (A = U^T U), with each diagonal block of `block` pivots replaced by its inverse, so that solves are products.
+// factor U (A = U^H U), with each diagonal block of `block` pivots replaced by the inverse of its conjugate transpose, so that
+// solves are products.
 //
 //             pivots         border
 //           +----+-------+-----------+
 //   strip 0 | I  |       |           |    Strips of at most `strip` pivots; a strip's rows begin at its first pivot, so that
-//           +----+-------+-----------+    next to nothing below the diagonal is stored. I: inverses (upper triangles, zeros
-//   strip 1      | I     |           |    below), one for each block.
+//           +----+-------+-----------+    next to nothing below the diagonal is stored. I: inverses (lower triangles, zeros
+//   strip 1      | I     |           |    above), one for each block.
 //                +-------+-----------+
+//
+// Numbers are double or float, real (one plane) or complex (two planes): a row is its real parts, then, as many numbers
+// further on, its imaginary parts. Entries count numbers of one plane.
 #pragma once
 
 #include "harmorph/executor.hpp"
@@ -14,77 +18,110 @@
 
 namespace harmorph::dense {
 
-inline constexpr Index block = 32;
+inline constexpr Index block = 8;
 inline constexpr Index strip = 128;
 // Kernels read, but never use or write, up to this many numbers behind the end of a block.
 inline constexpr Offset overread = 64;
 // Rows of right-hand sides are padded to a multiple of this.
 inline constexpr Index row_multiple = 8;
 constexpr Index padded(Index n) noexcept { return (n + row_multiple - 1) / row_multiple * row_multiple; }
-// Numbers of working space for one thread.
+// Working space for one thread.
 inline constexpr Offset packing_entries = 2 * strip * strip;
 
+// Where a panel's strip begins, in entries: strip * (front + (front - strip) + (front - 2 strip) + ...).
+constexpr Offset strip_start(Index front, Index first) noexcept {
+    return Offset{first} * front - Offset{first} * (first - strip) / 2;
+}
+
+template <class Number>
 struct Panel {
-    Real* data = nullptr;
+    Number* data = nullptr;
     Index pivots = 0;
     Index front = 0;  // pivots + border
+    Index planes = 1;
 
     Index border() const noexcept { return front - pivots; }
-    // Numbers from one row to the next in the strip that begins at pivot `first`.
-    Offset row_length(Index first) const noexcept { return front - first; }
-    Offset strip_start(Index first) const noexcept {
-        return Offset{first} * front - Offset{first} * (first - strip) / 2;  // sum of strip * (front - 0, strip, 2 strip, ...)
-    }
+    // From a row's real parts to its imaginary parts.
+    Offset plane(Index pivot) const noexcept { return front - pivot / strip * strip; }
     // A pivot's row, such that row[column] is the entry in a column of the front, column >= the strip's first pivot.
-    Real* row(Index pivot) const noexcept {
+    Number* row(Index pivot) const noexcept {
         Index const first = pivot / strip * strip;
-        return data + strip_start(first) + (pivot - first) * row_length(first) - first;
-    }
-    static Offset entries(Index pivots, Index front) noexcept {
-        Index const first = pivots / strip * strip;  // what is left is a strip of its own, or nothing
-        Panel const panel{nullptr, pivots, front};
-        return panel.strip_start(first) + Offset{pivots - first} * panel.row_length(first);
+        return data + planes * (strip_start(front, first) + (pivot - first) * plane(first)) - first;
     }
 };
 
-// The symmetric matrix that a front leaves to its parent: the upper triangle, in bands of `strip` rows that begin at their
+constexpr Offset panel_entries(Index pivots, Index front) noexcept {
+    Index const first = pivots / strip * strip;  // what is left is a strip of its own, or nothing
+    return strip_start(front, first) + Offset{pivots - first} * (front - first);
+}
+
+// Where a band of an update matrix begins, in entries; strip is a multiple of the padding.
+constexpr Offset band_start(Index n, Index first) noexcept { return strip_start(padded(n), first); }
+
+// The Hermitian matrix that a front leaves to its parent: the upper triangle, in bands of `strip` rows that begin at their
 // first row's diagonal. Rows are padded, so that they can be written in whole vectors.
+template <class Number>
 struct UpdateMatrix {
-    Real* data = nullptr;
+    Number* data = nullptr;
     Index n = 0;
+    Index planes = 1;
 
-    Offset row_length(Index first) const noexcept { return padded(n - first); }
-    Offset band_start(Index first) const noexcept {
-        Offset const all = padded(n);
-        return Offset{first} * all - Offset{first} * (first - strip) / 2;  // strip is a multiple of the padding
-    }
+    Offset plane(Index number) const noexcept { return padded(n - number / strip * strip); }
     // row[column] is the entry in a column, column >= the band's first row.
-    Real* row(Index number) const noexcept {
+    Number* row(Index number) const noexcept {
         Index const first = number / strip * strip;
-        return data + band_start(first) + (number - first) * row_length(first) - first;
-    }
-    static Offset entries(Index n) noexcept {
-        Index const first = n / strip * strip;
-        UpdateMatrix const matrix{nullptr, n};
-        return matrix.band_start(first) + Offset{n - first} * matrix.row_length(first);
+        return data + planes * (band_start(n, first) + (number - first) * plane(first)) - first;
     }
 };
 
-// The caller's threads, and packing_entries numbers for each of them.
+constexpr Offset update_entries(Index n) noexcept {
+    Index const first = n / strip * strip;
+    return band_start(n, first) + Offset{n - first} * padded(n - first);
+}
+
+// With what kernels read behind it.
+constexpr Offset update_room(Index n) noexcept { return n > 0 ? update_entries(n) + overread : 0; }
+
+// Where the rows of a matrix go in a front: ends[r] is the first row behind r's run of neighbouring targets, which does not
+// lead from pivots to border.
+struct Targets {
+    Index* at = nullptr;
+    Index* ends = nullptr;
+};
+
+// The caller's threads, and planes * packing_entries numbers for each of them.
+template <class Number>
 struct Workers {
     Executor executor;
-    Real* packing = nullptr;
+    Number* packing = nullptr;
 };
 
-// Factors in place. Returns the first pivot that is not above `floor` times its value before its own block, or none.
-Index factor(Kernel kernel, Panel const& panel, Real floor, Workers const& workers) noexcept;
+// What follows is there for double and float.
 
-// Takes U^T U of the border's columns off the update matrix.
-void update_border(Kernel kernel, Panel const& panel, UpdateMatrix const& update, Workers const& workers) noexcept;
+// Factors in place. Returns the first pivot that is not above `floor` times its value in the front as it is given, or none.
+template <class Number>
+Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
 
-// y [front x row], row a multiple of row_multiple: solves U^T y = y for the pivots and takes them off the border's rows.
-void solve_forward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept;
+// Takes U^H U of the border's columns off the update matrix.
+template <class Number>
+void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
+                   Workers<Number> const& workers) noexcept;
+
+// Adds a child's update matrix to its parent's panel and update matrix.
+template <class Number>
+void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+                UpdateMatrix<Number> const& update) noexcept;
+
+// y [front x planes x row], row a multiple of row_multiple: solves U^H y = y for the pivots and takes them off the border's
+// rows.
+template <class Number>
+void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
 // Solves U y = y for the pivots, the border's rows known.
-void solve_backward(Kernel kernel, Panel const& panel, Real* y, Index row, Executor const& executor) noexcept;
+template <class Number>
+void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
+
+// Adds n rows of `length` numbers, a multiple of row_multiple, to rows of y.
+template <class Number>
+void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept;
 
 }  // namespace harmorph::dense

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/boundary.hpp"
+#include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
 
 namespace harmorph {
@@ -45,7 +46,8 @@ struct FaceDistance {
 
     Index count = 0;
     Span<Face> faces;       // [max_faces], of which `count` are used
-    Real unit = 0;          // largest power of two within the extent of the faces; 0: no extent
+    Real extent = 0;        // the larger of their width and height
+    Real unit = 0;          // largest power of two within the extent; 0: no extent
     Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
     Index root_height = 0;
     Index height_start[most_heights] = {};  // in `boxes`
@@ -61,8 +63,16 @@ struct FaceDistance {
     // After choose(), and whenever coordinates have changed. O(count).
     void build(Points points) noexcept;
 
-    // No face: infinity. Rounding leaves errors of a few units in the last place of the distance and of the faces' lengths.
+    // No face: infinity. Rounding leaves a few units in the last place of the distance and of the faces' lengths.
     Real distance(Vec2 from) const noexcept;
+    // The place on the faces that is nearest; none without faces. `group` is where it is tried first, and then where it
+    // was: neighbouring points have neighbouring feet.
+    struct Foot {
+        Index face = none;
+        Real t = 0;  // (1 - t) point[0] + t point[1]
+    };
+    Foot foot(Vec2 from, Index& group) const noexcept;
+    Vec2 at(Foot const& foot, Points points) const noexcept;
 
 private:
     void find_unit(Points points) noexcept;
@@ -70,10 +80,15 @@ private:
     void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
 };
 
-// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16. Below
-// 1e-30 units d counts as that, which no valid mesh can show: so k is finite always. No faces or all at one place: k = 1.
+// k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
+// d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. No faces, or all of them
+// at one place: k = 1.
 // Fastest where cells with neighbouring numbers are neighbours.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
+                 Executor const& executor) noexcept;
+
+// k [n_edges] likewise, from the edges' midpoints. Faces themselves are edges as well, d being 0 there: no equation has them.
+void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 
 template <class IsChosen>

@@ -10,7 +10,7 @@ namespace harmorph {
 // its subtree is coupled to, increasing. Node t's border is border[start[t]] .. border[start[t+1]-1].
 struct FrontSizes {
     Offset border_entries = 0;  // of all fronts
-    Offset factor_entries = 0;  // of all panels
+    Offset factor_entries = 0;  // of all panels; a complex number is one entry
     Index largest_front = 0;    // pivots + border
     Index largest_border = 0;
 };

@@ -6,6 +6,7 @@
 #include "harmorph/full_approximation.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
+#include "harmorph/region.hpp"
 #include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {
@@ -26,12 +27,16 @@ struct Plan {
     BasisCounts basis_counts;
     std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
     Offset factor_entries = 0;
+    RegionCounts region_counts;     // for untangling
+    Index n_wall_faces = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
-    FaceDistance wall;            // faces that move, where the operator is weighted
-    Span<Real> conductivity;      // [n_cells] of weighted operators
+    FaceDistance wall;            // faces that move
+    Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
+    std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
+    Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;
     Multifrontal engine;          // of the engines, this one,
     Span<std::uint8_t> faces;     // [entries] which of them are mesh edges, for
@@ -47,18 +52,23 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
     // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
     Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
+    // Is the basis of the same analysis, or of one that is equal?
+    Status check_fit(Basis const& basis, Fault& fault) const noexcept;
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
 
 private:
+    Status assemble(Points points, Fault& fault) noexcept;
+    Status assemble_cells(Points points, Fault& fault) noexcept;
+    Status assemble_edges(Points points, Fault& fault) noexcept;
     void lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept;
     void init_engine(Analysis const& analysis) noexcept;
     Status factor_engine(Points points, Fault& fault) noexcept;
     Status solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept;
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
-    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
-    Status measure_residual(Basis const& basis, SolveReport& report, Fault& fault) const noexcept;
-    Status refine(Basis const& basis, Fault& fault) noexcept;
+    Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+    Status refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps, Fault& fault) noexcept;
 };
 
 // Makes an unsolved basis in a block that has been laid out for the analysis's counts.

@@ -66,8 +66,13 @@ struct Matrix {
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept { return {n, diagonal, start, column, value, faces}; }
 
 private:
-    Offset find(Index row, Index later) const noexcept;
-    Index find_coupling(Index line, Index row) const noexcept;
+    // Where two lines meet; nowhere (value null) if neither is unknown, or one's value is 0.
+    struct Entry {
+        Real* value = nullptr;
+        Real* imaginary = nullptr;
+        bool turned = false;  // it stands for the second's row
+    };
+    Entry entry(Index i, Index j) const noexcept;
     void add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept;
     void add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept;
 };

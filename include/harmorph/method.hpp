@@ -10,6 +10,7 @@ namespace harmorph {
 // The numbers are those of the C header, which explains them.
 enum class Operator : std::int32_t { conformal = 0, laplace = 1, weighted = 2 };
 enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2 };
+enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
 struct Method {
@@ -20,16 +21,25 @@ struct Method {
     std::int32_t quarters = 0;           // k = d^(-quarters / 4)
     std::int32_t offset_correction = 0;  // 1: a wall off its curve turns with it
     Real tolerance = 1e-10;
+    Precision precision = Precision::in_double;  // of the factor
+    std::int32_t reserved = 0;                   // so that no byte is left to chance
 
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
+    bool bounded() const noexcept { return scheme == Scheme::bounded; }
+
+    // The same functions but for rounding?
+    bool agrees_with(Method const& other) const noexcept {
+        return operator_kind == other.operator_kind && scheme == other.scheme && quarters == other.quarters &&
+               offset_correction == other.offset_correction;
+    }
 
     // The smallest kind of value that can express what is asked for.
     ValueKind value_kind(Demands const& demands) const noexcept {
-        if (demands.slip || conformal()) return ValueKind::matrix;
+        if (demands.slip) return ValueKind::matrix;
         return conformal() || demands.bodies > 0 ? ValueKind::complex : ValueKind::real;
     }
     // A row of values has one or two lines, each with the numbers of one unknown.
-    Index components(Demands const& demands) const noexcept { return demands.slip || conformal() ? 2 : 1; }
+    Index components(Demands const& demands) const noexcept { return demands.slip ? 2 : 1; }
 };
 
 }  // namespace harmorph

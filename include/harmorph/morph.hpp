@@ -1,4 +1,4 @@
-// Functions times movements: mesh points from control points, and the transpose.
+// Functions times movements: mesh points from control points.
 #pragma once
 
 #include "harmorph/basis.hpp"
@@ -8,10 +8,6 @@ namespace harmorph {
 
 // to = from + sum_i F_i move_i; move [2 * functions] x,y pairs. `from` not given: 0. Points whose sum is 0 keep their bits.
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept;
-
-// gradient [2 * functions] = sum over the points of F_i (by_x, by_y). Summed in ranges and blocks of points that do not
-// depend on the number of threads.
-void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept;
 
 struct BoundaryError {
     Real error = 0;

@@ -4,35 +4,46 @@
 
 #include "harmorph/dense.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/method.hpp"
 #include "harmorph/progress.hpp"
 #include "harmorph/rows.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {
 
-// Memory of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run, so
-// that each of them is added and forgotten at once.
+
+// The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
+// so that each of them is added and forgotten at once.
 //
 //   stack:  |above the subtrees ... |kept: update matrices of the subtrees' roots|lane 0 ...|lane 1 ...|
 //   rows:   the same with the right-hand sides of fronts instead of update matrices
+template <class Number>
+struct FrontalNumbers {
+    Span<Number> factor;
+    Span<Number> stack;
+    Span<Number> rows;
+    Span<Number> packing;  // [lanes x planes x dense::packing_entries]
+};
+
 struct Multifrontal {
     AssemblyTree tree;
     Subtrees subtrees;
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
     Span<Offset> panel_start;   // [nodes + 1] in `factor`
-    Span<Real> factor;
-    Span<Real> stack;
-    Span<Real> rows;
     Span<Index> target;         // [lanes x largest border] where a border goes in the parent's front
     Span<Index> run_end;        // [lanes x largest border] first border behind the run of neighbouring targets
-    Span<Real> packing;         // [lanes x dense::packing_entries]
+    FrontalNumbers<double> doubles;  // these ...
+    FrontalNumbers<float> singles;   // ... or those
+    Precision precision = Precision::in_double;
+    Index planes = 1;           // 1: real; 2: complex
     Index largest_border = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
 
-    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width) noexcept;
+    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width,
+                 bool complex = false, Precision its_precision = Precision::in_double) noexcept;
     // Apart, because nobody needs it but factorise().
     void lay_out_stack(Arena& arena) noexcept;
     void place_panels() noexcept;
@@ -43,39 +54,76 @@ struct Multifrontal {
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
 
     // What follows serves those two.
+    template <class Number>
     struct Lane {
         Executor executor;  // inside fronts
-        Real* stack;
-        Real* rows;
-        Real* packing;
-        Index* target;
-        Index* run_end;
+        Number* stack;
+        Number* rows;
+        Number* packing;
+        dense::Targets targets;
     };
-    Lane top_lane() const noexcept;  // above the subtrees, with all threads inside fronts
-    Lane lane(Index number) const noexcept;
+    template <class Number>
+    Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
+        FrontalNumbers<Number> const& its = numbers<Number>();
+        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), {target.data(), run_end.data()}};
+    }
+    template <class Number>
+    Lane<Number> lane(Index number) const noexcept {
+        FrontalNumbers<Number> const& its = numbers<Number>();
+        Offset const n = number, kept = subtrees.top_stack_entries + subtrees.kept_entries;
+        return {Executor{},
+                its.stack.data() + planes * (kept + n * subtrees.stack_entries),
+                its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
+                its.packing.data() + n * planes * dense::packing_entries,
+                {target.data() + n * largest_border, run_end.data() + n * largest_border}};
+    }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
-    template <class Body>
+    template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
         executor.for_each(subtrees.count > 0 ? subtrees.lanes : 0, [&](Index number) {
-            Lane const its = lane(number);
+            Lane<Number> const its = lane<Number>(number);
             for (Subtree const& subtree : subtrees.all.first(subtrees.count)) {
                 if (subtree.lane == number) body(subtree, its);
             }
         });
     }
 
-    dense::Panel panel(Index node) const noexcept;
+    template <class Number>
+    FrontalNumbers<Number> const& numbers() const noexcept;
+    template <class Number>
+    dense::Panel<Number> panel(Index node) const noexcept {
+        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node), front_of(node), planes};
+    }
+    template <class Number>
+    Number* kept_update(Index subtree) const noexcept {
+        return numbers<Number>().stack.data() + planes * (subtrees.top_stack_entries + subtrees.all[subtree].kept);
+    }
+    template <class Number>
+    Number* kept_rows(Index subtree) const noexcept {
+        return numbers<Number>().rows.data() + (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
+    }
+    // Room for a right-hand sides' row.
+    Offset row_length() const noexcept { return Offset{planes} * padded_width; }
+    Index pivots_of(Index node) const noexcept { return tree.nodes[node].pivots(); }
+    Index front_of(Index node) const noexcept { return pivots_of(node) + border_of(node).count(); }
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Where a child's border goes in its parent's front: lane.target, and the runs of neighbours there.
-    void find_targets(Index child, Index parent, Lane const& lane) const noexcept;
-    Real* kept_update(Index subtree) const noexcept {
-        return stack.data() + subtrees.top_stack_entries + subtrees.all[subtree].kept;
-    }
-    Real* kept_rows(Index subtree) const noexcept {
-        return rows.data() + (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * padded_width;
-    }
+    // Where a child's border goes in its parent's front.
+    void find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept;
+
+private:
+    template <class Number>
+    void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept;
+    template <class Number>
+    Status factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
+    template <class Number>
+    Status solve_in(Rows const& values, Progress const& progress, Fault& fault) noexcept;
 };
+
+template <>
+inline FrontalNumbers<double> const& Multifrontal::numbers<double>() const noexcept { return doubles; }
+template <>
+inline FrontalNumbers<float> const& Multifrontal::numbers<float>() const noexcept { return singles; }
 
 }  // namespace harmorph

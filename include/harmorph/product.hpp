@@ -1,7 +1,8 @@
 // The two products of morphing, for a few rows of function values: rows times movements, and the transpose. Every kernel
-// adds in the same order and rounds alike, so that the choice of one never shows in a result.
+// adds in the same order, or in fixed point, and rounds alike, so that the choice of one never shows in a result.
 #pragma once
 
+#include "harmorph/fixed_sum.hpp"
 #include "harmorph/processor.hpp"
 #include "harmorph/vec2.hpp"
 
@@ -20,9 +21,23 @@ struct ValueRows {
     Index n_points = 0, n_functions = 0;
 };
 
+// Sums for a block of functions in fixed point, see FixedSum. Unsigned, because intermediate ones wrap.
+struct FixedSums {
+    std::uint64_t coarse_x[Movements::most], coarse_y[Movements::most], fine_x[Movements::most], fine_y[Movements::most];
+
+    FixedSum x(Index k) const noexcept { return {as_signed(coarse_x[k]), as_signed(fine_x[k])}; }
+    FixedSum y(Index k) const noexcept { return {as_signed(coarse_y[k]), as_signed(fine_y[k])}; }
+
+private:
+    static std::int64_t as_signed(std::uint64_t sum) noexcept { return static_cast<std::int64_t>(sum); }
+};
+
+// Few values are multiplied before the processor has told what it is.
+Kernel product_kernel(Offset values) noexcept;
+
 // sum[p] += values of point p . movements
 void multiply_rows(Kernel kernel, ValueRows const& rows, Movements const& by, Vec2* sum) noexcept;
-// total += sum over the points, in their order, of their values times by[p]
-void multiply_rows_transposed(Kernel kernel, ValueRows const& rows, const Vec2* by, Movements& total) noexcept;
+// total += sum over the points of their values times by[p]; no product may exceed 1.
+void multiply_rows_transposed(Kernel kernel, ValueRows const& rows, const Vec2* by, FixedSums& total) noexcept;
 
 }  // namespace harmorph

@@ -26,23 +26,28 @@ struct Lines {
 
 // Residuals of a few columns at a time, in whole rows.
 struct Residual {
-    static constexpr Index width = 6;
+    static constexpr Index widest = 24;
 
+    Index width = 6;   // at most `widest`
     Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
 
-    void lay_out(Arena& arena, Index unknowns, bool complex) noexcept {
+    void lay_out(Arena& arena, Index unknowns, bool complex, Index its_width = 6) noexcept {
+        width = its_width;
         arena.take(value, Offset{unknowns} * (complex ? 2 * width : width));
     }
 
     // Columns first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
     struct Norms {
-        Real right_hand_side[width] = {}, rest[width] = {};
+        Real right_hand_side[widest] = {}, rest[widest] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // F += value, as corrections.
-    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
+    struct Choice {
+        bool column[widest];
+    };
+    // The chosen ones of columns first .. first+n-1 of F += those of value, as corrections.
+    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
 };
 
 }  // namespace harmorph

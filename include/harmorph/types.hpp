@@ -20,6 +20,7 @@ enum class Status : std::int32_t {
     ok = 0,
     not_converged = 1,
     moved = 2,
+    short_of_target = 3,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,
@@ -28,7 +29,8 @@ enum class Status : std::int32_t {
     bad_basis = -6,
     block_too_small = -7,
     not_positive = -8,
-    unsupported = -9
+    unsupported = -9,
+    crossing = -10
 };
 
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }

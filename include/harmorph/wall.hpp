@@ -17,8 +17,8 @@ struct Wall {
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// How far a point is off its curve, where the offset is to turn with the curve: 0 at corners and where C' vanishes, where
-// it is not known what turns.
+// How far a point is off its curve, e, where that is to turn with the curve. 0 at corners, where it is not known what turns,
+// and where e N_i' / C' would outgrow the functions N_i themselves, as it does where C' vanishes.
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept;
 
 // Working arrays of parametrise().

@@ -27,22 +27,22 @@ std::vector<double> numbers(harmorph::Offset count, double value = 0) {
 struct DenseFront::Inside {
     harmorph::Kernel kernel;
     std::vector<double> original, panel_data, update_data, packing, sides;
-    dense::Panel panel;
-    dense::UpdateMatrix update;
+    dense::Panel<double> panel;
+    dense::UpdateMatrix<double> update;
 
-    dense::Workers workers() { return {harmorph::Executor{}, packing.data()}; }
+    dense::Workers<double> workers() { return {harmorph::Executor{}, packing.data()}; }
 };
 
 DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {
     Inside& in = *inside_;
     in.kernel = chosen(kernel);
-    in.original = numbers(dense::Panel::entries(pivots, front));
-    dense::Panel const panel{in.original.data(), pivots, front};
+    in.original = numbers(dense::panel_entries(pivots, front));
+    dense::Panel<double> const panel{in.original.data(), pivots, front};
     for (int i = 0; i < pivots; ++i)
         for (int j = i; j < front; ++j) panel.row(i)[j] = entry(front, i, j);
     in.panel_data = in.original;
     in.panel = {in.panel_data.data(), pivots, front};
-    in.update_data = numbers(dense::UpdateMatrix::entries(front - pivots));
+    in.update_data = numbers(dense::update_entries(front - pivots));
     in.update = {in.update_data.data(), front - pivots};
     in.packing = numbers(dense::packing_entries);
     in.sides = numbers(harmorph::Offset{front} * right_hand_sides, 1);

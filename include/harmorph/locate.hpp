@@ -1,0 +1,41 @@
+// Where in a mesh is a point? Its cell, or the nearest one, and its weights there.
+#pragma once
+
+#include "harmorph/box_tree.hpp"
+#include "harmorph/cell_shape.hpp"
+
+namespace harmorph {
+
+// A linear field's value at the point is sum_k weight_k times its value at point_k, inside the cell and outside (there it is
+// extrapolated). The weights add up to 1; at a point of the mesh its own is exactly 1. A quad's are the mean of those of
+// its two splits into triangles, as its equations are.
+struct CellWeights {
+    Index n = 0;
+    Index point[4] = {};
+    Real weight[4] = {};
+};
+
+struct Location {
+    Index cell = none;
+    Real distance = 0;      // from the cell; 0: inside, or within rounding of it
+    Real longest_side = 0;  // of the cell
+    CellWeights weights;
+};
+
+struct Locator {
+    Mesh mesh;
+    Span<const std::uint8_t> reversed;  // [n_cells] see orient()
+    BoxTree tree;
+
+    void lay_out(Arena& arena, Index n_cells) noexcept { tree.lay_out(arena, n_cells); }
+    // The mesh must have no inverted cell.
+    void build(Mesh const& its_mesh, Span<const std::uint8_t> its_reversed) noexcept;
+
+    // hint: a cell that may well be the one, or none. A point on a common side belongs to either cell.
+    Location locate(Vec2 point, Index hint) const noexcept;
+
+private:
+    CellShape shape(Index cell) const noexcept { return {mesh.cell(cell), mesh.points, reversed[cell] != 0}; }
+};
+
+}  // namespace harmorph

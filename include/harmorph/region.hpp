@@ -1,0 +1,107 @@
+// The part of a mesh round its inverted corners: which points may move there, their cells, and their neighbours.
+#pragma once
+
+#include "harmorph/arena.hpp"
+#include "harmorph/cell_shape.hpp"
+#include "harmorph/edges.hpp"
+
+namespace harmorph {
+
+// A mesh whose cells are to be made valid, without its coordinates.
+struct Tangle {
+    Mesh mesh;                          // `points` is not looked at
+    Points reference;                   // of valid cells: the shapes and sizes wanted
+    Span<const std::uint8_t> reversed;  // [n_cells]
+    Span<const Index> representative;   // [n_points] points of a cut move as one
+    Span<const std::uint8_t> held;      // [n_points] 1: does not move, like all boundary points; of representatives
+
+    // Counter-clockwise, in terms of representatives.
+    Cell cell(Index i) const noexcept {
+        Cell its = mesh.cell(i);
+        for (Index k = 0; k < its.n; ++k) its.point[k] = representative[its.point[k]];
+        if (reversed[i] != 0) its.reverse();
+        return its;
+    }
+};
+
+// Each corner of a cell with its neighbours; the corners of a triangle are one and the same.
+struct CellTriangles {
+    Index n = 0;
+    Index point[4][3] = {};
+
+    explicit CellTriangles(Cell const& cell) noexcept : n(cell.n == 3 ? 1 : 4) {
+        for (Index k = 0; k < n; ++k) {
+            Index const corner = cell.n == 3 ? 1 : k;
+            point[k][0] = cell.previous(corner);
+            point[k][1] = cell.point[corner];
+            point[k][2] = cell.next(corner);
+        }
+    }
+};
+
+struct RegionCounts {
+    Index points = 0, cells = 0;
+    Offset cell_corners = 0;  // of all cells
+    Offset pairs = 0;         // of points that share a cell, each once
+
+    static RegionCounts of(Mesh const& mesh, Edges const& edges) noexcept;
+};
+
+struct Region {
+    static constexpr Index whole = 200;  // layers that count as all there are
+
+    Index n = 0;                     // points that may move: the unknowns
+    Index n_cells = 0;               // cells with an unknown point
+    Span<Index> unknown;             // [n_points] number of a point, or none
+    Span<Index> point;               // [n] of each unknown
+    Span<Index> cell;                // [n_cells]
+    Span<Offset> start;              // [n + 1]
+    Span<Index> neighbour;           // unknowns that share a cell with each, itself first
+    Span<Offset> cell_start;         // [n_points + 1]
+    Span<Index> cell_of;             // all cells of each point
+    Span<std::uint8_t> reached;      // [n_points] working space
+    Span<Index> queue;               // [n_points] working space
+
+    void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
+    // Once for a mesh: the cells of each point.
+    void link(Tangle const& tangle) noexcept;
+    // As cells, those of the mesh for which is_one(cell) holds; leaves only those of the cells for which it does.
+    template <class IsOne>
+    void choose(IsOne is_one) noexcept;
+    template <class IsOne>
+    void keep(IsOne is_one) noexcept;
+    // From those cells to all points within `layers` cells of them; from `whole` on, to all points.
+    void grow(Tangle const& tangle, Index layers) noexcept;
+
+    Span<const Index> cells_of(Index its_point) const noexcept {
+        return cell_of.from(cell_start[its_point], cell_start[its_point + 1] - cell_start[its_point]);
+    }
+    Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
+    bool can_move(const Index (&its)[3]) const noexcept {
+        return unknown[its[0]] != none || unknown[its[1]] != none || unknown[its[2]] != none;
+    }
+
+private:
+    Index reach_points(Tangle const& tangle, Index layers) noexcept;
+    void list_cells(Tangle const& tangle) noexcept;
+    void list_neighbours(Tangle const& tangle) noexcept;
+};
+
+template <class IsOne>
+void Region::choose(IsOne is_one) noexcept {
+    n_cells = 0;
+    for (Index i = 0; i < cell.count(); ++i) {
+        if (is_one(i)) cell[n_cells++] = i;
+    }
+}
+
+template <class IsOne>
+void Region::keep(IsOne is_one) noexcept {
+    Index kept = 0;
+    for (Index const i : cell.first(n_cells)) {
+        if (is_one(i)) cell[kept++] = i;
+    }
+    n_cells = kept;
+}
+
+}  // namespace harmorph

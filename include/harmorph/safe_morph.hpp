@@ -1,0 +1,74 @@
+// A morph that reaches its target without an inverted cell, or says how far it got: a ladder of ever costlier means.
+#pragma once
+
+#include "harmorph/admissible_step.hpp"
+#include "harmorph/crossing.hpp"
+#include "harmorph/first_layer.hpp"
+#include "harmorph/harmonic.hpp"
+#include "harmorph/path.hpp"
+#include "harmorph/untangle.hpp"
+
+namespace harmorph {
+
+enum class Rung : std::int32_t { linear = 0, other = 1, substeps = 2, untangled = 3 };
+
+struct SafeOptions {
+    Index most_resolves = 10;
+    std::uint32_t skipped = 0;     // bit r: rung r is not tried
+    Span<const Basis> others;      // solved with other operators or exponents
+    UntangleOptions untangle;
+
+    bool tries(Rung rung) const noexcept { return (skipped >> static_cast<std::int32_t>(rung) & 1) == 0; }
+};
+
+struct SafeReport {
+    Rung rung = Rung::linear;     // the last one that moved the mesh
+    Index other = none;           // which of `others`
+    Index steps = 0, resolves = 0;
+    Real fraction = 0;            // of the way to the target
+    AdmissibleStep limit;         // what stood in the way of the first rung
+    UntangleReport untangle;
+    FirstLayerChange first_layer;
+    Crossing crossing;            // of the boundary at the target
+};
+
+struct SafeMorph {
+    MovementPath path;
+    Span<Real> x, y, dx, dy;                     // [n_points] the mesh as far as it got, and a step from there
+    Span<Real> reached, aimed, difference;       // [2 * functions] movements since the start
+    Span<Vec2> weight;                           // [functions]
+    Span<unsigned char> block;                   // of the basis that is solved on the way
+    Span<Index> representative;                  // [n_points] for untangling
+    Span<std::uint8_t> held;
+    Untangling untangling;
+    FirstLayer first_layer;
+
+    void lay_out(Arena& arena, Plan const& plan) noexcept;
+
+    // The plan's mesh is the start; `basis` was solved on it. Points on the wall end where the B-spline is. Refused at once:
+    // a boundary that crosses itself at the target (Status::crossing). Status::short_of_target: not all of the way.
+    // derivative: a basis like `basis`, or null; see hm_morph_safe. The plan is left with the factor of the last step.
+    Status run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options, const Basis* derivative,
+               SafeReport& report, Fault& fault) noexcept;
+    // The last valid mesh.
+    Points result() const noexcept { return {x.data(), y.data(), 1}; }
+    void write(MutablePoints to) const noexcept;
+
+private:
+    struct Work;  // the arguments of run()
+
+    Points now() const noexcept { return result(); }
+    Points step() const noexcept { return {dx.data(), dy.data(), 1}; }
+    bool is_admissible(Work& work, Basis const& by) noexcept;
+    Status substeps(Work& work) noexcept;
+    Real find_step(Work& work, Basis const& by, Real from) noexcept;
+    void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
+    Status solve_here(Work& work, Basis const& scratch, Fault& why) noexcept;
+    void mark_held(Work const& work) const noexcept;
+    void measure_first_layer(Work& work) noexcept;
+    Status untangle(Work& work, Basis const& by) noexcept;
+    void put_wall(Work const& work, MutablePoints points) const noexcept;
+    void finish_derivative(Work const& work) const noexcept;
+};
+
+}  // namespace harmorph

@@ -1,0 +1,45 @@
+// Distances from the walls brought back to what they were before a deformation: near them entirely, farther away less.
+#pragma once
+
+#include "harmorph/conditions.hpp"
+#include "harmorph/first_layer.hpp"
+
+namespace harmorph {
+
+// Every point near a wall knows its foot there: the nearest place. A deformation that keeps angles (the conformal basis)
+// still scales its height above the moved foot with the stretch of the wall. Along the normal n that turns with the wall,
+// the point moves by
+//
+//   n (d - h) fade(d / reach),   d, h: heights before and after;   fade(x) = 1 - 3 x + 2 x sqrt(x) up to x = 1, then 0.
+//
+// fade and its derivative vanish at the reach, and the corrected heights above one foot keep their order as long as the
+// wall is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion is left alone; none, to the last bit.
+//
+// The reach belongs to the wall: the radius of its curvature or a quarter of its extent, where that is less; 0 where it
+// ends; never across a place where the nearest wall is another one (a gap, a concave corner). Along the wall it grows by at
+// most half the way.
+struct WallHeights {
+    WallPoints wall;
+    Span<FaceDistance::Foot> foot;  // [n_points] none: far from walls, or not to be moved
+    Span<Real> reach;               // [wall.most]
+    Span<Vec2> turn;                // [wall.most] of the wall at its points, in the deformation at hand
+
+    void lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept;
+    // kinds, representative [n_points]: only points inside move, points that are joined to others with these.
+    void find(Mesh const& mesh, Points before, Span<const PointKind> kinds, Span<const Index> representative,
+              FaceDistance const& walls, Executor const& executor) noexcept;
+    // `points` are where the deformation has put the mesh; points on boundaries stay there. amount 1: entirely, 0: not at
+    // all. Cells may be inverted afterwards, where they were close to it or the stretch varies violently: to be checked.
+    void restore(FaceDistance const& walls, Points before, MutablePoints points, Span<const Index> representative,
+                 Real amount, Executor const& executor) const noexcept;
+
+private:
+    void bound_by_curvature(FaceDistance const& walls, Points before) noexcept;
+    void bound_by_jumps(Mesh const& mesh, Points before, Span<const Index> representative,
+                        FaceDistance const& walls) noexcept;
+    void grade(FaceDistance const& walls, Points before) noexcept;
+    Real height(FaceDistance const& walls, Index point, Points before) const noexcept;
+    Real reach_at(FaceDistance const& walls, FaceDistance::Foot const& its) const noexcept;
+};
+
+}  // namespace harmorph

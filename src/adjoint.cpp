@@ -1,0 +1,129 @@
+#include "harmorph/adjoint.hpp"
+
+#include "harmorph/product.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index block_points = 256;
+constexpr Index ranges = 16;
+constexpr Real not_a_number = __builtin_nan("");
+
+// body(begin, end, i) for ranges of points.
+template <class Body>
+void for_point_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
+    auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / ranges); };
+    executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
+}
+
+// Of points begin .. end-1 and numbers first .. first+width-1 of their rows.
+void add_range(Kernel kernel, Basis const& basis, Points gradient_by_points, BinaryScale scale, Index begin, Index end,
+               Index first, Index width, FixedSums& total) noexcept {
+    for (Index p = begin; p < end; p += block_points) {
+        Index const count = smaller(block_points, end - p);
+        Vec2 by[block_points];
+        for (Index i = 0; i < count; ++i) {
+            Vec2 const its = gradient_by_points[p + i];
+            by[i] = {scale.down(its.x), scale.down(its.y)};
+        }
+        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.row_length(), count, width}, by, total);
+    }
+}
+
+// The sums of as many numbers of the rows as fit in one block.
+struct SumsBlock {
+    FixedSum x[Movements::most], y[Movements::most];
+
+    SumsBlock(Basis const& basis, Points gradient_by_points, BinaryScale scale, Index first, Index width,
+              Executor const& executor) noexcept {
+        Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
+        FixedSums part[ranges];
+        for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+            part[i] = {};
+            add_range(kernel, basis, gradient_by_points, scale, begin, end, first, width, part[i]);
+        });
+        for (Index k = 0; k < width; ++k) {
+            for (FixedSums const& its : part) {
+                x[k] += its.x(k);
+                y[k] += its.y(k);
+            }
+        }
+    }
+};
+
+// Adds what the sums of one number of all functions' values mean for the movement of its function.
+void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y, Real* gradient) noexcept {
+    Index const n = basis.n_functions(), plane = number / n;
+    Real* const to = gradient + 2 * (number % n);
+    Vec2 const total{scale.up(x.value()), scale.up(y.value())};
+    to[0] += dot(total, moved_by(basis.kind(), plane, {1, 0}));
+    to[1] += dot(total, moved_by(basis.kind(), plane, {0, 1}));
+}
+
+void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
+    for (Index i = 0; i < 2 * basis.n_functions(); ++i) gradient[i] = value;
+}
+
+template <class Body>
+void for_each_block(Index row_length, Body const& body) noexcept {
+    for (Index first = 0; first < row_length; first += Movements::most) {
+        body(first, smaller(Movements::most, row_length - first));
+    }
+}
+
+}  // namespace
+
+BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
+    LargestMagnitude largest[ranges];
+    for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+        LargestMagnitude its;
+        for (Index p = begin; p < end; ++p) {
+            its.include(gradient_by_points[p].x);
+            its.include(gradient_by_points[p].y);
+        }
+        largest[i] = its;
+    });
+    LargestMagnitude gradient;
+    for (LargestMagnitude const its : largest) gradient.include(its.value());
+    return BinaryScale::of_products(BinaryScale::exponent_above(basis.header->largest),
+                                    BinaryScale::exponent_above(gradient.value()));
+}
+
+void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale scale, std::int64_t* sums,
+                  Executor const& executor) noexcept {
+    Offset const n = basis.row_length();
+    for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
+    if (!scale.finite()) return;
+    for_each_block(basis.row_length(), [&](Index first, Index width) {
+        SumsBlock const block(basis, gradient_by_points, scale, first, width, executor);
+        for (Index k = 0; k < width; ++k) {
+            std::int64_t* const to = sums + first + k;
+            to[0] = block.x[k].coarse;
+            to[n] = block.x[k].fine;
+            to[2 * n] = block.y[k].coarse;
+            to[3 * n] = block.y[k].fine;
+        }
+    });
+}
+
+void adjoint_finish(Basis const& basis, BinaryScale scale, const std::int64_t* sums, Real* gradient) noexcept {
+    if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
+    Offset const n = basis.row_length();
+    set_gradient(basis, 0, gradient);
+    for (Index k = 0; k < basis.row_length(); ++k) {
+        const std::int64_t* const its = sums + k;
+        add_to_gradient(basis, k, scale, {its[0], its[n]}, {its[2 * n], its[3 * n]}, gradient);
+    }
+}
+
+void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept {
+    BinaryScale const scale = adjoint_scale(basis, gradient_by_points, executor);
+    if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
+    set_gradient(basis, 0, gradient);
+    for_each_block(basis.row_length(), [&](Index first, Index width) {
+        SumsBlock const block(basis, gradient_by_points, scale, first, width, executor);
+        for (Index k = 0; k < width; ++k) add_to_gradient(basis, first + k, scale, block.x[k], block.y[k], gradient);
+    });
+}
+
+}  // namespace harmorph

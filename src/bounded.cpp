@@ -1,0 +1,37 @@
+#include "harmorph/bounded.hpp"
+
+namespace harmorph {
+namespace {
+
+// From the smallest point on, so that the three edges of a triangle are told the same number: linear fields are reproduced
+// then even where the area is a small difference of large products.
+Real twice_area(Index a, Index b, Index c, Points points) noexcept {
+    Index const first = smaller(a, smaller(b, c));
+    if (first == b) return cross(points[c] - points[b], points[a] - points[b]);
+    if (first == c) return cross(points[a] - points[c], points[b] - points[c]);
+    return cross(points[b] - points[a], points[c] - points[a]);
+}
+
+}  // namespace
+
+Index assemble_bounded(Span<const DelaunayEdge> edges, Points points, Span<const Real> conductivity,
+                       Matrix const& matrix) noexcept {
+    matrix.clear();
+    for (Index i = 0; i < edges.count(); ++i) {
+        DelaunayEdge const edge = edges[i];
+        Vec2 const begin = points[edge.begin], end = points[edge.end];
+        auto const dot_at = [&](Index apex) { return dot(begin - points[apex], end - points[apex]); };
+        Real const left = twice_area(edge.begin, edge.end, edge.left, points);
+        if (!(left > 0)) return i;
+        Real conductance = 0.5 * (dot_at(edge.left) / left);
+        if (edge.right != none) {
+            Real const right = twice_area(edge.end, edge.begin, edge.right, points);
+            if (!(right > 0)) return i;
+            conductance = larger(conductance + 0.5 * (dot_at(edge.right) / right), 0.0);
+        }
+        matrix.add(edge.begin, edge.end, conductivity.empty() ? conductance : conductivity[i] * conductance);
+    }
+    return none;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,76 @@
+#include "harmorph/box_tree.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index leaf_items = 4;
+
+Real along(BoxTree::Entry const& entry, bool vertical) noexcept { return vertical ? entry.centre.y : entry.centre.x; }
+
+void exchange(BoxTree::Entry& a, BoxTree::Entry& b) noexcept {
+    BoxTree::Entry const its = a;
+    a = b;
+    b = its;
+}
+
+// Hoare's selection: none before place k is greater than it, none behind it is smaller. Ends with a sort where unlucky
+// pivots would cost more than one.
+void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
+    Index low = 0, high = entries.count() - 1;
+    for (Index pivots = 0; low < high; ++pivots) {
+        if (pivots > 64) {
+            return sort(entries.from(low, high - low + 1), [&](BoxTree::Entry const& a, BoxTree::Entry const& b) {
+                return along(a, vertical) < along(b, vertical);
+            });
+        }
+        Real const a = along(entries[low], vertical), b = along(entries[low + (high - low) / 2], vertical),
+                   c = along(entries[high], vertical);
+        Real const pivot = larger(smaller(a, b), smaller(larger(a, b), c));
+        Index i = low, j = high;
+        while (i <= j) {
+            while (along(entries[i], vertical) < pivot) ++i;
+            while (pivot < along(entries[j], vertical)) --j;
+            if (i <= j) exchange(entries[i++], entries[j--]);
+        }
+        if (k <= j) {
+            high = j;
+        } else if (k >= i) {
+            low = i;
+        } else {
+            return;
+        }
+    }
+}
+
+}  // namespace
+
+void BoxTree::lay_out(Arena& arena, Index n_items) noexcept {
+    n = n_items;
+    for (levels = 0; (n >> levels) > leaf_items; ++levels) {}
+    arena.take(entry, n);
+    arena.take(box, Size{2} << levels);
+}
+
+void BoxTree::halve() noexcept {
+    for (Index level = 0; level < levels; ++level) {
+        for (Index node = 0; node < Index{1} << level; ++node) {
+            Index const first = begin(level, node), middle = begin(level + 1, 2 * node + 1);
+            Span<Entry> const its = entry.from(first, begin(level, node + 1) - first);
+            Box centres;
+            for (Entry const& e : its) centres.include(e.centre);
+            Vec2 const extent = centres.high - centres.low;
+            select(its, middle - first, extent.y > extent.x);
+        }
+    }
+}
+
+void BoxTree::unite() noexcept {
+    for (Index node = (Index{1} << levels) - 1; node > 0; --node) {
+        box[node] = box[2 * node];
+        box[node].include(box[2 * node + 1]);
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,117 @@
+#include "harmorph/first_layer.hpp"
+
+#include "harmorph/angle.hpp"
+
+namespace harmorph {
+
+void WallPoints::lay_out(Arena& arena, Index n_points, Size max_faces) noexcept {
+    Size const n = most(n_points, max_faces);
+    arena.take(point, n);
+    arena.take(previous, n);
+    arena.take(next, n);
+    arena.take(slot, n_points);
+}
+
+void WallPoints::find(Index n_points, FaceDistance const& walls) noexcept {
+    count = 0;
+    fill(slot.first(n_points), none);
+    auto const slot_of = [&](Index its_point) {
+        if (slot[its_point] == none) {
+            slot[its_point] = count;
+            point[count] = its_point;
+            previous[count] = next[count] = none;
+            ++count;
+        }
+        return slot[its_point];
+    };
+    for (FaceDistance::Face const& face : walls.faces.first(walls.count)) {
+        next[slot_of(face.point[0])] = face.point[1];
+        previous[slot_of(face.point[1])] = face.point[0];
+    }
+}
+
+Vec2 WallPoints::tangent(Index its_slot, Points points) const noexcept {
+    Vec2 const here = points[point[its_slot]];
+    if (previous[its_slot] == none) return points[next[its_slot]] - here;
+    Vec2 const behind = here - points[previous[its_slot]];
+    if (next[its_slot] == none) return behind;
+    Vec2 const ahead = points[next[its_slot]] - here;
+    return length(ahead) * direction(behind) + length(behind) * direction(ahead);
+}
+
+Vec2 WallPoints::turn(Index its_slot, Points before, Points after) const noexcept {
+    Vec2 sum{};
+    Index const here = point[its_slot], from[] = {previous[its_slot], here}, to[] = {here, next[its_slot]};
+    Real weight[2] = {1, 1};  // those of the tangent
+    if (from[0] != none && to[1] != none) {
+        for (Index face = 0; face < 2; ++face) weight[1 - face] = length(before[to[face]] - before[from[face]]);
+    }
+    for (Index face = 0; face < 2; ++face) {
+        if (from[face] == none || to[face] == none) continue;
+        Vec2 const was = before[to[face]] - before[from[face]], is = after[to[face]] - after[from[face]];
+        sum = sum + weight[face] * direction(turn_between(was, is));
+    }
+    Vec2 const turn = direction(sum);
+    return turn.x == 0 && turn.y == 0 ? Vec2{1, 0} : turn;
+}
+
+void FirstLayer::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept {
+    wall.lay_out(arena, mesh.n_points, max_faces);
+    arena.take(above, WallPoints::most(mesh.n_points, max_faces));
+}
+
+void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> representative,
+                      FaceDistance const& walls) noexcept {
+    wall.find(mesh.n_points, walls);
+    fill(above, none);
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const here = representative[cell.point[k]], slot = wall.slot[here];
+            if (slot == none) continue;
+            Vec2 const normal = left_of(wall.tangent(slot, points));
+            auto const slope = [&](Index to) { return dot(direction(points[to] - points[here]), normal); };
+            Index const neighbours[] = {cell.next(k), cell.previous(k)};
+            for (Index const neighbour : neighbours) {
+                Index const to = representative[neighbour];
+                if (wall.slot[to] != none) continue;
+                Real const least = above[slot] == none ? 0 : slope(above[slot]);
+                if (slope(to) > least) above[slot] = to;
+            }
+        }
+    }
+}
+
+FirstLayerChange compare(FirstLayer const& layer, Points before, Points after) noexcept {
+    FirstLayerChange change;
+    for (Index slot = 0; slot < layer.wall.count; ++slot) {
+        if (layer.above[slot] == none) continue;
+        Index const foot = layer.wall.point[slot], top = layer.above[slot];
+        Vec2 const turn = layer.wall.turn(slot, before, after);
+        Vec2 const normal = left_of(direction(layer.wall.tangent(slot, before)));
+        Vec2 const was = before[top] - before[foot], is = turned_back(after[top] - after[foot], turn);
+        Real const angle = in_degrees(absolute(angle_of(turn_between(direction(was), direction(is)))));
+        Real const ratio = dot(is, normal) / dot(was, normal);
+        ++change.points;
+        change.mean_angle += angle;
+        change.mean_ratio += ratio;
+        if (change.largest_angle_point == none || angle > change.largest_angle) {
+            change.largest_angle = angle;
+            change.largest_angle_point = foot;
+        }
+        if (ratio < change.min_ratio) {
+            change.min_ratio = ratio;
+            change.min_ratio_point = foot;
+        }
+        if (ratio > change.max_ratio) {
+            change.max_ratio = ratio;
+            change.max_ratio_point = foot;
+        }
+    }
+    if (change.points == 0) return change;
+    change.mean_angle /= static_cast<Real>(change.points);
+    change.mean_ratio /= static_cast<Real>(change.points);
+    return change;
+}
+
+}  // namespace harmorph

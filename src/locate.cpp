@@ -1,0 +1,80 @@
+#include "harmorph/locate.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real rounding = 1e-12;  // of a side's length
+
+// From a convex cell; 0 inside. Only sides that the point is beyond can be the nearest.
+Real squared_distance(CellShape const& shape, Vec2 point) noexcept {
+    Real least = infinity;
+    bool inside = true;
+    for (Index k = 0; k < shape.n; ++k) {
+        Vec2 const side = shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k], to_point = point - shape.at[k];
+        if (!(cross(side, to_point) < -rounding * square(side))) continue;
+        inside = false;
+        Real const t = clamp(dot(to_point, side) / square(side), 0.0, 1.0);
+        least = smaller(least, square(to_point - t * side));
+    }
+    return inside ? 0 : least;
+}
+
+Real longest_side(CellShape const& shape) noexcept {
+    Real longest = 0;
+    for (Index k = 0; k < shape.n; ++k) {
+        longest = larger(longest, square(shape.at[k + 1 == shape.n ? 0 : k + 1] - shape.at[k]));
+    }
+    return square_root(longest);
+}
+
+// weight[corner] += share * barycentric coordinates in the triangle of corners a, b, c.
+void add_barycentric(CellShape const& shape, Vec2 point, Index a, Index b, Index c, Real share, Real* weight) noexcept {
+    Vec2 const ab = shape.at[b] - shape.at[a], ac = shape.at[c] - shape.at[a], ap = point - shape.at[a];
+    Real const twice_area = cross(ab, ac);
+    Real const of_b = cross(ap, ac) / twice_area, of_c = cross(ab, ap) / twice_area;
+    weight[a] += share * (1 - of_b - of_c);
+    weight[b] += share * of_b;
+    weight[c] += share * of_c;
+}
+
+bool is_right_of(Vec2 from, Vec2 to, Vec2 point) noexcept { return cross(to - from, point - from) < 0; }
+
+void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
+    if (shape.n == 3) return add_barycentric(shape, point, 0, 1, 2, 1, weight);
+    bool const beside_1 = is_right_of(shape.at[0], shape.at[2], point), beside_2 = is_right_of(shape.at[1], shape.at[3], point);
+    add_barycentric(shape, point, 0, beside_1 ? 1 : 2, beside_1 ? 2 : 3, 0.5, weight);
+    add_barycentric(shape, point, 1, beside_2 ? 2 : 3, beside_2 ? 3 : 0, 0.5, weight);
+}
+
+}  // namespace
+
+void Locator::build(Mesh const& its_mesh, Span<const std::uint8_t> its_reversed) noexcept {
+    mesh = its_mesh;
+    reversed = its_reversed;
+    tree.build([&](Index cell) {
+        CellShape const its = shape(cell);
+        Box box;
+        for (Index k = 0; k < its.n; ++k) box.include(its.at[k]);
+        return box;
+    });
+}
+
+Location Locator::locate(Vec2 point, Index hint) const noexcept {
+    auto const squared = [&](Index cell) { return squared_distance(shape(cell), point); };
+    Nearest start;
+    if (hint != none) start = {hint, squared(hint)};
+    Nearest const found = tree.nearest(point, start, squared);
+    Location out;
+    out.cell = found.item;
+    out.distance = square_root(found.squared);
+    if (out.cell == none) return out;
+    CellShape const its = shape(out.cell);
+    Cell const cell = mesh.cell(out.cell);
+    out.longest_side = longest_side(its);
+    out.weights.n = cell.n;
+    for (Index k = 0; k < cell.n; ++k) out.weights.point[k] = cell.point[reversed[out.cell] != 0 ? cell.n - 1 - k : k];
+    weigh(its, point, out.weights.weight);
+    return out;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,65 @@
+#include "harmorph/parcel.hpp"
+
+namespace harmorph {
+namespace {
+
+ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
+    BasisHeader const& header = *share.header;
+    return {ParcelLabel::mark, header.topology,   header.coordinates, header.conditions,        header.largest,
+            n_points,          header.counts.first_held, header.counts.held, numbers_of(header.counts.kind)};
+}
+
+// Does the parcel have what the rows wait for?
+Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) noexcept {
+    BasisHeader const& header = *rows.header;
+    if (header.topology != label.topology || header.conditions != label.conditions || header.coordinates != label.coordinates ||
+        label.numbers != numbers_of(header.counts.kind)) {
+        return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
+    }
+    if (label.points != rows.n_points()) {
+        return fault.refuse(Status::bad_basis, "the parcel has the rows of # points, the basis has @", Counts::from_zero,
+                            label.points, rows.n_points());
+    }
+    if (label.first != header.filled || label.n > rows.n_functions() - label.first) {
+        return fault.refuse(Status::bad_basis, "the parcel begins with function # (from 0), the next one to come is @",
+                            Counts::from_zero, label.first, header.filled);
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexcept {
+    ParcelLabel const label = label_of(share, list.count());
+    std::memcpy(parcel, &label, sizeof label);
+    Size const length = static_cast<Size>(share.row_length());
+    Real* to = parcel + label_words;
+    for (Index k = 0; k < list.count(); ++k, to += length) {
+        copy(Span<Real>(to, length), Span<const Real>(share.row(list[k]), length));
+    }
+}
+
+Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept {
+    ParcelLabel label;
+    if (words < label_words) return fault.refuse(Status::bad_basis, "the parcel is truncated");
+    std::memcpy(&label, parcel, sizeof label);
+    if (label.magic != ParcelLabel::mark) return fault.refuse(Status::bad_basis, "this is not a parcel of rows");
+    HARMORPH_TRY(check_label(label, rows, fault));
+    Offset const length = Offset{label.numbers} * label.n;
+    if (words != label_words + label.points * length) return fault.refuse(Status::bad_basis, "the parcel is truncated");
+
+    const Real* from = parcel + label_words;
+    for (Index k = 0; k < label.points; ++k) {
+        for (Index plane = 0; plane < label.numbers; ++plane, from += label.n) {
+            Real* const to = rows.row(k) + plane * rows.n_functions() + label.first;
+            copy(Span<Real>(to, static_cast<Size>(label.n)), Span<const Real>(from, static_cast<Size>(label.n)));
+        }
+    }
+    BasisHeader& header = *rows.header;
+    header.filled += label.n;
+    header.largest = larger(header.largest, label.largest);
+    if (header.filled == rows.n_functions()) rows.seal(header.largest);
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,202 @@
+#include "harmorph/predicates.hpp"
+
+#include <climits>
+
+namespace harmorph {
+namespace {
+
+// Largest size of differences for which products of four of them cannot overflow, and what their underflows may add up to:
+// a few times 2^-1074 times the square of that size.
+constexpr Real large = 0x1p200, underflow = 0x1p-600;
+
+constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+// A finite number as whole * 2^shift, whole being odd or 0.
+struct Scaled {
+    std::uint64_t whole = 0;
+    Index shift = 0;
+    bool negative = false;
+
+    explicit Scaled(Real x) noexcept {
+        constexpr Index mantissa_bits = 52, lowest = -1074;
+        std::uint64_t const bits = bits_of(x), hidden = std::uint64_t{1} << mantissa_bits;
+        Index const exponent = static_cast<Index>(bits >> mantissa_bits & 0x7FF);
+        whole = bits & (hidden - 1);
+        if (exponent > 0) whole |= hidden;
+        if (whole == 0) return;
+        Index const zeros = __builtin_ctzll(whole);
+        whole >>= zeros;
+        shift = lowest + (exponent > 0 ? exponent - 1 : 0) + zeros;
+        negative = bits >> 63 != 0;
+    }
+    Index bits() const noexcept { return 64 - __builtin_clzll(whole); }
+};
+
+constexpr Index limb_bits = 32;
+// Doubles end at bits 1023 and -1074; a sign, and a bit each for the sums of two that are taken at every degree.
+constexpr Index most_limbs = (1024 + 1074 + 3 + limb_bits - 1) / limb_bits;
+
+// A whole number of `degree` times as many limbs as a coordinate has, lowest first, in two's complement.
+template <Index degree>
+struct Whole {
+    Index n;
+    std::uint32_t limb[degree * most_limbs];
+
+    bool is_negative() const noexcept { return limb[n - 1] >> (limb_bits - 1) != 0; }
+    int sign() const noexcept {
+        if (is_negative()) return -1;
+        for (Index i = 0; i < n; ++i) {
+            if (limb[i] != 0) return 1;
+        }
+        return 0;
+    }
+    void negate() noexcept {
+        std::uint64_t carry = 1;
+        for (Index i = 0; i < n; ++i) {
+            carry += static_cast<std::uint32_t>(~limb[i]);
+            limb[i] = static_cast<std::uint32_t>(carry);
+            carry >>= limb_bits;
+        }
+    }
+    // *this -= other * 2^(limb_bits * place); what does not fit is dropped.
+    template <Index its_degree>
+    void subtract(Whole<its_degree> const& other, Index place) noexcept {
+        std::uint64_t borrow = 0;
+        for (Index i = place; i < n; ++i) {
+            std::uint64_t const its = i - place < other.n ? other.limb[i - place] : 0;
+            std::uint64_t const difference = std::uint64_t{limb[i]} - its - borrow;
+            limb[i] = static_cast<std::uint32_t>(difference);
+            borrow = difference >> 63;
+        }
+    }
+};
+
+template <Index degree>
+Whole<degree> operator+(Whole<degree> const& a, Whole<degree> const& b) noexcept {
+    Whole<degree> out;
+    out.n = a.n;
+    std::uint64_t carry = 0;
+    for (Index i = 0; i < a.n; ++i) {
+        carry += std::uint64_t{a.limb[i]} + b.limb[i];
+        out.limb[i] = static_cast<std::uint32_t>(carry);
+        carry >>= limb_bits;
+    }
+    return out;
+}
+
+template <Index degree>
+Whole<degree> operator-(Whole<degree> const& a, Whole<degree> const& b) noexcept {
+    Whole<degree> out;
+    out.n = a.n;
+    for (Index i = 0; i < a.n; ++i) out.limb[i] = a.limb[i];
+    out.subtract(b, 0);
+    return out;
+}
+
+// Of the limbs as if there were no signs; then, for a negative factor, which counts 2^bits too much, the other is taken off.
+template <Index p, Index q>
+Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
+    Whole<p + q> out;
+    out.n = a.n + b.n;
+    for (Index i = 0; i < out.n; ++i) out.limb[i] = 0;
+    for (Index i = 0; i < a.n; ++i) {
+        std::uint64_t carry = 0;
+        for (Index k = 0; k < b.n; ++k) {
+            carry += std::uint64_t{a.limb[i]} * b.limb[k] + out.limb[i + k];
+            out.limb[i + k] = static_cast<std::uint32_t>(carry);
+            carry >>= limb_bits;
+        }
+        out.limb[i + b.n] = static_cast<std::uint32_t>(carry);
+    }
+    if (a.is_negative()) out.subtract(b, a.n);
+    if (b.is_negative()) out.subtract(a, b.n);
+    return out;
+}
+
+// A common power of two in which all coordinates are whole, and the limbs they need then: few, unless sizes differ widely.
+struct Grid {
+    Index shift = INT_MAX, end = INT_MIN;
+
+    void include(Vec2 p) noexcept {
+        Real const coordinates[] = {p.x, p.y};
+        for (Real const x : coordinates) {
+            Scaled const its(x);
+            if (its.whole == 0) continue;
+            shift = smaller(shift, its.shift);
+            end = larger(end, its.shift + its.bits());
+        }
+    }
+    Index limbs() const noexcept { return end < shift ? 1 : (end - shift + 3 + limb_bits - 1) / limb_bits; }
+
+    Whole<1> operator()(Real x) const noexcept {
+        Whole<1> out;
+        out.n = limbs();
+        for (Index i = 0; i < out.n; ++i) out.limb[i] = 0;
+        Scaled const its(x);
+        if (its.whole == 0) return out;
+        Index const first = (its.shift - shift) / limb_bits, within = (its.shift - shift) % limb_bits;
+        std::uint64_t const low = its.whole << within, high = within > 0 ? its.whole >> (64 - within) : 0;
+        std::uint64_t const parts[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
+        for (Index i = 0; i < 3 && first + i < out.n; ++i) out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
+        if (its.negative) out.negate();
+        return out;
+    }
+};
+
+struct WholeVec2 {
+    Whole<1> x, y;
+    WholeVec2(Vec2 p, Vec2 origin, Grid const& grid) noexcept
+        : x(grid(p.x) - grid(origin.x)), y(grid(p.y) - grid(origin.y)) {}
+};
+
+Whole<2> cross(WholeVec2 const& a, WholeVec2 const& b) noexcept { return a.x * b.y - a.y * b.x; }
+Whole<2> square(WholeVec2 const& a) noexcept { return a.x * a.x + a.y * a.y; }
+
+int exact_orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
+    Grid grid;
+    grid.include(a);
+    grid.include(b);
+    grid.include(c);
+    return cross(WholeVec2(a, c, grid), WholeVec2(b, c, grid)).sign();
+}
+
+int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
+    Grid grid;
+    grid.include(a);
+    grid.include(b);
+    grid.include(c);
+    grid.include(d);
+    WholeVec2 const from_a(a, d, grid), from_b(b, d, grid), from_c(c, d, grid);
+    Whole<4> const sum = square(from_a) * cross(from_b, from_c) + square(from_b) * cross(from_c, from_a);
+    return (sum + square(from_c) * cross(from_a, from_b)).sign();
+}
+
+}  // namespace
+
+// Every product has gone through 4 roundings: of its two differences, its own, and that of the sum. 5 cover their squares.
+int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
+    Vec2 const p = a - c, q = b - c;
+    Real const left = p.x * q.y, right = p.y * q.x;
+    Real const size = larger(larger(absolute(p.x), absolute(p.y)), larger(absolute(q.x), absolute(q.y)));
+    Real const bound = 2.5 * epsilon * (absolute(left) + absolute(right)) + underflow;
+    if (size < large && absolute(left - right) > bound) return sign_of(left - right);
+    return exact_orientation_sign(a, b, c);
+}
+
+// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Its products go through 11 roundings: 4 in each of their two
+// factors, one of their own, two of the sums. 12 cover their squares.
+int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
+    Vec2 const from[] = {a - d, b - d, c - d};
+    Real sum = 0, magnitude = 0, size = 0;
+    for (Index k = 0; k < 3; ++k) {
+        Vec2 const p = from[(k + 1) % 3], q = from[(k + 2) % 3];
+        Real const left = p.x * q.y, right = p.y * q.x, squared = square(from[k]);
+        sum += squared * (left - right);
+        magnitude += squared * (absolute(left) + absolute(right));
+        size = larger(size, larger(absolute(p.x), absolute(p.y)));
+    }
+    if (size < large && absolute(sum) > 6 * epsilon * magnitude + underflow) return sign_of(sum);
+    return exact_in_circle_sign(a, b, c, d);
+}
+
+}  // namespace harmorph

@@ -1,0 +1,125 @@
+#include "harmorph/region.hpp"
+
+#include "harmorph/sort.hpp"
+
+namespace harmorph {
+
+RegionCounts RegionCounts::of(Mesh const& mesh, Edges const& edges) noexcept {
+    RegionCounts counts;
+    counts.points = mesh.n_points;
+    counts.cells = mesh.n_cells;
+    counts.pairs = edges.count();
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Index const n = mesh.cell(i).n;
+        counts.cell_corners += n;
+        if (n == 4) counts.pairs += 2;  // the diagonals
+    }
+    return counts;
+}
+
+void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
+    Offset const n_points = counts.points;
+    arena.take(unknown, n_points);
+    arena.take(point, n_points);
+    arena.take(cell, counts.cells);
+    arena.take(start, n_points + 1);
+    arena.take(neighbour, 2 * counts.pairs + n_points);
+    arena.take(cell_start, n_points + 1);
+    arena.take(cell_of, counts.cell_corners);
+    arena.take(reached, n_points);
+    arena.take(queue, n_points);
+}
+
+void Region::link(Tangle const& tangle) noexcept {
+    fill(cell_start, Offset{0});
+    for (Index i = 0; i < cell.count(); ++i) {
+        Cell const its = tangle.cell(i);
+        for (Index k = 0; k < its.n; ++k) ++cell_start[its.point[k]];
+    }
+    counts_to_starts(cell_start);
+    for (Index i = 0; i < cell.count(); ++i) {
+        Cell const its = tangle.cell(i);
+        for (Index k = 0; k < its.n; ++k) cell_of[cell_start[its.point[k]]++] = i;
+    }
+    rewind_starts(cell_start);
+}
+
+void Region::grow(Tangle const& tangle, Index layers) noexcept {
+    Index const n_reached = reach_points(tangle, layers);
+    fill(unknown, none);
+    n = 0;
+    for (Index const its : queue.first(n_reached)) {
+        if (tangle.held[its] != 0) continue;
+        unknown[its] = n;
+        point[n++] = its;
+    }
+    list_cells(tangle);
+    list_neighbours(tangle);
+}
+
+// Fills the queue with points, layer by layer; returns how many.
+Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
+    Index filled = 0;
+    if (layers >= whole) {
+        for (Index k = 0; k < queue.count(); ++k) {
+            if (!cells_of(k).empty()) queue[filled++] = k;
+        }
+        return filled;
+    }
+    fill(reached, std::uint8_t{0});
+    auto const reach = [&](Index i) {
+        Cell const its = tangle.cell(i);
+        for (Index k = 0; k < its.n; ++k) {
+            if (reached[its.point[k]] != 0) continue;
+            reached[its.point[k]] = 1;
+            queue[filled++] = its.point[k];
+        }
+    };
+    for (Index const i : cell.first(n_cells)) reach(i);
+    Index read = 0;
+    for (Index layer = 0; layer < layers; ++layer) {
+        for (Index const end = filled; read < end; ++read) {
+            for (Index const i : cells_of(queue[read])) reach(i);
+        }
+    }
+    return filled;
+}
+
+// Each cell is listed with its first unknown.
+void Region::list_cells(Tangle const& tangle) noexcept {
+    n_cells = 0;
+    for (Index u = 0; u < n; ++u) {
+        for (Index const i : cells_of(point[u])) {
+            Cell const its = tangle.cell(i);
+            bool is_first = true;
+            for (Index k = 0; k < its.n; ++k) {
+                Index const v = unknown[its.point[k]];
+                is_first = is_first && (v == none || v >= u);
+            }
+            if (is_first) cell[n_cells++] = i;
+        }
+    }
+}
+
+void Region::list_neighbours(Tangle const& tangle) noexcept {
+    Span<Index> const seen_by = queue.first(n);
+    fill(seen_by, none);
+    Offset filled = 0;
+    for (Index u = 0; u < n; ++u) {
+        start[u] = filled;
+        neighbour[filled++] = u;
+        seen_by[u] = u;
+        for (Index const i : cells_of(point[u])) {
+            Cell const its = tangle.cell(i);
+            for (Index k = 0; k < its.n; ++k) {
+                Index const v = unknown[its.point[k]];
+                if (v == none || seen_by[v] == u) continue;
+                seen_by[v] = u;
+                neighbour[filled++] = v;
+            }
+        }
+    }
+    start[n] = filled;
+}
+
+}  // namespace harmorph

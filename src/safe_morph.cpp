@@ -1,0 +1,251 @@
+#include "harmorph/safe_morph.hpp"
+
+#include <cstring>
+
+#include "harmorph/morph.hpp"
+#include "harmorph/quality.hpp"
+#include "harmorph/weighted_sum.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real share_of_admissible = 0.5;  // that a substep may take
+constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
+constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
+
+// All that lies between header and values: curves, conditions, parameters.
+Span<const unsigned char> problem_of(Basis const& basis) noexcept {
+    auto const begin = reinterpret_cast<const unsigned char*>(basis.shape.data());
+    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    return {begin, static_cast<Size>(end - begin)};
+}
+
+// Another one's step moves the wall as the B-spline does only if its curves and parameters are the same.
+Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept {
+    BasisCounts counts = other.header->counts;
+    counts.kind = basis.header->counts.kind;
+    Span<const unsigned char> const mine = problem_of(basis), its = problem_of(other);
+    bool const same = other.header->topology == basis.header->topology &&
+                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && its.size() == mine.size() &&
+                      std::memcmp(its.data(), mine.data(), mine.size()) == 0;
+    if (same && other.header->solved == 1) return Status::ok;
+    return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
+}
+
+}  // namespace
+
+struct SafeMorph::Work {
+    Plan& plan;
+    Basis const& basis;
+    SafeOptions const& options;
+    const Basis* derivative;
+    SafeReport& report;
+    Fault& fault;
+
+    Mesh const& mesh() const noexcept { return plan.mesh; }
+    Executor const& executor() const noexcept { return plan.engine.executor; }
+};
+
+void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
+    Index const n = plan.mesh.n_points, n_functions = plan.basis_counts.functions();
+    path.lay_out(arena, n_functions);
+    arena.take(x, n);
+    arena.take(y, n);
+    arena.take(dx, n);
+    arena.take(dy, n);
+    arena.take(reached, 2 * Offset{n_functions});
+    arena.take(aimed, 2 * Offset{n_functions});
+    arena.take(difference, 2 * Offset{n_functions});
+    arena.take(weight, n_functions);
+    arena.take(block, Basis::bytes(plan.basis_counts));
+    arena.take(representative, n);
+    arena.take(held, n);
+    untangling.lay_out(arena, plan.region_counts);
+    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
+}
+
+// The two ends of a cut move as one; all of the boundary is held.
+void SafeMorph::mark_held(Work const& work) const noexcept {
+    Matrix const& matrix = work.plan.matrix;
+    for (Index k = 0; k < work.mesh().n_points; ++k) {
+        Index const place = matrix.place[matrix.components() * k];
+        held[k] = static_cast<std::uint8_t>(place < 0 ? 1 : 0);
+        representative[k] = place < 0 ? k : work.plan.point_of(place);
+    }
+    for (Index const point : work.basis.boundary_point) {
+        held[point] = 1;
+        representative[point] = point;
+    }
+}
+
+Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options,
+                      const Basis* derivative, SafeReport& report, Fault& fault) noexcept {
+    Work work{plan, basis, options, derivative, report, fault};
+    HARMORPH_TRY(plan.check_fit(basis, fault));
+    if (derivative != nullptr) HARMORPH_TRY(plan.check_fit(*derivative, fault));
+    for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
+    path.init(basis, move);
+    mark_held(work);
+    for (Index k = 0; k < plan.mesh.n_points; ++k) {
+        x[k] = plan.mesh.points[k].x;
+        y[k] = plan.mesh.points[k].y;
+    }
+    fill(reached, 0.0);
+    path.at(1, aimed);
+    copy(difference, Span<const Real>(aimed));
+    bool const fits = is_admissible(work, basis);
+    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step());
+    if (report.crossing.found) {
+        return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
+                            Counts::mesh, report.crossing.first[0], report.crossing.second[0]);
+    }
+    if (derivative != nullptr) {
+        derivative->unseal();
+        fill(derivative->value, 0.0);
+    }
+    if (fits && options.tries(Rung::linear)) {
+        take_step(work, basis, 0, 1);
+    } else {
+        for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Rung::other); ++i) {
+            Basis const& other = options.others[i];
+            if (derivative != nullptr && other.kind() != basis.kind()) continue;
+            if (!is_admissible(work, other)) continue;
+            report.rung = Rung::other;
+            report.other = i;
+            take_step(work, other, 0, 1);
+        }
+        if (report.fraction < 1) HARMORPH_TRY(substeps(work));
+    }
+    if (derivative != nullptr) finish_derivative(work);
+    measure_first_layer(work);
+    if (report.fraction >= 1) return Status::ok;
+    return fault.refuse(Status::short_of_target, "the mesh could follow ~ of the movement; then cell # stands in the way",
+                        Counts::mesh, report.limit.cell, none, report.fraction);
+}
+
+void SafeMorph::write(MutablePoints to) const noexcept {
+    for (Index k = 0; k < x.count(); ++k) to.set(k, now()[k]);
+}
+
+// The step by `difference`, and whether no cell inverts before its end.
+bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
+    morph(by, difference.data(), {}, {dx.data(), dy.data(), 1}, work.executor());
+    work.report.limit = admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor());
+    return work.report.limit.step > 1;
+}
+
+Status SafeMorph::substeps(Work& work) noexcept {
+    SafeReport& report = work.report;
+    Basis scratch = work.basis;
+    Basis const* by = &work.basis;
+    while (work.options.tries(Rung::substeps)) {
+        Real const length = find_step(work, *by, report.fraction);
+        if (length < least_step) break;
+        report.rung = Rung::substeps;
+        take_step(work, *by, report.fraction, smaller(report.fraction + length, 1.0));
+        if (report.fraction >= 1) return Status::ok;
+        if (report.resolves == work.options.most_resolves) break;
+        if (by == &work.basis) {  // all but the values stays as it is
+            Size const bytes = static_cast<Size>(reinterpret_cast<unsigned char*>(work.basis.value.data()) -
+                                                 reinterpret_cast<unsigned char*>(work.basis.header));
+            std::memcpy(block.data(), work.basis.header, bytes);
+            scratch = Basis::view(static_cast<void*>(block.data()));
+            by = &scratch;
+        }
+        Fault why;
+        Status const status = solve_here(work, scratch, why);
+        if (status == Status::cancelled) {
+            work.fault = why;
+            return status;
+        }
+        if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
+        ++report.resolves;
+    }
+    if (!work.options.tries(Rung::untangled)) return Status::ok;
+    return untangle(work, *by);
+}
+
+// The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible.
+Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
+    Real length = 1 - from;
+    for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
+        Real const end = from + length;
+        path.at(end, aimed);
+        for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
+        is_admissible(work, by);
+        Real const share = work.report.limit.step * share_of_admissible;
+        if (share >= 1) return length;
+        length *= clamp(0.99 * share, 0.05, 0.9);
+    }
+    return 0;
+}
+
+// Goes the step that is in dx, dy.
+void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept {
+    for (Index k = 0; k < x.count(); ++k) {
+        if (dx[k] != 0) x[k] += dx[k];
+        if (dy[k] != 0) y[k] += dy[k];
+    }
+    copy(reached, Span<const Real>(aimed));
+    put_wall(work, {x.data(), y.data(), 1});
+    if (work.derivative != nullptr) {
+        for (Index i = 0; i < weight.count(); ++i) weight[i] = path.weight(i, to_time) - path.weight(i, from);
+        add_weighted(*work.derivative, by, weight, work.executor());
+    }
+    work.report.fraction = to_time;
+    ++work.report.steps;
+}
+
+// From the start, and not from step to step: rounding does not add up.
+void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept {
+    Matrix const& matrix = work.plan.matrix;
+    for (Index k = 0; k < work.mesh().n_points; ++k) {
+        Index const place = matrix.place[matrix.components() * k];
+        if (!Matrix::is_wall(place)) continue;
+        BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
+        Vec2 const moved = functions.moved(reached.data()), start = work.mesh().points[k];
+        points.set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
+    }
+}
+
+Status SafeMorph::solve_here(Work& work, Basis const& scratch, Fault& why) noexcept {
+    SolveReport solved;
+    HARMORPH_TRY(work.plan.factor(now(), why));
+    return work.plan.solve(scratch, solved, why);
+}
+
+// The rest of the way in one step, whatever it inverts, and then the inner points find their places.
+Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
+    path.at(1, aimed);
+    for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
+    morph(by, difference.data(), now(), {dx.data(), dy.data(), 1}, work.executor());
+    Span<Real> const before = reached;
+    reached = aimed;
+    put_wall(work, {dx.data(), dy.data(), 1});
+    reached = before;
+    untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, representative, held};
+    untangling.executor = work.executor();
+    Fault why;
+    Status const status = untangling.run(work.options.untangle, {dx.data(), dy.data(), 1}, work.report.untangle, why);
+    if (status != Status::ok) return Status::ok;
+    Real const from = work.report.fraction;
+    for (Index k = 0; k < x.count(); ++k) {
+        dx[k] -= x[k];
+        dy[k] -= y[k];
+    }
+    take_step(work, by, from, 1);
+    work.report.rung = Rung::untangled;
+    return Status::ok;
+}
+
+void SafeMorph::measure_first_layer(Work& work) noexcept {
+    first_layer.find(work.mesh(), work.mesh().points, representative, work.plan.wall);
+    work.report.first_layer = compare(first_layer, work.mesh().points, now());
+}
+
+void SafeMorph::finish_derivative(Work const& work) const noexcept {
+    work.derivative->header->coordinates = work.basis.header->coordinates;
+    work.derivative->seal();
+}
+
+}  // namespace harmorph

@@ -1,0 +1,249 @@
+#include "harmorph/transfer.hpp"
+
+#include "harmorph/cell_ranges.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real farthest = 0.5;  // longest sides of the nearest cell
+
+// What a range of points has met.
+struct Tally {
+    Index cell = none;  // the last one found: where the next point probably is
+    Index points = 0, outside = 0;
+    Real max_distance = 0;
+    Index max_distance_point = none;
+    Index lost = none;  // the first point that is too far outside
+    Real lost_by = 0;
+
+    void add(Index point, Location const& location) noexcept {
+        cell = location.cell;
+        if (!(location.distance > 0)) return;
+        ++outside;
+        if (max_distance_point == none || location.distance > max_distance) {
+            max_distance = location.distance;
+            max_distance_point = point;
+        }
+        if (lost != none || location.distance <= farthest * location.longest_side) return;
+        lost = point;
+        lost_by = location.distance;
+    }
+    // Of points that come later.
+    void merge(Tally const& later) noexcept {
+        points += later.points;
+        outside += later.outside;
+        if (later.max_distance > max_distance) {
+            max_distance = later.max_distance;
+            max_distance_point = later.max_distance_point;
+        }
+        if (lost == none) {
+            lost = later.lost;
+            lost_by = later.lost_by;
+        }
+    }
+};
+
+template <class T>
+bool same_bytes(Span<T> a, Span<T> b) noexcept {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+// The centre of a rigid body.
+bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
+    for (Condition const& other : coarse.conditions) {
+        if (other.kind != ConditionKind::rigid || other.body != rigid.body) continue;
+        return other.centre.x == rigid.centre.x && other.centre.y == rigid.centre.y;
+    }
+    return false;
+}
+
+void list_wall_faces(Analysis const& analysis, Span<Index> ends) noexcept {
+    Boundary const& boundary = analysis.boundary;
+    Index n = 0;
+    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
+        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            if (!analysis.is_wall_face(face)) continue;
+            ends[n++] = boundary.point[face];
+            ends[n++] = boundary.point[boundary.after(face, loop)];
+        }
+    }
+}
+
+class Run {
+public:
+    Run(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
+        : transfer_(transfer), analysis_(analysis), points_(analysis.problem.mesh.points), coarse_(coarse), fine_(fine),
+          row_length_(fine.row_length()), widest_reach_(0) {}
+
+    Tally set_wall() noexcept {
+        Index const n = fine_.wall_point.count();
+        Tally const tally = reduce_cells<Tally>(n, executor(), [&](Index slot, Tally& met) { set_slot(slot, met); });
+        for (Real const reach : transfer_.reach) widest_reach_ = larger(widest_reach_, reach);
+        return tally;
+    }
+
+    Tally set_points() const noexcept {
+        return reduce_cells<Tally>(fine_.n_points(), executor(), [&](Index point, Tally& met) { set_point(point, met); });
+    }
+
+    void copy_joined_points() const noexcept {
+        Size const length = static_cast<Size>(row_length_);
+        for (Index point = 0; point < fine_.n_points(); ++point) {
+            Index const its = analysis_.representative[point];
+            if (its != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(its), length));
+        }
+    }
+
+private:
+    Executor const& executor() const noexcept { return analysis_.problem.executor; }
+    Real* correction(Index slot) const noexcept { return transfer_.correction.data() + Offset{slot} * row_length_; }
+
+    void set_slot(Index slot, Tally& met) const noexcept {
+        Index const point = fine_.wall_point[slot];
+        Location const location = transfer_.locator.locate(points_[point], met.cell);
+        met.add(point, location);
+        transfer_.reach[slot] = location.longest_side;
+        interpolate(location.weights, correction(slot));
+        Real* const row = fine_.row(point);
+        set_boundary_functions(slot, row);
+        for (Index k = 0; k < row_length_; ++k) correction(slot)[k] = row[k] - correction(slot)[k];
+    }
+
+    void set_boundary_functions(Index slot, Real* row) const noexcept {
+        for (Index k = 0; k < row_length_; ++k) row[k] = 0;
+        BoundaryFunctions const functions = fine_.boundary_functions(slot);
+        for (Index k = 0; k < functions.order; ++k) {
+            Numbers const numbers = numbers_of(fine_.kind(), functions.value[k]);
+            for (Index plane = 0; plane < numbers_of(fine_.kind()); ++plane) {
+                row[plane * fine_.n_functions() + functions.function[k]] += numbers.plane[plane];
+            }
+        }
+    }
+
+    void set_point(Index point, Tally& met) const noexcept {
+        PointKind const kind = analysis_.kinds[point];
+        if (kind == PointKind::on_wall) return;
+        Real* const row = fine_.row(point);
+        if (!is_unknown(kind)) {
+            for (Index k = 0; k < row_length_; ++k) row[k] = 0;
+            return;
+        }
+        Location const location = transfer_.locator.locate(points_[point], met.cell);
+        ++met.points;
+        met.add(point, location);
+        interpolate(location.weights, row);
+        move_along_with_wall(point, row);
+        if (kind == PointKind::slip) keep_on_line(analysis_.tangent[point], row);
+    }
+
+    void interpolate(CellWeights const& weights, Real* row) const noexcept {
+        const Real* from[4] = {};
+        for (Index c = 0; c < weights.n; ++c) from[c] = coarse_.row(weights.point[c]);
+        for (Index k = 0; k < row_length_; ++k) {
+            Real sum = 0;
+            for (Index c = 0; c < weights.n; ++c) sum += weights.weight[c] * from[c][k];
+            row[k] = sum;
+        }
+    }
+
+    void move_along_with_wall(Index point, Real* row) const noexcept {
+        Vec2 const p = points_[point];
+        auto const foot = [&](Index face) {
+            Vec2 const a = points_[transfer_.wall_faces[2 * face]], b = points_[transfer_.wall_faces[2 * face + 1]];
+            return clamp(dot(p - a, b - a) / square(b - a), 0.0, 1.0);
+        };
+        auto const squared_distance = [&](Index face) {
+            Vec2 const a = points_[transfer_.wall_faces[2 * face]], b = points_[transfer_.wall_faces[2 * face + 1]];
+            return square(p - a - foot(face) * (b - a));
+        };
+        Nearest const found = transfer_.wall_tree.nearest(p, {none, widest_reach_ * widest_reach_}, squared_distance);
+        if (found.item == none) return;
+        Real const t = foot(found.item);
+        Index const a = slot_of(transfer_.wall_faces[2 * found.item]), b = slot_of(transfer_.wall_faces[2 * found.item + 1]);
+        Real const reach = (1 - t) * transfer_.reach[a] + t * transfer_.reach[b];
+        Real const share = 1 - square_root(found.squared) / reach;
+        if (!(share > 0)) return;
+        for (Index k = 0; k < row_length_; ++k) row[k] += share * ((1 - t) * correction(a)[k] + t * correction(b)[k]);
+    }
+
+    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.representative[point]]; }
+
+    // The lines of a row of matrices: what its functions move the point along x, then along y.
+    void keep_on_line(Vec2 tangent, Real* row) const noexcept {
+        Index const line = row_length_ / 2;
+        for (Index k = 0; k < line; ++k) {
+            Real const along = tangent.x * row[k] + tangent.y * row[line + k];
+            row[k] = tangent.x * along;
+            row[line + k] = tangent.y * along;
+        }
+    }
+
+    Transfer const& transfer_;
+    Analysis const& analysis_;
+    Points points_;
+    Basis const& coarse_;
+    Basis const& fine_;
+    Index row_length_;
+    Real widest_reach_;
+};
+
+}  // namespace
+
+void Transfer::lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) noexcept {
+    BasisCounts const counts = fine.basis_counts();
+    Index const n_faces = fine.count_wall_faces();
+    locator.lay_out(arena, coarse.n_cells);
+    wall_tree.lay_out(arena, n_faces);
+    arena.take(wall_faces, 2 * Offset{n_faces});
+    arena.take(correction, Offset{counts.wall} * (Offset{numbers_of(counts.kind)} * counts.functions()));
+    arena.take(reach, counts.wall);
+}
+
+Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis const& coarse, Basis const& fine,
+                     TransferReport& report, Fault& fault) noexcept {
+    HARMORPH_TRY(check_alike(coarse, fine, fault));
+    fine.unseal();
+    Points const points = analysis.problem.mesh.points;
+    locator.build(coarse_mesh, coarse.reversed);
+    list_wall_faces(analysis, wall_faces);
+    wall_tree.build([&](Index face) {
+        Box box;
+        box.include(points[wall_faces[2 * face]]);
+        box.include(points[wall_faces[2 * face + 1]]);
+        return box;
+    });
+    Run run(*this, analysis, coarse, fine);
+    Tally met = run.set_wall();
+    met.merge(run.set_points());
+    if (met.lost != none) {
+        return fault.refuse(Status::bad_mesh, "point # is ~ outside the coarse mesh: the meshes are not of one domain",
+                            Counts::mesh, met.lost, none, met.lost_by);
+    }
+    run.copy_joined_points();
+    report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};
+    for (Real const difference : correction) report.wall_correction = larger(report.wall_correction, absolute(difference));
+    fine.header->coordinates = coordinates_print(points, fine.n_points());
+    fine.seal();
+    return Status::ok;
+}
+
+Status check_alike(Basis const& coarse, Basis const& fine, Fault& fault) noexcept {
+    auto const refuse = [&](const char* why) { return fault.refuse(Status::bad_basis, why); };
+    Method const &a = coarse.header->method, &b = fine.header->method;
+    if (a.operator_kind != b.operator_kind || a.scheme != b.scheme || a.quarters != b.quarters ||
+        a.offset_correction != b.offset_correction || coarse.kind() != fine.kind()) {
+        return refuse("operator, scheme, weight or kind of values of the two bases differ");
+    }
+    if (coarse.header->counts.control != fine.header->counts.control || !same_bytes(coarse.shape, fine.shape) ||
+        !same_bytes(coarse.indices, fine.indices) || !same_bytes(coarse.knots, fine.knots) ||
+        !same_bytes(coarse.control, fine.control) || !same_bytes(coarse.weights, fine.weights)) {
+        return refuse("the two bases were made with different curves");
+    }
+    bool same_bodies = coarse.header->counts.bodies == fine.header->counts.bodies;
+    for (Condition const& condition : fine.conditions) {
+        if (condition.kind == ConditionKind::rigid && !same_centre(coarse, condition)) same_bodies = false;
+    }
+    return same_bodies ? Status::ok : refuse("the two bases have different rigid bodies, or other centres of theirs");
+}
+
+}  // namespace harmorph

@@ -1,0 +1,160 @@
+#include "harmorph/untangle.hpp"
+
+namespace harmorph {
+namespace {
+
+struct Least {
+    Real value = infinity;
+    // NaN counts as the worst there is, and stays.
+    void merge(Least const& later) noexcept {
+        if (!(later.value >= value)) value = later.value == later.value ? later.value : -infinity;
+    }
+};
+
+bool is_inverted(Cell const& cell, Points points) noexcept {
+    return !(CellCorners(CellShape(cell, points, false)).smallest() > 0);
+}
+
+}  // namespace
+
+void Untangling::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
+    region.lay_out(arena, counts);
+    system.lay_out(arena, counts);
+    arena.take(now, counts.points);
+    arena.take(trial, counts.points);
+}
+
+Status Untangling::run(UntangleOptions const& options, MutablePoints points, UntangleReport& report,
+                       Fault& fault) noexcept {
+    report = {};
+    Points const given{points.x, points.y, points.stride};
+    region.choose([&](Index i) { return is_inverted(tangle.cell(i), given); });
+    report.inverted_before = report.left = region.n_cells;
+    if (region.n_cells == 0) return Status::ok;
+    for (Index k = 0; k < now.count(); ++k) now[k] = given[tangle.representative[k]];
+    region.link(tangle);
+    for (Index const i : region.cell.first(region.n_cells)) {
+        if (!is_stuck(i)) continue;
+        report.stuck_cell = i;
+        return Status::not_converged;
+    }
+    // Each region is round what the last one left, and begins where that ended.
+    for (Index layers = larger(options.layers, 1); region.n_cells > 0; layers *= 2) {
+        bool const is_whole = layers >= Region::whole;
+        region.grow(tangle, layers);
+        HARMORPH_TRY(check_reference(fault));
+        ++report.regions;
+        report.unknowns = region.n;
+        repair_region(options, is_whole ? options.iterations_in_whole : options.iterations_in_part, report);
+        region.keep([&](Index i) { return !is_good(i, options.margin); });
+        if (is_whole && region.n_cells > 0) break;
+    }
+    report.left = region.n_cells;
+    if (region.n_cells > 0) return Status::not_converged;
+    write(points);
+    return Status::ok;
+}
+
+Status Untangling::check_reference(Fault& fault) const noexcept {
+    for (Index const i : region.cell.first(region.n_cells)) {
+        if (!is_inverted(tangle.cell(i), tangle.reference)) continue;
+        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh, i);
+    }
+    return Status::ok;
+}
+
+bool Untangling::is_stuck(Index cell) const noexcept {
+    CellTriangles const corners(tangle.cell(cell));
+    for (Index k = 0; k < corners.n; ++k) {
+        const Index(&its)[3] = corners.point[k];
+        bool const held = tangle.held[its[0]] != 0 && tangle.held[its[1]] != 0 && tangle.held[its[2]] != 0;
+        if (held && !(triangle_of(its, as_points(now)).twice_area() > 0)) return true;
+    }
+    return false;
+}
+
+bool Untangling::is_good(Index cell, Real margin) const noexcept {
+    CellTriangles const corners(tangle.cell(cell));
+    for (Index k = 0; k < corners.n; ++k) {
+        const Index(&its)[3] = corners.point[k];
+        Real const area = triangle_of(its, as_points(now)).twice_area();
+        Real const least = region.can_move(its) ? margin * triangle_of(its, tangle.reference).twice_area() : 0;
+        if (!(area > 0 && area >= least)) return false;
+    }
+    return true;
+}
+
+void Untangling::repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept {
+    constexpr Real least_gain = 0.1;  // however little the energy falls, the softness does
+    copy(trial, Span<const Vec2>(now));
+    Real smallest = smallest_determinant();
+    Real softness = square_root(1e-12 + 0.04 * smallest * smallest);
+    for (Index k = 0; k < most_iterations; ++k) {
+        Real const before = energy(now, softness);
+        if (!is_finite(before)) return;
+        system.assemble(tangle, region, now, softness, executor);
+        report.products += system.solve(region, options.most_products, executor);
+        ++report.iterations;
+        Real const after = descend(softness, before);
+        smallest = smallest_determinant();
+        report.smallest = smallest;
+        if (smallest >= options.goal) return;
+        bool const at_rest = softness == 0 && after > (1 - 1e-4) * before;
+        if (smallest >= options.margin && at_rest) return;
+        Real const wanted = (1 - larger(1 - after / before, least_gain)) * regularised(smallest, softness);
+        softness = wanted > smallest ? 2 * square_root(wanted * (wanted - smallest)) : 0;
+    }
+}
+
+// Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing moves.
+Real Untangling::descend(Real softness, Real before) noexcept {
+    constexpr Index most_halvings = 30;
+    Real const slope = system.slope(region, executor);
+    auto const for_unknowns = [&](auto const& body) {
+        executor.for_ranges(region.n, 4096, [&](Index begin, Index end) {
+            for (Index u = begin; u < end; ++u) body(u, region.point[u]);
+        });
+    };
+    Real length = 1;
+    for (Index halvings = 0; halvings < most_halvings; ++halvings, length *= 0.5) {
+        for_unknowns([&](Index u, Index point) { trial[point] = now[point] + length * system.step[u]; });
+        Real const after = energy(trial, softness);
+        if (!(after <= before + 1e-4 * length * slope)) continue;
+        for_unknowns([&](Index, Index point) { now[point] = trial[point]; });
+        return after;
+    }
+    return before;
+}
+
+Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
+    Points const points = as_points(at);
+    return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
+        CellTriangles const corners(tangle.cell(region.cell[k]));
+        for (Index corner = 0; corner < corners.n; ++corner) {
+            const Index(&its)[3] = corners.point[corner];
+            if (!region.can_move(its)) continue;
+            sum.value += Distortion(triangle_of(its, tangle.reference)).energy(triangle_of(its, points), softness);
+        }
+    }).value;
+}
+
+Real Untangling::smallest_determinant() const noexcept {
+    return reduce_cells<Least>(region.n_cells, executor, [&](Index k, Least& least) {
+        CellTriangles const corners(tangle.cell(region.cell[k]));
+        for (Index corner = 0; corner < corners.n; ++corner) {
+            const Index(&its)[3] = corners.point[corner];
+            if (!region.can_move(its)) continue;
+            Real const wanted = triangle_of(its, tangle.reference).twice_area();
+            least.merge({triangle_of(its, as_points(now)).twice_area() / wanted});
+        }
+    }).value;
+}
+
+void Untangling::write(MutablePoints points) const noexcept {
+    for (Index k = 0; k < now.count(); ++k) {
+        Index const its = tangle.representative[k];
+        if (tangle.held[its] == 0) points.set(k, now[its]);
+    }
+}
+
+}  // namespace harmorph

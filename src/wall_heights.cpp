@@ -1,0 +1,129 @@
+#include "harmorph/wall_heights.hpp"
+
+#include "harmorph/angle.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real most_of_extent = 0.25;
+constexpr Real growth = 0.5;          // of the reach, per length along the wall
+constexpr Real least_jump = 3;        // of feet, against the distance of two points of one cell
+constexpr Index least_points = 4096;  // for a thread
+
+Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * square_root(x)) : 0; }
+
+}  // namespace
+
+void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexcept {
+    Size const most = WallPoints::most(mesh.n_points, max_faces);
+    wall.lay_out(arena, mesh.n_points, max_faces);
+    arena.take(foot, mesh.n_points);
+    arena.take(reach, most);
+    arena.take(turn, most);
+}
+
+void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds, Span<const Index> representative,
+                       FaceDistance const& walls, Executor const& executor) noexcept {
+    wall.find(mesh.n_points, walls);
+    executor.for_ranges(mesh.n_points, least_points, [&](Index begin, Index end) {
+        Index group = 0;
+        for (Index k = begin; k < end; ++k) {
+            foot[k] = kinds[k] == PointKind::inside ? walls.foot(before[k], group) : FaceDistance::Foot{};
+        }
+    });
+    bound_by_curvature(walls, before);
+    grade(walls, before);
+    bound_by_jumps(mesh, before, representative, walls);
+    grade(walls, before);
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        if (foot[k].face != none && !(height(walls, k, before) < reach_at(walls, foot[k]))) foot[k] = {};
+    }
+}
+
+Real WallHeights::height(FaceDistance const& walls, Index point, Points before) const noexcept {
+    return length(before[point] - walls.at(foot[point], before));
+}
+
+Real WallHeights::reach_at(FaceDistance const& walls, FaceDistance::Foot const& its) const noexcept {
+    FaceDistance::Face const& face = walls.faces[its.face];
+    return (1 - its.t) * reach[wall.slot[face.point[0]]] + its.t * reach[wall.slot[face.point[1]]];
+}
+
+void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) noexcept {
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        reach[slot] = 0;
+        if (wall.previous[slot] == none || wall.next[slot] == none) continue;
+        Vec2 const here = before[wall.point[slot]];
+        Vec2 const behind = here - before[wall.previous[slot]], ahead = before[wall.next[slot]] - here;
+        Real const curving = length(direction(ahead) - direction(behind)), most = most_of_extent * walls.extent;
+        Real const mean = 0.5 * (length(ahead) + length(behind));
+        reach[slot] = mean < most * curving ? mean / curving : most;
+    }
+}
+
+// Beside a boundary that is no wall here, and where two points of one cell have feet far from each other, because the
+// nearest wall changes between them.
+void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Index> representative,
+                                 FaceDistance const& walls) noexcept {
+    auto const bound = [&](Index its_point) {
+        Real const most = height(walls, its_point, before);
+        for (Index const end : walls.faces[foot[its_point].face].point) {
+            reach[wall.slot[end]] = smaller(reach[wall.slot[end]], most);
+        }
+    };
+    auto const has_foot = [&](Index its_point) { return foot[its_point].face != none; };
+    auto const is_jump = [&](Index a, Index b) {
+        if (!has_foot(b)) return wall.slot[b] == none;
+        Real const between_feet = length(walls.at(foot[a], before) - walls.at(foot[b], before));
+        return between_feet > least_jump * length(before[a] - before[b]);
+    };
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Cell const cell = mesh.cell(i);
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const here = representative[cell.point[k]];
+            if (!has_foot(here) || !(height(walls, here, before) < most_of_extent * walls.extent)) continue;
+            Index const next = representative[cell.next(k)], previous = representative[cell.previous(k)];
+            if (is_jump(here, next) || is_jump(here, previous)) bound(here);
+        }
+    }
+}
+
+// Twice along the faces in either direction goes round every loop, wherever it begins.
+void WallHeights::grade(FaceDistance const& walls, Points before) noexcept {
+    auto const limit = [&](Index face, Index from) {
+        Index const a = walls.faces[face].point[from], b = walls.faces[face].point[1 - from];
+        Real const most = reach[wall.slot[a]] + growth * length(before[a] - before[b]);
+        reach[wall.slot[b]] = smaller(reach[wall.slot[b]], most);
+    };
+    for (Index pass = 0; pass < 2; ++pass) {
+        for (Index face = 0; face < walls.count; ++face) limit(face, 0);
+        for (Index face = walls.count; face-- > 0;) limit(face, 1);
+    }
+}
+
+void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoints points,
+                          Span<const Index> representative, Real amount, Executor const& executor) const noexcept {
+    Points const after{points.x, points.y, points.stride};
+    for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
+    executor.for_ranges(foot.count(), least_points, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            FaceDistance::Foot const& its = foot[k];
+            if (its.face == none) continue;
+            FaceDistance::Face const& face = walls.faces[its.face];
+            Vec2 const from_foot = before[k] - walls.at(its, before), up = direction(from_foot);
+            Real const its_height = dot(from_foot, up);
+            Vec2 const its_turn =
+                direction((1 - its.t) * turn[wall.slot[face.point[0]]] + its.t * turn[wall.slot[face.point[1]]]);
+            Vec2 const normal = turned(up, its_turn);
+            Real const lost = its_height - dot(after[k] - walls.at(its, after), normal);
+            Real const reached = reach_at(walls, its);
+            if (!(its_height < reached)) continue;
+            points.set(k, after[k] + (amount * lost * fade(its_height / reached)) * normal);
+        }
+    });
+    for (Index k = 0; k < foot.count(); ++k) {
+        if (representative[k] != k) points.set(k, after[representative[k]]);
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,17 @@
+#!/bin/sh
+# `make deform`: builds the driver with the program's own objects and runs it over the shipped meshes, and over others
+# (MESHES="FILE:MARKER ...") where they are given or found beside the project.
+: "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
+set -e
+out=$BUILD/deform
+mkdir -p "$out"
+objects=$(ls "$BUILD"/objects/cli/*.o | grep -v /main.o)
+$CXX -std=c++17 -Wall -Wextra -Wconversion -Wshadow $CXXFLAGS -pthread -Ic_api -o "$out/deform" tests/deform/deform.cpp \
+    $objects "$BUILD/libharmorph.a" $LDFLAGS
+meshes="tests/meshes/naca0012.su2:airfoil $MESHES"
+for mesh in ../shared/meshes/*.su2; do
+    [ -f "$mesh" ] || continue
+    marker=$(tr -d '\r' <"$mesh" | sed -n 's/^ *MARKER_TAG *= *//p' | grep -i -m 1 airfoil) || continue
+    meshes="$meshes $mesh:$marker"
+done
+"$out/deform" "$out" $meshes

@@ -1,0 +1,168 @@
+#!/bin/sh
+# `make paper`: the paper's cases with this program, operator and figures as there. Pictures go to build/paper; numbers and
+# the table of engines are printed. Shapes are drawn after the paper's description, which gives no coordinates.
+: "${BUILD:=build}"
+harmorph=$BUILD/harmorph out=$BUILD/paper meshes=tests/meshes
+mkdir -p "$out"
+failed=0
+
+fail() { echo "FAILED: $*"; failed=1; }
+run() { "$harmorph" "$@" >"$out/log" 2>&1 || { fail "harmorph $*"; cat "$out/log"; }; }
+number() {   # of a JSON object, short
+    value=$(sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$out/json")
+    case $value in '' | null) echo - ;; *.* | *e*) printf '%.3g\n' "$value" ;; *) echo "$value" ;; esac
+}
+
+# solve NAME MESH OPTIONS...: the functions, with the paper's operator unless another is named
+solve() {
+    name=$1 mesh=$meshes/$2.su2; shift 2
+    case " $* " in *" --operator "*) ;; *) set -- "$@" --operator laplace ;; esac
+    "$harmorph" solve "$mesh" "$@" -o "$out/$name.basis" --json >"$out/json" || fail "solving $name"
+    echo "$name: $(number functions) functions on $(number points) points, residual $(number residual)," \
+        "boundary error $(number boundary_error), values $(number min_value) to $(number max_value)"
+}
+# functions NAME WINDOW NUMBERS...: pictures of functions
+functions() {
+    name=$1 window=$2; shift 2
+    for function in "$@"; do
+        run export "$mesh" "$out/$name.basis" --function "$function" --window "$window" --svg "$out/$name-function-$function.svg"
+    done
+}
+# morph NAME MOVES WINDOW: mesh before and after, and the boundary both ways
+morph() {
+    "$harmorph" morph "$mesh" "$out/$1.basis" --move "$2" --window "$3" -o "$out/$1-morphed.su2" --json \
+        --svg "$out/$1-mesh.svg" --boundary-svg "$out/$1-boundary.svg" >"$out/json" 2>"$out/log" || { fail "morphing $1"; cat "$out/log"; }
+    echo "  moved: $(number inverted) inverted cells, $(number admissible_step) times the movement is admissible," \
+        "quality $(number min_quality) at least; boundary by functions against B-spline: $(number boundary_error)"
+}
+# fit MESH MARKER DEGREE POINTS: how well the boundary's own points give the curve back
+fit() {
+    "$harmorph" fit "$meshes/$1.su2" --marker "$2" --degree "$3" --points "$4" --closed periodic -o "$out/fit.curve" --json \
+        >"$out/json" || fail "fitting $2"
+    echo "  a fit to the mesh points of $2, degree $3, $4 points: $(number max_error) off at most"
+}
+# Which control points (first to last) move by how much: lines "index dx dy"
+equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i <= b; i++) print i, dx, dy }'; }
+
+echo "== Case 1: a rectangle with two bodies, cubic, 11 and 9 control points"
+case1="--curve left=$meshes/two_bodies_left.curve --curve right=$meshes/two_bodies_right.curve"
+solve two-bodies two_bodies $case1
+fit two_bodies left 3 11
+fit two_bodies right 3 9
+functions two-bodies -0.1,-0.1,4.1,2.5 3 9 12 16
+cat >"$out/two-bodies.moves" <<END
+1 0.10 -0.08
+2 0.08 0.06
+3 0.02 0.14
+4 -0.06 0.12
+5 -0.12 0.02
+6 -0.10 -0.06
+7 -0.04 -0.10
+8 0.00 -0.14
+9 0.00 -0.16
+10 0.02 -0.12
+11 0.06 -0.12
+12 0.12 0.00
+13 0.10 0.12
+14 0.00 0.16
+15 -0.06 0.10
+16 0.10 0.00
+17 0.10 0.04
+18 -0.02 -0.08
+19 0.02 -0.16
+20 0.10 -0.08
+END
+morph two-bodies "$out/two-bodies.moves" -0.1,-0.1,4.1,2.5
+
+echo "== Case 2: the airfoil of a wind turbine's diffuser, quadratic, 14 control points, all moved alike"
+case2="--curve airfoil=$meshes/diffuser_airfoil.curve"
+solve airfoil diffuser_airfoil $case2
+fit diffuser_airfoil airfoil 2 14
+functions airfoil -0.7,-0.6,1.7,1.1 1 4 7 8 10 13
+equally 1 14 0.16 0.13 >"$out/airfoil.moves"
+morph airfoil "$out/airfoil.moves" -0.6,-0.5,1.6,1
+echo "  (more inverts cells at the trailing edge, the paper's open problem; the conformal functions go five times as far)"
+solve airfoil-conformal diffuser_airfoil $case2 --operator conformal
+equally 1 14 0.8 0.65 >"$out/airfoil.moves"
+morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
+
+echo "== Figure 1: an axisymmetric diffuser, cubic, 11 control points; its axis fixed as in the paper, and slipping"
+figure1="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
+fit axisymmetric_diffuser diffuser 3 11
+equally 1 11 0.22 -0.08 >"$out/diffuser.moves"
+window=-1.85,-0.05,3.25,2.65
+solve diffuser-fixed axisymmetric_diffuser $figure1
+functions diffuser-fixed "$window" 2 8
+morph diffuser-fixed "$out/diffuser.moves" "$window"
+solve diffuser-slip axisymmetric_diffuser $figure1 --slip axis
+functions diffuser-slip "$window" 8
+morph diffuser-slip "$out/diffuser.moves" "$window"
+
+echo "== Harmonic coordinates: degree 1 on a cage, positions instead of displacements"
+solve cage cage --curve cage=$meshes/cage.curve
+functions cage -1.7,-1.6,1.7,1.5 4 8
+cat >"$out/cage.moves" <<END
+1 -0.25 0.1
+2 -0.05 0.05
+4 0.1 0.7
+5 -0.2 0.75
+6 0.0 0.1
+7 0.2 0.1
+8 0.15 0.15
+10 0.1 -0.55
+11 0.2 -0.5
+END
+morph cage "$out/cage.moves" -1.8,-1.6,2,1.7
+# sum F_i P_i against the points themselves, from the tables of all functions
+rm -f "$out"/cage-*.csv
+awk '/^points/ { n = $2; next } n && k < n { ++k; print k, $1, $2 }' $meshes/cage.curve >"$out/cage.control"
+while read -r function x y; do
+    run export "$mesh" "$out/cage.basis" --function "$function" --csv "$out/cage-$function.csv"
+done <"$out/cage.control"
+awk -F '[ ,]' 'FNR == 1 { ++file; if (file > 1) next }
+    file == 1 { px[$1] = $2; py[$1] = $3; next }
+    { split(FILENAME, part, /cage-|[.]csv/); i = part[2]; x[$1] = $2; y[$1] = $3; sx[$1] += $4 * px[i]; sy[$1] += $4 * py[i] }
+    END { for (k in x) { d = (sx[k] - x[k]) ^ 2 + (sy[k] - y[k]) ^ 2; if (d > worst) worst = d }
+          printf "  largest |sum F_i P_i - x| over the mesh: %.2g (its file has ten digits)\n", sqrt(worst) }' "$out/cage.control" "$out"/cage-*.csv
+rm -f "$out"/cage-*.csv
+
+# The engines. A row is left out, and named at the end, if the program does not have its engine or options.
+row() {   # NAME OPTIONS...: of $name on $mesh with $conditions
+    what=$1; shift
+    "$harmorph" solve "$mesh" $conditions --operator laplace --tol 1e-10 "$@" --json -o "$out/table.basis" >"$out/json" 2>"$out/log"
+    code=$?
+    remark=
+    case $code in
+    0) ;;
+    1) remark="not converged" ;;
+    *) case $missing in *"$what"*) ;; *) missing="$missing
+  $what ($*): $(sed 's/^harmorph: //; q' "$out/log")" ;; esac
+        return ;;
+    esac
+    printf '%-12s %-16s %-12s %6s %10s %8s %10s %9s %s\n' "$name" "$what" "$agglomeration" "$(number levels)" \
+        "$(number iterations)" "$(number sweeps)" "$(number residual)" "$(number solve_seconds)" "$remark"
+}
+table() {   # NAME MESH CONDITIONS
+    name=$1 mesh=$meshes/$2.su2 conditions=$3 agglomeration=-
+    row "direct"
+    row "single-grid RK4" --engine fas --levels 1
+    for agglomeration in isotropic directional; do
+        for levels in 2 3 4 5 6; do
+            choice="--levels $levels --agglomeration $agglomeration"
+            row "FAS V-cycle" --engine fas $choice --start zero
+            row "FMG-FAS" --engine fas $choice
+            row "multigrid-CG" --engine multigrid $choice
+        done
+    done
+}
+echo "== Engines, to a residual of 1e-10: iterations, and work in sweeps over the fine mesh"
+missing=
+printf '%-12s %-16s %-12s %6s %10s %8s %10s %9s\n' case engine agglomeration levels iterations sweeps residual seconds
+table two-bodies two_bodies "$case1"
+table airfoil diffuser_airfoil "$case2"
+table diffuser axisymmetric_diffuser "$figure1"
+if [ -n "$missing" ]; then echo "Left out:$missing"; fi
+
+rm -f "$out/json" "$out/log" "$out/table.basis" "$out/fit.curve" "$out/cage.control"
+echo "Pictures: $out/*.svg"
+exit $failed

@@ -1,0 +1,319 @@
+// The bounded scheme: no conductance has the wrong sign, functions stay between 0 and 1, linear fields are reproduced.
+#include <doctest/doctest.h>
+
+#include <fixtures/matrices.hpp>
+
+#include <harmorph/bounded.hpp>
+#include <harmorph/distance.hpp>
+
+using namespace fixtures;
+using harmorph::DelaunayEdge;
+using harmorph::Index;
+
+namespace {
+
+constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
+
+hm_options bounded() {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = HM_LAPLACE;
+    out.scheme = HM_BOUNDED;
+    return out;
+}
+
+// The operator of a case, and the dense system of its unknowns.
+struct Bounded : Attempt {
+    std::unique_ptr<AssembledMatrix> sparse;
+    std::vector<DelaunayEdge> edges;
+
+    explicit Bounded(Case& its) {
+        hm_options const options = bounded();
+        bool const done = analyse(its.problem(), &options);
+        INFO(error.text);
+        REQUIRE(done);
+        sparse = std::make_unique<AssembledMatrix>(core());
+        core().triangulation.for_each_edge([&](DelaunayEdge const& edge) { edges.push_back(edge); });
+    }
+    harmorph::Analysis const& core() const { return inside(analysis); }
+    void assemble(std::vector<double> const& conductivity = {}) const {
+        REQUIRE(assemble_bounded(span(edges), core().problem.mesh.points, span(conductivity), sparse->matrix) == harmorph::none);
+    }
+    // Known values on the wall, 0 at fixed points; result by rows.
+    template <class Value>
+    std::vector<double> solve(Value value) const {
+        std::vector<double> right = sparse->couplings_times(value);
+        for (double& one : right) one = -one;
+        DenseMatrix a = sparse->unknowns();
+        REQUIRE(a.factor());
+        return a.solve(right);
+    }
+};
+
+// A function of the angle that is on the first circle of an annulus, as an amount of each control point: one of these is at
+// each point there, and the curve is of degree 1.
+void put_on_polygon(Case& its, int n_points, bool closed) {
+    Spline polygon;
+    polygon.degree = 1;
+    for (int k = 0; k < n_points; ++k) {
+        polygon.control.push_back(its.mesh.x[static_cast<std::size_t>(k)]);
+        polygon.control.push_back(its.mesh.y[static_cast<std::size_t>(k)]);
+        polygon.indices.push_back(k);
+    }
+    if (closed) polygon.indices.push_back(0);
+    polygon.knots = clamped_knots(1, static_cast<int>(polygon.indices.size()));
+    its.curves = polygon;
+    its.put_on_curves(body);
+    int const spans = static_cast<int>(polygon.indices.size()) - 1;
+    for (int k = 0; k < n_points; ++k) its.give(k, 1.0 * k / spans);
+}
+
+// Cells stretched across the diagonals of triangles: what the compact scheme has trouble with.
+Case stretched_bodies(Cells kind, double thin) {
+    Case its = two_body_case(kind, 8, 6);
+    perturb(its.mesh, 0.4, 4);
+    for (double& y : its.mesh.y) y *= thin;
+    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+    return its;
+}
+
+}  // namespace
+
+TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, whatever the weights") {
+    auto const positive_entries = [](harmorph::Matrix const& m) {
+        int out = 0;
+        for (double const entry : m.value) out += entry > 0;
+        for (double const entry : m.coupling_value) out += entry > 0;
+        return out;
+    };
+    for (Cells const kind : kinds)
+        for (bool const on_circles : {false, true}) {
+            Case its = on_circles ? square_on_curve(12, kind, 0, 0) : stretched_bodies(kind, 0.1);
+            // Cells at an angle are on circles up to rounding only, which then says on which side of 0 a conductance is.
+            auto const turn = [](double& x, double& y) {
+                double const old = x;
+                x = 0.8 * old - 0.6 * y;
+                y = 0.6 * old + 0.8 * y;
+            };
+            for (std::size_t k = 0; k < its.mesh.x.size(); ++k) turn(its.mesh.x[k], its.mesh.y[k]);
+            for (std::size_t k = 0; k < its.curves.control.size(); k += 2) turn(its.curves.control[k], its.curves.control[k + 1]);
+            Analysed const seen(its);
+            AssembledMatrix compact(*seen.operator->());
+            compact.assemble();
+            if (!on_circles) CHECK(positive_entries(compact.matrix) > 0);   // the test can fail
+            Bounded const scheme(its);
+            std::mt19937 random(3);
+            for (bool const weighted : {false, true}) {
+                std::vector<double> conductivity;
+                for (std::size_t k = 0; weighted && k < scheme.edges.size(); ++k) conductivity.push_back(std::exp(20 * uniform(random)));
+                scheme.assemble(conductivity);
+                CHECK(positive_entries(scheme.sparse->matrix) == 0);
+                for (Index const slot : {0, 20}) {   // functions stay within their boundary values therefore
+                    for (double const f : scheme.solve([&](Index s) { return s == slot ? 1.0 : 0.0; })) CHECK((f >= 0 && f <= 1));
+                }
+            }
+        }
+}
+
+TEST_CASE("every edge is weighted by itself") {
+    Case its = square_on_curve(7, Cells::hybrid, 0.4, 5);
+    Bounded const scheme(its);
+    std::vector<double> conductivity;
+    for (std::size_t k = 0; k < scheme.edges.size(); ++k) conductivity.push_back(1.0 + static_cast<double>(k));
+    scheme.assemble();
+    DenseMatrix const plain = scheme.sparse->unknowns();
+    scheme.assemble(conductivity);
+    DenseMatrix const weighted = scheme.sparse->unknowns();
+    std::vector<double> rows = scheme.sparse->couplings_times([](Index) { return 1.0; });
+    for (std::size_t k = 0; k < scheme.edges.size(); ++k) {
+        Index const i = scheme.sparse->matrix.place[scheme.edges[k].begin], j = scheme.sparse->matrix.place[scheme.edges[k].end];
+        if (i < 0 || j < 0) continue;
+        std::size_t const row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
+        CHECK(weighted.at(row, column) == doctest::Approx(conductivity[k] * plain.at(row, column)).epsilon(1e-15));
+    }
+    for (std::size_t i = 0; i < weighted.n; ++i) {   // constants are solutions still
+        for (std::size_t j = 0; j < weighted.n; ++j) rows[i] += weighted.at(i, j);
+        CHECK(std::fabs(rows[i]) < 1e-11);
+    }
+}
+
+TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
+    for (Cells const kind : kinds)
+        for (double const thin : {1.0, 1e-4}) {
+            Case its = square_on_curve(9, kind, 0.4, 3);
+            for (double& y : its.mesh.y) y *= thin;
+            for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+            Bounded const scheme(its);
+            scheme.assemble();
+            auto const defect = [&](auto field) {
+                auto const at = [&](Index point) { return field(its.mesh.point(point)); };
+                std::vector<double> const found = scheme.solve([&](Index slot) { return at(scheme.core().wall.point[slot]); });
+                double worst = 0;
+                for (std::size_t row = 0; row < found.size(); ++row)
+                    worst = std::fmax(worst, std::fabs(found[row] - at(scheme.sparse->point_at(static_cast<Index>(row)))));
+                return worst;
+            };
+            CHECK(defect([](Point) { return 1.0; }) < 1e-13);
+            CHECK(defect([](Point p) { return p.x; }) < 1e-12);
+            CHECK(defect([&](Point p) { return p.x + p.y / thin; }) < 1e-12);
+            CHECK(defect([](Point p) { return p.x * p.x; }) > 1e-3);   // the test can fail
+        }
+}
+
+TEST_CASE("on Delaunay triangles it is the compact scheme") {
+    Case its = two_body_case(Cells::triangles, 8, 6);
+    improve(its.mesh, 30);
+    Bounded const scheme(its);
+    REQUIRE(scheme.core().triangulation.flips == 0);
+    scheme.assemble();
+    DenseMatrix const bounded_entries = scheme.sparse->unknowns();
+    scheme.sparse->assemble();
+    DenseMatrix const compact_entries = scheme.sparse->unknowns();
+    CHECK(largest_difference(bounded_entries.entries, compact_entries.entries) < 1e-13);
+}
+
+TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
+    hm_options const options = bounded();
+    Case its = stretched_bodies(Cells::hybrid, 0.2);
+    Solved const compact(its), scheme(its, &options);
+    CHECK(compact.report.min_value < -0.1);
+    CHECK(scheme.report.min_value >= 0);
+    CHECK(scheme.report.max_value <= 1);
+    CHECK(scheme.report.residual < 1e-12);
+    CHECK(scheme.report.partition_defect < 1e-14);
+    CHECK(scheme.info().scheme == HM_BOUNDED);
+    CHECK(largest_difference(scheme.values(3), compact.values(3)) > 1e-6);
+    for (Cells const kind : kinds) {
+        Case bodies = two_body_case(kind);
+        perturb(bodies.mesh, 0.4, 5);
+        Solved const solved(bodies, &options);
+        CHECK((solved.report.min_value >= 0 && solved.report.max_value <= 1));
+    }
+}
+
+TEST_CASE("the sum of all functions is the wall's harmonic measure, solved for by itself") {
+    hm_options const options = bounded();
+    for (Cells const kind : kinds) {
+        Case its = two_body_case(kind, 6, 5);
+        perturb(its.mesh, 0.4, 7);
+        Bounded const scheme(its);
+        scheme.assemble();
+        std::vector<double> const measure = scheme.solve([](Index) { return 1.0; });
+        std::vector<double> const sum = Solved(its, &options).sum();
+        double worst = 0;
+        for (std::size_t row = 0; row < measure.size(); ++row) {
+            std::size_t const point = static_cast<std::size_t>(scheme.sparse->point_at(static_cast<Index>(row)));
+            worst = std::fmax(worst, std::fabs(measure[row] - sum[point]));
+        }
+        CHECK(worst < 1e-13);
+    }
+}
+
+TEST_CASE("second order on an annulus, whole and half with a free symmetry line, also perturbed") {
+    double const pi = std::acos(-1.0), r0 = 0.5, r1 = 2;
+    hm_options const options = bounded();
+    for (bool const half : {false, true})
+        for (double const amplitude : {0.0, 0.3})
+            for (Cells const kind : kinds) {
+                std::vector<double> error;
+                for (int const refine : {1, 2, 4}) {
+                    int const n_r = 8 * refine, n_t = (half ? 20 : 40) * refine;
+                    Case its;
+                    its.mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
+                    perturb(its.mesh, amplitude, 8);
+                    put_on_polygon(its, half ? n_t + 1 : n_t, !half);
+                    if (half) its.set_free(symmetry_line);
+                    std::vector<double> cosines;
+                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k) cosines.push_back(std::cos((half ? 2 : 4) * pi * k / n_t));
+                    std::vector<double> const found = Solved(its, &options).combined(cosines);
+                    error.push_back(0);
+                    for (std::size_t k = 0; k < found.size(); ++k) {
+                        Point const p = its.mesh.point(static_cast<std::int32_t>(k));
+                        double const squared = p.x * p.x + p.y * p.y, q0 = r0 * r0, q1 = r1 * r1;
+                        double const cosine = (p.x * p.x - p.y * p.y) / squared;   // of twice the angle
+                        double const exact = cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0);
+                        error.back() = std::hypot(error.back(), (found[k] - exact) / std::sqrt(1.0 * its.mesh.n_points()));
+                    }
+                }
+                INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude " << amplitude);
+                CHECK(error[2] < 1e-3);
+                CHECK(std::log2(error[0] / error[2]) / 2 > 1.75);
+            }
+}
+
+TEST_CASE("numbering, order and sense of cells do not matter") {
+    hm_options const options = bounded();
+    Case its = stretched_bodies(Cells::hybrid, 0.2);
+    Solved const first(its, &options);
+    Case other = its;
+    reverse_some(other.mesh, 2);
+    shuffle_cells(other.mesh, 3);
+    std::vector<std::int32_t> const new_of = renumber_points(other.mesh, 4);
+    Solved const second(other, &options);
+    for (std::int32_t const function : {0, 5}) {
+        std::vector<double> const a = first.values(function), b = second.values(function);
+        double worst = 0;
+        for (std::size_t k = 0; k < a.size(); ++k)
+            worst = std::fmax(worst, std::fabs(a[k] - b[static_cast<std::size_t>(new_of[k])]));
+        CHECK(worst < 1e-12);
+    }
+}
+
+TEST_CASE("the plan factors on the analysed coordinates alone") {
+    hm_options const options = bounded();
+    Case its = two_body_case(Cells::hybrid, 6, 4);
+    Attempt tried(its.problem(), &options);
+    REQUIRE(tried.status == HM_OK);
+    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    CHECK(hm_plan_factor(tried.plan, x.data(), y.data(), 1, nullptr) == HM_OK);
+    x[40] += 1e-9;
+    CHECK(hm_plan_factor(tried.plan, x.data(), y.data(), 1, &tried.error) == HM_UNSUPPORTED);
+    CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_BAD_ARGUMENT);   // no factor
+    CHECK(hm_plan_factor(tried.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_OK);
+}
+
+TEST_CASE("weights of edges are powers of their midpoints' distances from what moves") {
+    Case its = stretched_bodies(Cells::hybrid, 0.5);
+    Bounded const scheme(its);
+    harmorph::Analysis const& a = scheme.core();
+    harmorph::FaceDistance faces;
+    harmorph::Arena counting;
+    faces.lay_out(counting, static_cast<std::size_t>(a.count_wall_faces()));
+    Guarded block(counting.bytes());
+    harmorph::Arena placing(block.data(), block.size());
+    faces.lay_out(placing, static_cast<std::size_t>(a.count_wall_faces()));
+    faces.choose(a.boundary, [&](Index face) { return a.is_wall_face(face); });
+    faces.build(a.problem.mesh.points);
+    std::vector<double> k(scheme.edges.size());
+    weigh_edges(faces, span(scheme.edges), a.problem.mesh.points, 6, span(k), {});
+    for (std::size_t edge = 0; edge < k.size(); ++edge) {
+        Point const begin = its.mesh.point(scheme.edges[edge].begin), end = its.mesh.point(scheme.edges[edge].end);
+        double const d = faces.distance({0.5 * (begin.x + end.x), 0.5 * (begin.y + end.y)}) / faces.unit;
+        if (d < 1e-12) continue;   // a face
+        CHECK(k[edge] == doctest::Approx(std::pow(d, -1.5)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("weighted functions stay between 0 and 1 as well; slip and the conformal operator are refused") {
+    for (Cells const kind : kinds) {
+        Case its = stretched_bodies(kind, 0.2);
+        hm_options options = bounded(), compact{};
+        options.operator_kind = compact.operator_kind = HM_WEIGHTED;
+        compact.struct_size = sizeof compact;
+        for (std::int32_t const quarters : {1, 6, 16}) {
+            options.exponent_quarters = compact.exponent_quarters = quarters;
+            Solved const solved(its, &options);
+            CHECK((solved.report.min_value >= 0 && solved.report.max_value <= 1));
+            CHECK(solved.report.residual < 1e-11);
+            CHECK(Solved(its, &compact).report.min_value < -1e-3);
+        }
+        options.operator_kind = HM_CONFORMAL;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        options.operator_kind = HM_WEIGHTED;
+        its.conditions.push_back(its.conditions[0]);
+        its.conditions.back().marker = far_field;
+        its.conditions.back().kind = HM_SLIP;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    }
+}

@@ -1,0 +1,139 @@
+// The energy of a triangle: derivatives against differences, invariances, convexity, and where it is smallest.
+#include <doctest/doctest.h>
+
+#include <harmorph/distortion.hpp>
+
+#include <cmath>
+#include <random>
+
+using harmorph::Distortion;
+using harmorph::Triangle;
+using harmorph::Vec2;
+
+namespace {
+
+double random_number(std::mt19937& random) { return static_cast<double>(random()) / 2147483648.0 - 1; }
+Vec2 random_point(std::mt19937& random) { return {random_number(random), random_number(random)}; }
+
+// A reference with positive area, and another triangle, inverted or not.
+struct Pair {
+    Triangle reference, now;
+
+    explicit Pair(std::mt19937& random) {
+        do {
+            for (Vec2& point : reference.at) point = random_point(random);
+        } while (reference.twice_area() < 0.2);
+        for (Vec2& point : now.at) point = random_point(random);
+    }
+};
+
+double& coordinate(Triangle& triangle, int k) { return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y; }
+double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
+
+struct Derivatives {
+    Vec2 gradient[3];
+    Distortion::Mode mode[4];
+
+    Derivatives(Pair const& its, double softness, double least) {
+        Distortion(its.reference).differentiate(its.now, softness, least, gradient, mode);
+    }
+    double hessian(int i, int j) const {
+        double sum = 0;
+        for (Distortion::Mode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
+        return sum;
+    }
+};
+
+constexpr double exact = -1e300;   // no curvature is raised
+
+}  // namespace
+
+TEST_CASE("the gradient is that of the energy, the exact Hessian that of the gradient") {
+    std::mt19937 random(1);
+    int inverted = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        Pair const its(random);
+        double const softness = 0.3 + 0.3 * (trial % 4);
+        Distortion const distortion(its.reference);
+        inverted += distortion.determinant(its.now) < 0;
+        Derivatives const here(its, softness, exact);
+        double scale = 0, scale_of_hessian = 0;
+        for (int i = 0; i < 6; ++i) {
+            scale = std::fmax(scale, std::fabs(component(here.gradient, i)));
+            for (int j = 0; j < 6; ++j) scale_of_hessian = std::fmax(scale_of_hessian, std::fabs(here.hessian(i, j)));
+        }
+        double const h = 1e-5;
+        for (int i = 0; i < 6; ++i) {
+            Pair ahead = its, behind = its;
+            coordinate(ahead.now, i) += h;
+            coordinate(behind.now, i) -= h;
+            double const rise = distortion.energy(ahead.now, softness) - distortion.energy(behind.now, softness);
+            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) < 1e-6 * (scale + scale_of_hessian));
+            Derivatives const after(ahead, softness, exact), before(behind, softness, exact);
+            for (int j = 0; j < 6; ++j) {
+                double const bend = (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * scale_of_hessian);
+            }
+        }
+    }
+    CHECK(inverted > 50);
+    CHECK(inverted < 150);
+}
+
+TEST_CASE("curvatures are raised to a multiple of the energy's own, never lowered") {
+    std::mt19937 random(2);
+    int raised = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        Pair const its(random);
+        Derivatives const free(its, 0.1, exact), convex(its, 0.1, 0.25);
+        double const floor = 0.25 * 4 / harmorph::regularised(Distortion(its.reference).determinant(its.now), 0.1);
+        for (int k = 0; k < 4; ++k) {
+            raised += free.mode[k].curvature < floor;
+            CHECK(convex.mode[k].curvature == doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-14));
+            CHECK(convex.mode[k].curvature > 0);
+        }
+    }
+    CHECK(raised > 20);
+}
+
+TEST_CASE("smallest where the triangle is its reference, turned and moved at will") {
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 50; ++trial) {
+        Pair its(random);
+        Distortion const distortion(its.reference);
+        double const c = std::cos(1.0 * trial), s = std::sin(1.0 * trial);
+        for (int k = 0; k < 3; ++k) {
+            Vec2 const p = its.reference.at[k];
+            its.now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
+        }
+        double const least = 2 + 2 * Distortion::size_weight;   // (|I|^2 + 2 size_weight) / 1
+        CHECK(distortion.determinant(its.now) == doctest::Approx(1));
+        CHECK(distortion.energy(its.now, 0) == doctest::Approx(least).epsilon(1e-12));
+        Derivatives const here(its, 0, exact);
+        for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-12);
+        for (Distortion::Mode const& mode : here.mode) CHECK(mode.curvature > -1e-11);
+        for (int k = 0; k < 20; ++k) {
+            Triangle other = its.now;
+            for (Vec2& point : other.at) point = point + 0.3 * random_point(random);
+            if (distortion.determinant(other) <= 0) continue;
+            CHECK(distortion.energy(other, 0) >= least * (1 - 1e-12));
+        }
+    }
+}
+
+TEST_CASE("the regularised determinant: between 0 and the softness above the positive part, without cancellation") {
+    for (double const softness : {1.0, 1e-3, 1e-9}) {
+        CHECK(harmorph::regularised(0, softness) == doctest::Approx(softness / 2));
+        double const folded = 0.5 * softness * softness / (std::sqrt(1 + softness * softness) + 1);
+        CHECK(harmorph::regularised(-1, softness) == doctest::Approx(folded).epsilon(1e-14));
+        double last = 0;
+        for (double const d : {-1e6, -3.0, -1e-3, 0.0, 1e-3, 1.0, 7.0}) {
+            double const chi = harmorph::regularised(d, softness);
+            CHECK(chi > last);
+            CHECK(chi - std::fmax(d, 0) <= softness / 2);
+            last = chi;
+        }
+    }
+    CHECK(harmorph::regularised(2.5, 0) == 2.5);
+    CHECK(harmorph::regularised(-2.5, 0) == 0);
+}

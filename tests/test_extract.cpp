@@ -1,0 +1,158 @@
+// Rows of some points do what the whole basis does at these points.
+#include <doctest/doctest.h>
+
+#include <fixtures/parts.hpp>
+
+#include <cstring>
+
+using namespace fixtures;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+struct Moved {
+    Numbers x, y;
+};
+
+Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
+    Moved to{Numbers(from.x.size()), Numbers(from.x.size())};
+    REQUIRE(hm_morph(basis, move.data(), from.x.data(), from.y.data(), 1, to.x.data(), to.y.data(), 1, nullptr, nullptr) ==
+            HM_OK);
+    return to;
+}
+
+}  // namespace
+
+TEST_CASE("values, morph, curves and points of the wall are those of the whole, with ghosts, repeats, and index base 1") {
+    for (KindOfProblem& problem : kinds_of_problems())
+        for (std::int32_t const base : {0, 1}) {
+            problem.its.index_base = base;
+            Solved const solved(problem.its, &problem.options);
+            hm_basis_info const whole = solved.info();
+            std::vector<std::int32_t> points = random_parts(whole.points, 3, 8)[1];   // counted from 0
+            points.push_back(whole.curve_point[3]);
+            points.push_back(points.front());   // repeats
+            points.push_back(whole.curve_point[3]);
+            std::vector<std::int32_t> numbered = points;
+            for (std::int32_t& point : numbered) point += base;
+            Rows const rows(solved.basis, numbered, 8);
+            REQUIRE(rows.status == HM_OK);
+            hm_basis_info const info = info_of(rows.basis);
+            CHECK((info.solved == 1 && info.cells == 0 && info.points == static_cast<std::int32_t>(points.size())));
+            CHECK((info.functions == whole.functions && info.numbers_per_value == whole.numbers_per_value));
+            CHECK((info.curves == whole.curves && info.index_base == base));
+
+            for (std::int32_t i = 0; i < info.functions; ++i)
+                for (std::int32_t p = 0; p < info.numbers_per_value; ++p) {
+                    Numbers all(static_cast<std::size_t>(whole.points)), some(points.size());
+                    REQUIRE(hm_basis_values(solved.basis, i, p, all.data(), nullptr) == HM_OK);
+                    REQUIRE(hm_basis_values(rows.basis, i, p, some.data(), nullptr) == HM_OK);
+                    CHECK(same_bits(some, pick(all, points)));
+                }
+            Numbers const move = some_move(info.functions, 0.05, 3);
+            Moved const from{problem.its.mesh.x, problem.its.mesh.y}, to = morphed(solved.basis, move, from);
+            Moved const here{pick(from.x, points), pick(from.y, points)}, there = morphed(rows.basis, move, here);
+            CHECK(same_bits(there.x, pick(to.x, points)));
+            CHECK(same_bits(there.y, pick(to.y, points)));
+
+            // The points of the wall, each once, in the order in which the whole has them.
+            std::int32_t slot = 0;
+            for (std::int32_t k = 0; k < whole.curve_points; ++k) {
+                auto const first = std::find(points.begin(), points.end(), whole.curve_point[k]);
+                if (first == points.end()) continue;
+                REQUIRE(slot < info.curve_points);
+                CHECK(info.curve_point[slot] == first - points.begin());
+                CHECK((info.point_curve[slot] == whole.point_curve[k] && info.point_u[slot] == whole.point_u[k]));
+                ++slot;
+            }
+            CHECK(slot == info.curve_points);
+            CHECK(slot > 10);
+            double error = -1;
+            std::int32_t worst = -1;
+            Moved wrong = there;
+            wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, there.x.data(), there.y.data(),
+                                      1, &error, &worst, nullptr) == HM_OK);
+            CHECK(error < 1e-14);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, wrong.x.data(), wrong.y.data(),
+                                      1, &error, &worst, nullptr) == HM_OK);
+            CHECK(error == doctest::Approx(0.01).epsilon(1e-9));
+            CHECK(worst == info.curve_point[5] + base);
+        }
+}
+
+TEST_CASE("rows can be moved, saved and attached like any basis, and rows taken of rows") {
+    Case its = two_body_case();
+    Solved const solved(its);
+    std::vector<std::int32_t> const points = random_parts(its.mesh.n_points(), 2, 1)[0];
+    Rows const rows(solved.basis, points);
+    std::vector<unsigned char> const bytes = bytes_of(rows.basis);
+    std::vector<double> copy(bytes.size() / sizeof(double));
+    std::memcpy(copy.data(), bytes.data(), bytes.size());
+    const hm_basis* attached = nullptr;
+    REQUIRE(hm_basis_attach(&attached, copy.data(), bytes.size(), nullptr, nullptr) == HM_OK);
+    CHECK(info_of(attached).points == static_cast<std::int32_t>(points.size()));
+
+    std::vector<std::int32_t> every_other, direct;
+    for (std::size_t k = 0; k < points.size(); k += 2) {
+        every_other.push_back(static_cast<std::int32_t>(k));
+        direct.push_back(points[k]);
+    }
+    CHECK(bytes_of(Rows(attached, every_other).basis) == bytes_of(Rows(solved.basis, direct).basis));
+}
+
+TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
+    Case its = two_body_case();
+    its.index_base = 1;
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh_view();
+    Rows const rows(solved.basis, {1, 2, 3});
+    REQUIRE(rows.status == HM_OK);
+    hm_error error{};
+    hm_quality_report quality{};
+    quality.struct_size = sizeof quality;
+    hm_step_report step{};
+    step.struct_size = sizeof step;
+    CHECK(hm_quality(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, &quality, &error) == HM_BAD_BASIS);
+    CHECK(std::string(error.text).find("list of points") != std::string::npos);
+    CHECK(hm_admissible_step(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, &step, &error) == HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, &step, &quality, &error) == HM_BAD_BASIS);
+    const hm_basis* attached = nullptr;
+    CHECK(hm_basis_attach(&attached, rows.basis, info_of(rows.basis).bytes, &mesh, &error) == HM_BAD_BASIS);
+    CHECK(std::string(error.text).find("list of points") != std::string::npos);
+    CHECK(hm_plan_solve(solved.plan, rows.basis, nullptr, &error) == HM_BAD_BASIS);
+
+    Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {its.mesh.n_points() + 1});
+    CHECK((below.status == HM_BAD_ARGUMENT && below.error.item == 2));
+    CHECK((above.status == HM_BAD_ARGUMENT && above.error.item == 0));
+    std::size_t bytes = 0;
+    std::int32_t const one = 1;
+    hm_basis* made = nullptr;
+    CHECK(hm_extract_size(solved.basis, -1, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_extract_size(nullptr, 1, &bytes, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_extract_size(solved.basis, 1, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    REQUIRE(hm_extract_size(solved.basis, 1, &bytes, nullptr) == HM_OK);
+    CHECK(hm_extract_init(&made, nullptr, bytes, solved.basis, 1, &one, nullptr) == HM_BAD_ARGUMENT);
+    std::vector<unsigned char> block(bytes);
+    CHECK(hm_extract_init(&made, block.data(), bytes, solved.basis, 1, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_extract_init(nullptr, block.data(), bytes, solved.basis, 1, &one, nullptr) == HM_BAD_ARGUMENT);
+}
+
+TEST_CASE("a block that is too small is refused, and the size suffices for the list with the most points of the wall") {
+    Case its = two_body_case();
+    Solved const solved(its);
+    hm_basis_info const info = solved.info();
+    std::vector<std::int32_t> const wall(info.curve_point, info.curve_point + info.curve_points);
+    CHECK(info_of(Rows(solved.basis, wall, 24).basis).curve_points == info.curve_points);
+
+    std::int32_t const n = static_cast<std::int32_t>(wall.size());
+    std::size_t need = 0;
+    REQUIRE(hm_extract_size(solved.basis, n, &need, nullptr) == HM_OK);
+    for (std::size_t give = 0; give + 64 < need; give += 1024) {
+        Guarded block(give);
+        hm_basis* made = nullptr;
+        CHECK(hm_extract_init(&made, block.data(), give, solved.basis, n, wall.data(), nullptr) == HM_BLOCK_TOO_SMALL);
+        CHECK((made == nullptr && block.guards_intact()));
+    }
+}

@@ -1,0 +1,158 @@
+// The Newton system: gradient against differences of the sum of energies, symmetry, and the conjugate gradients' step.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/mangle.hpp>
+#include <fixtures/square.hpp>
+
+#include <harmorph/newton_system.hpp>
+
+using namespace fixtures;
+using harmorph::Block;
+using harmorph::Index;
+using harmorph::Vec2;
+
+namespace {
+
+struct System {
+    Mesh mesh;
+    harmorph::Mesh view;
+    std::vector<std::uint8_t> held;
+    std::vector<Vec2> at;
+    Analysed analysed;
+    std::vector<unsigned char> block;
+    harmorph::Tangle tangle;
+    harmorph::Region region;
+    harmorph::NewtonSystem newton;
+
+    // Inner points are thrown about by up to `reach`; the whole mesh is the region.
+    System(Mesh const& its_mesh, double reach)
+        : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), at(mesh.x.size()), analysed(mesh) {
+        std::mt19937 random(9);
+        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        for (std::size_t k = 0; k < at.size(); ++k) {
+            double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1, amount = held[k] != 0 ? 0 : reach;
+            at[k] = {mesh.x[k] + amount * dx, mesh.y[k] + amount * dy};
+        }
+        auto const counts = harmorph::RegionCounts::of(view, analysed->edges);
+        auto const lay_out = [&](harmorph::Arena& arena) {
+            region.lay_out(arena, counts);
+            newton.lay_out(arena, counts);
+        };
+        harmorph::Arena query;
+        lay_out(query);
+        block.resize(query.bytes());
+        harmorph::Arena arena(block.data(), block.size());
+        lay_out(arena);
+        tangle = {view, view.points, analysed->reversed, analysed->representative, span(held)};
+        region.link(tangle);
+        region.grow(tangle, harmorph::Region::whole);
+    }
+    void assemble(double softness) { newton.assemble(tangle, region, span(at), softness, {}); }
+    double energy(double softness) const {
+        double sum = 0;
+        for (Index i = 0; i < view.n_cells; ++i) {
+            harmorph::CellTriangles const corners(tangle.cell(i));
+            for (Index k = 0; k < corners.n; ++k) {
+                harmorph::Distortion const distortion(triangle_of(corners.point[k], tangle.reference));
+                sum += distortion.energy(triangle_of(corners.point[k], harmorph::as_points(span(at))), softness);
+            }
+        }
+        return sum;
+    }
+    std::vector<Vec2> times(harmorph::Span<Vec2> v) const {
+        std::vector<Vec2> out(static_cast<std::size_t>(region.n));
+        for (Index u = 0; u < region.n; ++u)
+            for (auto k = region.start[u]; k < region.start[u + 1]; ++k)
+                out[static_cast<std::size_t>(u)] =
+                    out[static_cast<std::size_t>(u)] + newton.hessian[k] * v[region.neighbour[k]];
+        return out;
+    }
+};
+
+Mesh some_mesh() {
+    Mesh mesh = square(8, Cells::hybrid);
+    perturb(mesh, 0.3, 2);
+    reverse_some(mesh, 3);
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("the gradient is that of the sum over all corners, on tangled meshes too") {
+    System its(some_mesh(), 0.2);
+    double const softness = 0.5, h = 1e-6;
+    its.assemble(softness);
+    double largest = 0;
+    for (Index u = 0; u < its.region.n; ++u) largest = std::fmax(largest, length(its.newton.gradient[u]));
+    for (Index u = 0; u < its.region.n; u += 5) {
+        Vec2& point = its.at[static_cast<std::size_t>(its.region.point[u])];
+        Vec2 const old = point;
+        auto const slope = [&](Vec2 by) {
+            point = old + h * by;
+            double const ahead = its.energy(softness);
+            point = old - h * by;
+            double const behind = its.energy(softness);
+            point = old;
+            return (ahead - behind) / (2 * h);
+        };
+        CHECK(std::fabs(its.newton.gradient[u].x - slope({1, 0})) < 1e-6 * largest);
+        CHECK(std::fabs(its.newton.gradient[u].y - slope({0, 1})) < 1e-6 * largest);
+    }
+}
+
+TEST_CASE("a valid mesh that is its own reference is at rest") {
+    System its(some_mesh(), 0);
+    its.assemble(0);
+    for (Index u = 0; u < its.region.n; ++u) CHECK(length(its.newton.gradient[u]) < 1e-10);
+}
+
+TEST_CASE("the Hessian is symmetric and positive definite; its diagonal blocks are inverted") {
+    System its(some_mesh(), 0.2);
+    its.assemble(0.1);
+    auto const entry = [&](Index u, Index v) {
+        for (auto k = its.region.start[u]; k < its.region.start[u + 1]; ++k)
+            if (its.region.neighbour[k] == v) return its.newton.hessian[k];
+        return Block{};
+    };
+    for (Index u = 0; u < its.region.n; ++u) {
+        Block const own = entry(u, u), inverse = its.newton.inverse[u];
+        CHECK(own.a * inverse.a + own.b * inverse.c == doctest::Approx(1).epsilon(1e-10));
+        CHECK(own.c * inverse.b + own.d * inverse.d == doctest::Approx(1).epsilon(1e-10));
+        double const scale = own.a + own.d;
+        for (Index const v : its.region.of(u)) {
+            Block const there = entry(u, v), back = entry(v, u);
+            CHECK(std::fabs(there.a - back.a) + std::fabs(there.d - back.d) < 1e-12 * scale);
+            CHECK(std::fabs(there.b - back.c) + std::fabs(there.c - back.b) < 1e-12 * scale);
+        }
+    }
+    std::mt19937 random(4);
+    for (int trial = 0; trial < 20; ++trial) {
+        for (Index u = 0; u < its.region.n; ++u) its.newton.search[u] = {uniform(random) - 0.5, uniform(random) - 0.5};
+        std::vector<Vec2> const image = its.times(its.newton.search);
+        double curvature = 0;
+        for (Index u = 0; u < its.region.n; ++u)
+            curvature += dot(its.newton.search[u], image[static_cast<std::size_t>(u)]);
+        CHECK(curvature > 0);
+    }
+}
+
+TEST_CASE("the step descends, and the longer it is sought the nearer it is to Newton's") {
+    System its(some_mesh(), 0.2);
+    its.assemble(0.3);
+    CHECK(its.newton.solve(its.region, 1, {}) == 1);
+    CHECK(its.newton.slope(its.region, {}) < 0);
+    Index const products = its.newton.solve(its.region, 1000, {});
+    CHECK((products > 1 && products < 1000));
+    CHECK(its.newton.slope(its.region, {}) < 0);
+    // The residual in the norm in which it is measured: of the block diagonal's inverse.
+    std::vector<Vec2> const image = its.times(its.newton.step);
+    double rest = 0, whole = 0;
+    for (Index u = 0; u < its.region.n; ++u) {
+        Vec2 const gradient = its.newton.gradient[u], left = gradient + image[static_cast<std::size_t>(u)];
+        rest += dot(left, its.newton.inverse[u] * left);
+        whole += dot(gradient, its.newton.inverse[u] * gradient);
+    }
+    double const enough = harmorph::NewtonSystem::enough;
+    CHECK(rest <= enough * enough * whole * (1 + 1e-6));
+}

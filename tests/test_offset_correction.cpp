@@ -1,0 +1,159 @@
+// Offset correction: a wall that is not exactly on its curve turns with it.
+#include <doctest/doctest.h>
+
+#include <fixtures/operators.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+hm_options corrected(std::int32_t correction = 1) {
+    hm_options out = options_of(HM_CONFORMAL);
+    out.offset_correction = correction;
+    return out;
+}
+
+// Points of the inner circle up to `off` beside the curve they are on; parameters are found.
+Case beside_its_curve(double off) {
+    Case out = ring_case(8, 40, 0.5, 2, Cells::hybrid);
+    Spline const spline = ring(3, 8, 0.5, 0.5);
+    std::mt19937 random(3);
+    for (std::size_t k = 0; k < 40; ++k) {
+        harmorph::Vec2 p[2];
+        curve_point(spline.curve(), out.given_u[k], 1, p);
+        double const by = off * (2 * uniform(random) - 1) / length(p[1]);
+        out.mesh.x[k] = p[0].x - by * p[1].y;
+        out.mesh.y[k] = p[0].y + by * p[1].x;
+    }
+    return out;
+}
+
+double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s, Complex centre, Complex shift) {
+    hm_basis_info const info = solved.info();
+    double worst = 0;
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        std::int32_t const point = info.curve_point[k];
+        Complex const expected = (s - 1.0) * (to_complex(its.mesh.point(point)) - centre) + shift;
+        worst = std::fmax(worst, std::abs(moved[static_cast<std::size_t>(point)] - expected));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("rigid motions and scalings of all control points move every wall point rigidly, to rounding") {
+    Case its = beside_its_curve(0.02);
+    hm_options const with = corrected(), without = corrected(0);
+    Solved const a(its, &with), b(its, &without);
+    CHECK(a.info().offset_correction == 1);
+    CHECK(a.report.max_distance > 0.015);
+    CHECK(a.report.boundary_error < 1e-16);      // against the boundary data in use
+    CHECK(a.report.partition_defect < 1e-14);
+    for (Complex const s : {std::polar(1.0, 0.5), std::polar(1.0, 3.1), Complex(0.5, 0), Complex(1, 0)})
+        for (Complex const centre : {Complex(0, 0), Complex(3, -2)}) {
+            std::vector<double> const move = similarity_move(its.curves, s, centre, {0.1, 0.7});
+            CHECK(worst_on_wall(a, its, displacement(a, move), s, centre, {0.1, 0.7}) < 1e-14);
+            double const error = worst_on_wall(b, its, displacement(b, move), s, centre, {0.1, 0.7});
+            CHECK(error == doctest::Approx(std::abs(s - 1.0) * b.report.max_distance).epsilon(1e-6));
+        }
+}
+
+TEST_CASE("general motions add e dC' / C' to what the B-spline moves, and are linear over the complex numbers") {
+    Case its = beside_its_curve(0.01);
+    hm_options const options = corrected();
+    Solved const solved(its, &options);
+    std::vector<double> const move = some_move(8, 0.1, 4);
+    Field const moved = displacement(solved, move), by_i = displacement(solved, turned(move, {0, 1}));
+    for (std::size_t k = 0; k < moved.size(); ++k) CHECK(std::abs(by_i[k] - Complex(0, 1) * moved[k]) < 1e-14);
+    CurveSet movement = its.curves;
+    movement.control = move;
+    hm_basis_info const info = solved.info();
+    double most = 0;
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        double at[4], by[4];
+        REQUIRE(hm_curve_point(&its.curves.view(), 0, info.point_u[k], 1, at, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&movement.view(), 0, info.point_u[k], 1, by, nullptr) == HM_OK);
+        Complex const e = to_complex(its.mesh.point(info.curve_point[k])) - Complex(at[0], at[1]);
+        Complex const added = e * Complex(by[2], by[3]) / Complex(at[2], at[3]);
+        most = std::fmax(most, std::abs(added));
+        CHECK(std::abs(moved[static_cast<std::size_t>(info.curve_point[k])] - Complex(by[0], by[1]) - added) < 1e-15);
+    }
+    CHECK(most > 1e-3);
+}
+
+TEST_CASE("zero movement keeps every bit; the boundary's error and the adjoint are those of the data in use") {
+    Case its = beside_its_curve(0.01);
+    hm_options const options = corrected();
+    Solved const solved(its, &options);
+    std::vector<double> x = its.mesh.x, y = its.mesh.y, move(16, 0.0);
+    REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y)));
+    move = some_move(8, 0.2, 5);
+    REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    double error = -1;
+    REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, x.data(), y.data(), 1,
+                              &error, nullptr, nullptr) == HM_OK);
+    CHECK((error >= 0 && error < 1e-15));
+    std::vector<double> const g = some_move(its.mesh.n_points(), 1, 6);
+    std::vector<double> gradient(16);
+    REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+    double here = 0, there = 0;
+    Field const moved = displacement(solved, move);
+    for (std::size_t k = 0; k < moved.size(); ++k) here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
+    for (std::size_t k = 0; k < 16; ++k) there += gradient[k] * move[k];
+    CHECK(here == doctest::Approx(there).epsilon(1e-12));
+}
+
+TEST_CASE("at corners nothing is known to turn: their points keep their offset") {
+    Case its = airfoil_case(30, 12, Cells::quads);   // a clamped curve whose two ends are one control point
+    double const off = 1e-5;
+    std::size_t const edge = static_cast<std::size_t>(points_on(its.mesh, body)[0]);   // the trailing edge comes first
+    its.mesh.x[edge] += off;
+    hm_options const options = corrected();
+    Solved const solved(its, &options);
+    Complex const s = std::polar(1.0, 0.5), centre(0.25, 0);
+    Field const moved = displacement(solved, similarity_move(its.curves, s, centre));
+    hm_basis_info const info = solved.info();
+    std::int32_t corners = 0;
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        std::int32_t const point = info.curve_point[k];
+        Complex const z = to_complex(its.mesh.point(point)), rigid = (s - 1.0) * (z - centre);
+        double const difference = std::abs(moved[static_cast<std::size_t>(point)] - rigid);
+        if (info.point_u[k] > 0 && info.point_u[k] < 1) {
+            CHECK(difference < 1e-13);
+            continue;
+        }
+        ++corners;
+        CHECK(difference == doctest::Approx(std::abs(s - 1.0) * off).epsilon(1e-6));
+    }
+    CHECK(corners == 1);
+    // A polygon has corners inside, at knots; their points are left out, those on its sides are not.
+    Case polygon = tiny_case();
+    polygon.mesh.x[16] -= 0.1;   // a corner and the middle of a side
+    polygon.mesh.y[17] -= 0.1;
+    Solved const sides(polygon, &options);
+    Field const turned_field = displacement(sides, similarity_move(polygon.curves, s, {3, 3}));
+    Complex const at_corner = (s - 1.0) * (Complex(2, 2) - Complex(3, 3)), at_side = (s - 1.0) * (Complex(3, 1.9) - Complex(3, 3));
+    CHECK(std::abs(turned_field[16] - at_corner) < 1e-14);
+    CHECK(std::abs(turned_field[17] - at_side) < 1e-14);
+}
+
+TEST_CASE("where the curve stands still, nothing is known to turn either: no infinite or huge values") {
+    Case its = ring_case(6, 24, 0.5, 2);
+    // Degree 3, eight control points of which four coincide two by two: C' becomes small between them.
+    for (std::size_t k = 0; k < 4; ++k) its.curves.control[2 * k] = 0.5, its.curves.control[2 * k + 1] = 0.001 * static_cast<double>(k);
+    hm_options const options = corrected();
+    Attempt const attempt(its.problem(), &options);
+    REQUIRE(attempt.status == HM_OK);
+    for (double const value : {attempt.report.min_value, attempt.report.max_value})
+        CHECK(std::fabs(value) < 2);   // what is added is smaller than 1
+}
+
+TEST_CASE("only the conformal operator can turn anything: others refuse the correction") {
+    Case its = tiny_case();
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
+        hm_options options = options_of(operator_kind);
+        options.offset_correction = 1;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    }
+}

@@ -1,0 +1,201 @@
+// Shares of the functions, solved apart and put together from parcels, are the functions solved together, bit by bit.
+#include <doctest/doctest.h>
+
+#include <fixtures/parts.hpp>
+
+#include <cstring>
+
+using namespace fixtures;
+
+namespace {
+
+struct Range {
+    std::int32_t first = -1, n = -1;
+};
+
+// One process's share, with an analysis and a plan of its own.
+class Share {
+public:
+    Attempt attempt;
+    hm_basis* basis = nullptr;
+    hm_solve_report report{};
+
+    Share(KindOfProblem& problem, Range range) {
+        report.struct_size = sizeof report;
+        REQUIRE(attempt.analyse(problem.its.problem(), &problem.options));
+        REQUIRE(attempt.prepare());
+        std::size_t bytes = 0;
+        REQUIRE(hm_share_size(attempt.analysis, range.first, range.n, &bytes, nullptr) == HM_OK);
+        block_ = std::make_unique<Guarded>(bytes, 40);
+        REQUIRE(hm_share_init(&basis, block_->data(), bytes, attempt.analysis, range.first, range.n, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        REQUIRE(hm_plan_solve(attempt.plan, basis, &report, nullptr) == HM_OK);
+        CHECK(block_->guards_intact());
+    }
+    std::vector<double> parcel(std::vector<std::int32_t> const& points) const {
+        std::int64_t doubles = 0;
+        std::int32_t const n = static_cast<std::int32_t>(points.size());
+        REQUIRE(hm_parcel_size(basis, n, &doubles, nullptr) == HM_OK);
+        std::vector<double> out(static_cast<std::size_t>(doubles) + 1, -3.0);
+        REQUIRE(hm_parcel_pack(basis, n, points.data(), out.data(), nullptr) == HM_OK);
+        CHECK(out.back() == -3.0);   // not written
+        out.pop_back();
+        return out;
+    }
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+hm_status unpack(Rows const& rows, std::vector<double> const& parcel, hm_error* error = nullptr) {
+    return hm_parcel_unpack(rows.basis, parcel.data(), static_cast<std::int64_t>(parcel.size()), error);
+}
+
+}  // namespace
+
+TEST_CASE("shares of any size make the rows that the whole basis has: the same blocks, byte by byte") {
+    for (KindOfProblem& problem : kinds_of_problems()) {
+        Solved const solved(problem.its, &problem.options);
+        std::int32_t const n = solved.info().functions;
+        std::vector<std::int32_t> const points = random_parts(solved.info().points, 3, 4)[0];
+        std::vector<unsigned char> const expected = bytes_of(Rows(solved.basis, points).basis);
+        for (std::int32_t const processes : {1, 2, 3, n + 2}) {
+            std::vector<std::unique_ptr<Share>> shares;
+            for (std::int32_t part = 0; part < processes; ++part) {
+                Range its;
+                REQUIRE(hm_share_of(solved.analysis, part, processes, &its.first, &its.n, nullptr) == HM_OK);
+                CHECK((its.n == n / processes || its.n == (n - 1) / processes + 1));
+                shares.push_back(std::make_unique<Share>(problem, its));
+            }
+            Rows const rows(shares.back()->basis, points);
+            REQUIRE(rows.status == HM_OK);
+            CHECK(info_of(rows.basis).solved == (processes == 1 ? 1 : 0));   // a share of everything needs no parcels
+            for (std::unique_ptr<Share> const& share : shares)
+                if (processes > 1) REQUIRE(unpack(rows, share->parcel(points)) == HM_OK);
+            CHECK(bytes_of(rows.basis) == expected);
+        }
+    }
+}
+
+TEST_CASE("a share's report and values are those of its functions") {
+    KindOfProblem problem;
+    problem.its = two_body_case();
+    Solved const solved(problem.its);
+    Share const share(problem, {8, 5});
+    CHECK(share.report.functions == 5);
+    CHECK((share.report.residual_function >= 8 && share.report.residual_function < 13));
+    CHECK((share.report.residual > 0 && share.report.residual <= solved.report.residual));
+    CHECK((share.report.boundary_error <= 1e-15 && share.report.partition_defect == 0));
+    CHECK((share.report.max_value <= solved.report.max_value && share.report.max_value > 0.5));
+    std::vector<double> values(problem.its.mesh.x.size());
+    for (std::int32_t const function : {8, 12}) {
+        REQUIRE(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_OK);
+        CHECK(same_bits(values, solved.values(function)));
+    }
+    for (std::int32_t const function : {7, 13, -1})
+        CHECK(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_BAD_ARGUMENT);
+}
+
+TEST_CASE("a share's memory is proportional to it") {
+    KindOfProblem problem;
+    problem.its = two_body_case();
+    Attempt attempt;
+    REQUIRE(attempt.analyse(problem.its.problem()));
+    std::size_t none = 0, one = 0, five = 0, whole = 0, all = 0;
+    REQUIRE(hm_share_size(attempt.analysis, 3, 0, &none, nullptr) == HM_OK);
+    REQUIRE(hm_share_size(attempt.analysis, 3, 1, &one, nullptr) == HM_OK);
+    REQUIRE(hm_share_size(attempt.analysis, 3, 5, &five, nullptr) == HM_OK);
+    REQUIRE(hm_share_size(attempt.analysis, 0, 20, &whole, nullptr) == HM_OK);
+    REQUIRE(hm_basis_size(attempt.analysis, &all, nullptr) == HM_OK);
+    CHECK(whole == all);
+    CHECK(five - none >= 5 * 8 * problem.its.mesh.x.size());
+    CHECK(five - none < 5 * 8 * problem.its.mesh.x.size() + 64);
+    CHECK(one - none < 8 * problem.its.mesh.x.size() + 64);
+}
+
+TEST_CASE("refinement of a function does not depend on those solved with it") {
+    // Very thin cells beside a free boundary on the right: rounding is felt by the functions that reach there, by no others.
+    int const n = 24, n_control = 9;
+    KindOfProblem problem;
+    problem.its.mesh = square(n);
+    for (double& y : problem.its.mesh.y) y *= 0.4;
+    for (double& x : problem.its.mesh.x)
+        if (x == 1) x = 1 - 1.0 / n + 1e-7;
+    Spline line;
+    line.degree = 1;
+    line.knots = clamped_knots(1, n_control);
+    for (int k = 0; k < n_control; ++k) line.control.insert(line.control.end(), {k / (n_control - 1.0), 0.0});
+    problem.its.curves = line;
+    problem.its.put_on_curves(bottom);
+    problem.its.set_free(right);
+    Solved const solved(problem.its, &problem.options);
+    CHECK(solved.report.refinements > 0);
+    std::int32_t refined = 0;
+    for (std::int32_t i = 0; i < n_control; ++i) {
+        Share const share(problem, {i, 1});
+        refined += share.report.refinements > 0;
+        std::vector<double> values(problem.its.mesh.x.size());
+        REQUIRE(hm_basis_values(share.basis, i, 0, values.data(), nullptr) == HM_OK);
+        CHECK(same_bits(values, solved.values(i)));
+    }
+    INFO(refined << " functions were refined");
+    CHECK((refined > 0 && refined < n_control));
+}
+
+TEST_CASE("shares are refused where all functions are needed, and ranges that are none") {
+    KindOfProblem problem;
+    problem.its = two_body_case();
+    Share const share(problem, {0, 3});
+    std::vector<double> x = problem.its.mesh.x, move(40, 0.1);
+    hm_error error{};
+    CHECK(hm_morph(share.basis, move.data(), x.data(), x.data(), 1, x.data(), x.data(), 1, nullptr, &error) == HM_BAD_BASIS);
+    CHECK(std::string(error.text).find("only 3 of the 20 functions") != std::string::npos);
+    CHECK(hm_adjoint(share.basis, x.data(), x.data(), 1, move.data(), nullptr, nullptr) == HM_BAD_BASIS);
+    std::size_t bytes = 0;
+    std::int32_t const wrong[][2] = {{-1, 2}, {0, 21}, {19, 2}, {21, 0}, {3, -1}, {2147483647, 2147483647}};
+    for (auto const& its : wrong)
+        CHECK(hm_share_size(share.attempt.analysis, its[0], its[1], &bytes, &error) == HM_BAD_ARGUMENT);
+    std::int32_t first = 0, n = 0;
+    for (auto const& its : {Range{0, 0}, Range{-1, 2}, Range{2, 2}})
+        CHECK(hm_share_of(share.attempt.analysis, its.first, its.n, &first, &n, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_share_of(share.attempt.analysis, 0, 1, &first, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_share_of(share.attempt.analysis, 0, 1, nullptr, &n, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_share_of(nullptr, 0, 1, &first, &n, nullptr) == HM_BAD_ARGUMENT);
+    hm_basis* made = nullptr;
+    std::vector<unsigned char> block(64);
+    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 21, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_share_init(&made, block.data(), 64, share.attempt.analysis, 0, 1, &error) == HM_BLOCK_TOO_SMALL);
+    CHECK(error.value > 0);
+    CHECK(hm_share_init(&made, nullptr, 64, share.attempt.analysis, 0, 1, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(made == nullptr);
+}
+
+TEST_CASE("parcels out of order, of other lists or problems, truncated, or no parcels at all") {
+    KindOfProblem problem, other;
+    problem.its = two_body_case();
+    other.its = two_body_case(Cells::triangles);
+    Share const first(problem, {0, 12}), second(problem, {12, 8}), foreign(other, {0, 12});
+    std::vector<std::int32_t> const points{5, 3, 8}, fewer{5, 3};
+    Rows const rows(first.basis, points);
+    CHECK(info_of(rows.basis).solved == 0);
+    hm_error error{};
+    CHECK(unpack(rows, second.parcel(points), &error) == HM_BAD_BASIS);
+    CHECK((error.item == 12 && std::string(error.text).find("the next one to come is 0") != std::string::npos));
+    CHECK(unpack(rows, foreign.parcel(points)) == HM_BAD_BASIS);
+    CHECK(unpack(rows, first.parcel(fewer)) == HM_BAD_BASIS);
+    std::vector<double> parcel = first.parcel(points);
+    parcel.pop_back();
+    CHECK(unpack(rows, parcel) == HM_BAD_BASIS);
+    CHECK(unpack(rows, {1.0, 2.0}) == HM_BAD_BASIS);
+    CHECK(unpack(rows, std::vector<double>(40, 1.0)) == HM_BAD_BASIS);
+    CHECK(unpack(rows, first.parcel(points)) == HM_OK);
+    CHECK(info_of(rows.basis).solved == 0);
+    CHECK(unpack(rows, first.parcel(points)) == HM_BAD_BASIS);   // twice
+    CHECK(unpack(rows, second.parcel(points)) == HM_OK);
+    CHECK(info_of(rows.basis).solved == 1);
+    CHECK(hm_parcel_unpack(rows.basis, nullptr, 4, nullptr) == HM_BAD_ARGUMENT);
+    std::int64_t doubles = 0;
+    CHECK(hm_parcel_size(first.basis, -1, &doubles, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_parcel_size(nullptr, 1, &doubles, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_parcel_pack(first.basis, 1, points.data(), nullptr, nullptr) == HM_BAD_ARGUMENT);
+}

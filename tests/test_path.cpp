@@ -1,0 +1,204 @@
+// The way of the control points in several steps: similarities on the way, exact at its end, and its derivative.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/operators.hpp>
+
+#include <harmorph/path.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::MovementPath;
+using harmorph::Vec2;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+Complex number(Vec2 z) { return {z.x, z.y}; }
+Vec2 vec(Complex z) { return {z.real(), z.imag()}; }
+
+class Path {
+public:
+    Path(Solved const& solved, std::vector<double> const& move) : n_(solved.info().functions) {
+        REQUIRE(move.size() == 2 * static_cast<std::size_t>(n_));
+        harmorph::Arena counting;
+        path.lay_out(counting, n_);
+        block_ = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block_->data(), block_->size());
+        path.lay_out(placing, n_);
+        path.init(harmorph::Basis::view(static_cast<const void*>(solved.basis)), move.data());
+        CHECK(block_->guards_intact());
+    }
+    // Movements at t, as complex numbers.
+    Field at(double t) const {
+        std::vector<double> movement(2 * static_cast<std::size_t>(n_), -9.0);
+        path.at(t, span(movement));
+        Field out;
+        for (std::size_t k = 0; k < movement.size(); k += 2) out.push_back({movement[k], movement[k + 1]});
+        return out;
+    }
+    std::vector<double> numbers_at(double t) const {
+        std::vector<double> out;
+        for (Complex const z : at(t)) out.insert(out.end(), {z.real(), z.imag()});
+        return out;
+    }
+    MovementPath path;
+
+private:
+    Index n_;
+    std::unique_ptr<Guarded> block_;
+};
+
+hm_options const conformal = options_of(HM_CONFORMAL);
+
+}  // namespace
+
+TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
+    for (double const size : {0.05, 1.0, 1e-8, 1e8, 3.7})
+        for (double const angle : {0.0, 0.1, 1.5, 3.1, -3.1, -0.7, pi / 2})
+            for (double const t : {0.0, 1e-3, 0.1, 0.25, 1 / 3.0, 0.5, 0.75, 0.99, 1.0}) {
+                Complex const r = std::polar(size, angle), expected = std::polar(std::pow(size, t), t * angle);
+                CHECK(std::abs(number(complex_power(vec(r), t)) - expected) < 1e-10 * std::abs(expected));
+            }
+    CHECK(std::abs(number(harmorph::complex_power({-1, 0}, 0.5)) - Complex(0, 1)) < 1e-15);   // either way is the shorter one
+    CHECK(std::abs(number(harmorph::complex_power({-1, -0.0}, 0.25)) - std::polar(1.0, pi / 4)) < 1e-14);
+}
+
+TEST_CASE("it begins with nothing, ends with the target to the bit, and is continuous") {
+    Case its = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(its, &conformal);
+    std::vector<double> const move = some_move(20, 0.5, 3);
+    Path const path(solved, move);
+    CHECK(same_bits(path.numbers_at(1), move));
+    CHECK(same_bits(path.numbers_at(1.5), move));
+    for (Complex const z : path.at(0)) CHECK(std::abs(z) < 1e-15);
+    CHECK(largest_difference(path.at(1), path.at(1 - 1e-9)) < 1e-7);
+    for (double t = 0; t < 1; t += 0.05) CHECK(largest_difference(path.at(t), path.at(t + 1e-7)) < 1e-6);
+}
+
+TEST_CASE("a similarity is gone through at an even rate: half a turn is a quarter turn in the middle") {
+    Case its = ring_case(4, 16, 0.5, 2);
+    Solved const solved(its, &conformal);
+    for (double const angle : {0.5, 3.1, -2.0})
+        for (double const scale : {1.0, 2.0, 0.3}) {
+            Complex const s = std::polar(scale, angle), shift(0.4, -0.9);
+            Path const path(solved, similarity_move(its.curves, s, {0, 0}, shift));   // about the middle of the points
+            for (double const t : {0.25, 0.5, 0.9}) {
+                std::vector<double> const expected =
+                    similarity_move(its.curves, std::polar(std::pow(scale, t), t * angle), {0, 0}, t * shift);
+                std::vector<double> const found = path.numbers_at(t);
+                CHECK(largest_difference(found, expected) < 1e-11);
+            }
+        }
+    Path const half(solved, similarity_move(its.curves, std::polar(1.0, pi * (1 - 1e-12))));
+    CHECK(largest_difference(half.numbers_at(0.5), similarity_move(its.curves, {0, 1})) < 1e-11);
+}
+
+TEST_CASE("a translation is a straight line; a body that collapses or turns inside out goes straight, too") {
+    Case its = ring_case(4, 16, 0.5, 2);
+    Solved const solved(its, &conformal);
+    for (Complex const s : {Complex(1, 0), Complex(0, 0), Complex(0.01, 0.02)}) {
+        std::vector<double> const move = similarity_move(its.curves, s, 0, {2, 3});
+        Path const path(solved, move);
+        for (double const t : {0.1, 0.5, 0.8}) {
+            std::vector<double> expected;
+            for (double const m : move) expected.push_back(t * m);
+            CHECK(largest_difference(path.numbers_at(t), expected) < 1e-14);
+        }
+        Path const& straight = path;
+        for (Index i = 0; i < 8; ++i) CHECK(std::abs(number(straight.path.weight(i, 0.3)) - 0.3) < 1e-15);
+    }
+}
+
+TEST_CASE("functions with real values cannot turn: the way is straight, whatever the movement is") {
+    Case its = ring_case(4, 16, 0.5, 2);
+    Solved const solved(its);
+    std::vector<double> const move = similarity_move(its.curves, std::polar(1.3, 2.0));
+    Path const path(solved, move);
+    for (double const t : {0.2, 0.7}) {
+        std::vector<double> expected;
+        for (double const m : move) expected.push_back(t * m);
+        CHECK(largest_difference(path.numbers_at(t), expected) < 1e-14);
+    }
+}
+
+TEST_CASE("each body has its own similarity; curves that share control points are one body; rigid ones turn by themselves") {
+    Case its = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(its, &conformal);
+    Complex const a = std::polar(1.0, 2.0), b = std::polar(0.7, -1.0), middle_a(0.5, 0.5), middle_b(1.5, 0.5);
+    auto const move_of = [&](Complex by_a, Complex by_b) {
+        std::vector<double> out;
+        for (std::size_t k = 0; k < its.curves.control.size(); k += 2) {
+            Complex const z(its.curves.control[k], its.curves.control[k + 1]);
+            Complex const d = k < 22 ? (by_a - 1.0) * (z - middle_a) : (by_b - 1.0) * (z - middle_b);
+            out.insert(out.end(), {d.real(), d.imag()});
+        }
+        return out;
+    };
+    Path const two(solved, move_of(a, b));
+    CHECK(largest_difference(two.numbers_at(0.5), move_of(std::polar(1.0, 1.0), std::polar(std::sqrt(0.7), -0.5))) < 1e-12);
+
+    Case tiny = tiny_case();   // the hole's sides as two curves with common ends, named in either order
+    for (bool const first_low : {false, true}) {
+        tiny.curves = CurveSet{};
+        tiny.curves.control = {2, 2, 4, 2, 4, 4, 2, 4};
+        if (first_low) tiny.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+        tiny.curves.add_over(1, {1, 2, 3, 0}, {0, 0, 1, 2, 3, 3});
+        if (!first_low) tiny.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+        tiny.conditions.clear();
+        tiny.put_on_curves(body, 0, 2);
+        Solved const one(tiny, &conformal);
+        Path const path(one, similarity_move(tiny.curves, std::polar(1.0, 1.0), {3, 3}));
+        CHECK(largest_difference(path.numbers_at(0.5), similarity_move(tiny.curves, std::polar(1.0, 0.5), {3, 3})) < 1e-12);
+    }
+
+    Case rigid = two_body_case(Cells::quads, 4, 3);
+    rigid.conditions.pop_back();
+    rigid.set_rigid(second_body, 1.5, 0.5);
+    Solved const with_flap(rigid, &conformal);
+    std::vector<double> move(44, 0.0);
+    move[40] = 0.2;
+    move[42] = b.real() - 1;
+    move[43] = b.imag();
+    Path const flap(with_flap, move);
+    Field const middle = flap.at(0.5);
+    CHECK(std::abs(middle[20] - 0.1) < 1e-15);
+    CHECK(std::abs(middle[21] - (std::polar(std::sqrt(0.7), -0.5) - 1.0)) < 1e-12);
+    move[42] = -1;   // shrunk to nothing: straight, and all numbers finite
+    move[43] = 0;
+    Path const vanishing(with_flap, move);
+    CHECK(std::abs(vanishing.at(0.25)[21] + 0.25) < 1e-15);
+    CHECK(number(vanishing.path.weight(21, 0.5)) == 0.5);
+}
+
+TEST_CASE("weights are the derivative by the target with the similarities held, and complex numbers") {
+    Case its = two_body_case(Cells::quads, 4, 3);
+    Solved const solved(its, &conformal);
+    std::vector<double> move = similarity_move(its.curves, std::polar(1.2, 1.3), {0.7, 0.1}, {0.2, 0});
+    std::vector<double> const extra = some_move(20, 0.05, 5);
+    for (std::size_t k = 0; k < move.size(); ++k) move[k] += extra[k];
+    Path const path(solved, move);
+    for (double const t : {0.2, 0.6, 0.95}) {
+        Field const before = path.at(t);
+        for (Index i = 0; i < 20; ++i) {
+            Complex const by(0.06, 0.08);   // the way is affine in it
+            // The same similarities with a changed target: only D_i changes, by dP_i / r.
+            MovementPath changed = path.path;
+            std::vector<Vec2> drift(20);
+            for (Index k = 0; k < 20; ++k) drift[static_cast<std::size_t>(k)] = path.path.drift[k];
+            Vec2 const ratio = path.path.groups[path.path.group_of[i]].ratio;
+            drift[static_cast<std::size_t>(i)] = vec(number(drift[static_cast<std::size_t>(i)]) + by / number(ratio));
+            changed.drift = span(drift);
+            std::vector<double> moved(40);
+            changed.at(t, span(moved));
+            std::size_t const its_place = static_cast<std::size_t>(i);
+            Complex const found = (Complex(moved[2 * its_place], moved[2 * its_place + 1]) - before[its_place]) / by;
+            CHECK(std::abs(found - number(path.path.weight(i, t))) < 1e-13);
+        }
+    }
+    for (Index i = 0; i < 20; ++i) {
+        CHECK(number(path.path.weight(i, 0)) == 0.0);
+        CHECK(std::abs(number(path.path.weight(i, 1)) - 1.0) < 1e-15);   // the steps' weights sum up to 1
+    }
+}

@@ -1,0 +1,277 @@
+// Periodic pairs: both sides move alike, and one period is all there is to know about many.
+#include <doctest/doctest.h>
+
+#include <fixtures/operators.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
+constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
+
+// A square of 8 x 8 cells round a hole of 2 x 2 on a polygon; its left and right sides are a pair.
+Case cascade(Cells kind, double amplitude = 0.3, unsigned seed = 3) {
+    Case out;
+    out.mesh = square(8, kind, 2, 2);
+    perturb(out.mesh, amplitude, seed);
+    out.curves = polyline({{0.375, 0.375}, {0.625, 0.375}, {0.625, 0.625}, {0.375, 0.625}});
+    out.put_on_curves(body);
+    out.set_periodic(left, right);
+    return out;
+}
+
+// n periods side by side as one, each with a body and four control points of its own. Points of the first keep numbers.
+Case periods(Case const& one, int n) {
+    Case out = one;
+    std::vector<std::int32_t> last(one.mesh.x.size());
+    std::iota(last.begin(), last.end(), 0);
+    std::vector<std::int32_t> const on_left = points_on(one.mesh, left), on_right = points_on(one.mesh, right);
+    auto const partner = [&](std::int32_t point) {
+        for (std::int32_t const k : on_right)
+            if (std::fabs(one.mesh.point(k).y - one.mesh.point(point).y) < 1e-9) return k;
+        return -1;
+    };
+    for (int period = 1; period < n; ++period) {
+        std::vector<std::int32_t> number;
+        for (std::int32_t k = 0; k < one.mesh.n_points(); ++k) {
+            bool const shared = std::find(on_left.begin(), on_left.end(), k) != on_left.end();
+            Point const p = one.mesh.point(k);
+            number.push_back(shared ? last[static_cast<std::size_t>(partner(k))] : out.mesh.add_point({p.x + period, p.y}));
+        }
+        auto const at = [&](std::int32_t k) { return number[static_cast<std::size_t>(k)]; };
+        for (std::size_t cell = 0; cell + 1 < one.mesh.cell_start.size(); ++cell) {
+            for (std::int32_t k = one.mesh.cell_start[cell]; k < one.mesh.cell_start[cell + 1]; ++k)
+                out.mesh.cells.push_back(at(one.mesh.cells[static_cast<std::size_t>(k)]));
+            out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
+        }
+        std::size_t const n_faces = out.mesh.face_markers.size();
+        for (std::size_t face = 0; face < n_faces; ++face)   // the right end is inside now
+            if (out.mesh.face_markers[face] == right) out.mesh.face_markers[face] = -1;
+        for (std::size_t face = 0; face < one.mesh.face_markers.size(); ++face) {
+            std::int32_t const marker = one.mesh.face_markers[face];
+            if (marker == left) continue;
+            out.mesh.add_face(at(one.mesh.faces[2 * face]), at(one.mesh.faces[2 * face + 1]),
+                              marker == body ? 100 + period : marker);
+        }
+        std::vector<std::int32_t> faces, markers;
+        for (std::size_t face = 0; face < out.mesh.face_markers.size(); ++face) {
+            if (out.mesh.face_markers[face] == -1) continue;
+            faces.insert(faces.end(), {out.mesh.faces[2 * face], out.mesh.faces[2 * face + 1]});
+            markers.push_back(out.mesh.face_markers[face]);
+        }
+        out.mesh.faces = faces;
+        out.mesh.face_markers = markers;
+        double const x = period;
+        out.curves.add(polyline({{0.375 + x, 0.375}, {0.625 + x, 0.375}, {0.625 + x, 0.625}, {0.375 + x, 0.625}}));
+        out.put_on_curves(100 + period, period);
+        last = number;
+    }
+    return out;
+}
+
+std::vector<double> repeated(std::vector<double> const& move, int n) {
+    std::vector<double> out;
+    for (int k = 0; k < n; ++k) out.insert(out.end(), move.begin(), move.end());
+    return out;
+}
+
+hm_status refused(Case& its, const char* words, std::int32_t item) {
+    hm_options const options = options_of(HM_CONFORMAL);
+    Attempt const attempt(its.problem(), &options);
+    INFO(attempt.error.text);
+    CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
+    CHECK(attempt.error.item == item);
+    return attempt.status;
+}
+
+}  // namespace
+
+TEST_CASE("both sides move alike, to the last bit, and not only along the wall") {
+    for (std::int32_t const operator_kind : operators)
+        for (Cells const kind : kinds) {
+            Case its = cascade(kind);
+            hm_options const options = options_of(operator_kind);
+            Solved const solved(its, &options);
+            Field const moved = displacement(solved, some_move(4, 1, 4));
+            for (std::size_t j = 0; j <= 8; ++j) {
+                std::vector<std::int32_t> const l = points_on(its.mesh, left), r = points_on(its.mesh, right);
+                Complex const a = moved[static_cast<std::size_t>(l[j])], b = moved[static_cast<std::size_t>(r[j])];
+                CHECK(a == b);
+                CHECK((j == 0 || j == 8 ? a == 0.0 : std::abs(a) > 1e-3));   // top and bottom are fixed
+            }
+        }
+}
+
+TEST_CASE("two and three periods with bodies that move alike are one period, repeated") {
+    for (std::int32_t const operator_kind : operators)
+        for (Cells const kind : kinds)
+            for (int const n : {2, 3}) {
+                Case one = cascade(kind), many = periods(one, n);
+                hm_options const options = options_of(operator_kind);
+                Solved const a(one, &options), b(many, &options);
+                std::vector<double> const move = some_move(4, 0.3, 5);
+                Field const expected = displacement(a, move);
+                Field found = displacement(b, repeated(move, n));
+                found.resize(expected.size());
+                // Weights see the bodies of all periods where there are several, and one where there is one.
+                bool const weighted = operator_kind != HM_LAPLACE;
+                CHECK(largest_difference(found, expected) < (weighted ? 1e-2 : 1e-13));
+                Case fixed = one;
+                fixed.conditions.pop_back();
+                Solved const c(fixed, &options);
+                CHECK(largest_difference(displacement(c, move), expected) > 3e-2);
+            }
+}
+
+TEST_CASE("without a weight the conformal functions of several periods are those of one, too") {
+    Case one = cascade(Cells::hybrid), two = periods(one, 2);
+    hm_options const options = options_of(HM_CONFORMAL, HM_NO_WEIGHT);
+    Solved const a(one, &options), b(two, &options);
+    std::vector<double> const move = some_move(4, 0.3, 6);
+    Field const expected = displacement(a, move);
+    Field found = displacement(b, repeated(move, 2));
+    found.resize(expected.size());
+    CHECK(largest_difference(found, expected) < 1e-13);
+}
+
+TEST_CASE("numbering and orientation, which marker is named, and a pair of slanting sides do not matter") {
+    Case const origin = cascade(Cells::hybrid);
+    hm_options const options = options_of(HM_CONFORMAL);
+    std::vector<double> const move = some_move(4, 0.3, 7);
+    Case its = origin;
+    Solved const reference(its, &options);
+    Field const expected = displacement(reference, move);
+
+    Case changed = origin;
+    changed.conditions.pop_back();
+    changed.set_periodic(right, left);
+    CHECK(largest_difference(displacement(Solved(changed, &options), move), expected) < 1e-13);
+
+    changed = origin;
+    std::vector<std::int32_t> const new_of = renumber_points(changed.mesh, 8);
+    shuffle_cells(changed.mesh, 9);
+    reverse_some(changed.mesh, 10);
+    reverse_some_faces(changed.mesh, 11);
+    Field const mangled = displacement(Solved(changed, &options), move);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        CHECK(std::abs(mangled[static_cast<std::size_t>(new_of[k])] - expected[k]) < 1e-12);
+
+    Complex const turn = std::polar(2.0, 0.8);
+    changed = similar(origin, turn, {3, 4});
+    Field const turned_field = displacement(Solved(changed, &options), turned(move, turn));
+    for (std::size_t k = 0; k < expected.size(); ++k) CHECK(std::abs(turned_field[k] / turn - expected[k]) < 1e-12);
+
+    changed = origin;   // sheared: the sides are slanting, and still translates
+    for (std::size_t k = 0; k < changed.mesh.x.size(); ++k) changed.mesh.x[k] += 0.3 * changed.mesh.y[k];
+    for (std::size_t k = 0; k < changed.curves.control.size(); k += 2)
+        changed.curves.control[k] += 0.3 * changed.curves.control[k + 1];
+    Solved const sheared(changed, &options);
+    Field const moved = displacement(sheared, move);
+    for (std::size_t j = 0; j <= 8; ++j)
+        CHECK(moved[static_cast<std::size_t>(points_on(changed.mesh, left)[j])] ==
+              moved[static_cast<std::size_t>(points_on(changed.mesh, right)[j])]);
+}
+
+TEST_CASE("two pairs: the four corners are one point, and a translation of the body moves the whole mesh") {
+    for (std::int32_t const operator_kind : operators) {
+        Case its = cascade(Cells::hybrid);
+        its.set_periodic(top, bottom);
+        hm_options const options = options_of(operator_kind);
+        Solved const solved(its, &options);
+        Field const moved = displacement(solved, some_move(4, 0.2, 12));
+        std::size_t const last = moved.size() - 1;   // the corners: the mesh's first and last points, and two more
+        std::vector<std::int32_t> const b = points_on(its.mesh, bottom), t = points_on(its.mesh, top);
+        CHECK((moved[0] == moved[last] && moved[static_cast<std::size_t>(b.back())] == moved[0]));
+        CHECK(moved[static_cast<std::size_t>(t.front())] == moved[0]);
+        CHECK(std::abs(moved[0]) > 1e-3);
+        Field const translated = displacement(solved, similarity_move(its.curves, 1, 0, {0.5, -1}));
+        for (Complex const d : translated) CHECK(std::abs(d - Complex(0.5, -1)) < 1e-12);
+    }
+}
+
+TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
+    Case its = cascade(Cells::hybrid);
+    its.set_slip(top);
+    hm_options options = options_of(HM_CONFORMAL);
+    Solved const slipping(its, &options);
+    Field const moved = displacement(slipping, some_move(4, 0.2, 13));
+    std::size_t const corner[] = {moved.size() - 9, moved.size() - 1};
+    CHECK((moved[corner[0]] == moved[corner[1]] && moved[corner[0]].imag() == 0 && std::abs(moved[corner[0]]) > 1e-4));
+    its.conditions.back().kind = HM_FREE;
+    options = options_of(HM_LAPLACE);
+    Solved const free_top(its, &options);
+    Field const freely = displacement(free_top, some_move(4, 0.2, 13));
+    CHECK((freely[corner[0]] == freely[corner[1]] && std::fabs(freely[corner[0]].imag()) > 1e-4));
+}
+
+TEST_CASE("what is no pair is refused, with the place") {
+    Case const good = cascade(Cells::quads);
+    Case its = good;
+    its.mesh.y[static_cast<std::size_t>(points_on(its.mesh, right)[4])] += 1e-4;
+    hm_options const options = options_of(HM_CONFORMAL);
+    {
+        Attempt const attempt(its.problem(), &options);
+        CHECK(attempt.status == HM_BAD_CONDITION);
+        CHECK(std::string(attempt.error.text).find("no translates") != std::string::npos);
+        std::int32_t const l = points_on(its.mesh, left)[4], r = points_on(its.mesh, right)[4];
+        CHECK((attempt.error.item == l || attempt.error.item == r));
+        CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
+    }
+    its = good;   // coordinates rounded as in a file
+    for (std::int32_t const point : points_on(its.mesh, right)) its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
+    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+
+    its = good;   // a side of another number of points
+    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
+        Point const a = its.mesh.point(its.mesh.faces[2 * face]);
+        if (its.mesh.face_markers[face] == right && a.y > 0.8) its.mesh.face_markers[face] = 50;
+    }
+    CHECK(refused(its, "same number of points", left) == HM_BAD_CONDITION);
+
+    its = good;   // two pieces
+    for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
+        Point const a = its.mesh.point(its.mesh.faces[2 * face]);
+        if (its.mesh.face_markers[face] == right && std::fabs(a.y - 0.5) < 0.01) its.mesh.face_markers[face] = 50;
+    }
+    CHECK(refused(its, "not one open piece", right) == HM_BAD_CONDITION);
+
+    its = two_body_case(Cells::quads, 4, 3);   // closed
+    its.conditions.pop_back();
+    its.set_periodic(second_body, far_field);
+    CHECK(refused(its, "not one open piece", second_body) == HM_BAD_CONDITION);
+
+    its = good;   // of conditions
+    its.conditions.back().partner = left;
+    CHECK(refused(its, "its own periodic partner", left) == HM_BAD_CONDITION);
+    its = good;
+    its.set_slip(right);
+    CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
+    its = good;
+    its.set_periodic(right, left);
+    CHECK(refused(its, "condition of its own", right) == HM_BAD_CONDITION);
+    its = good;
+    its.conditions.back().partner = 99;
+    CHECK(refused(its, "no boundary face has it", left) == HM_BAD_CONDITION);
+
+    its = good;   // a wall that ends on the pair
+    its.curves.add([] {
+        Spline floor;
+        floor.degree = 1;
+        floor.knots = {0, 0, 1, 1};
+        floor.control = {0, 0, 1, 0};
+        return floor;
+    }());
+    its.put_on_curves(bottom, 1);
+    Attempt const attempt(its.problem(), &options);
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    CHECK(std::string(attempt.error.text).find("a wall that moves") != std::string::npos);
+    CHECK((attempt.error.item == 0 || attempt.error.item == 8));
+}
+
+TEST_CASE("a side that is the partner of two others") {
+    Case its = cascade(Cells::quads);
+    its.set_periodic(top, right);   // right is left's partner already, and no translate of the top
+    hm_options const options = options_of(HM_CONFORMAL);
+    CHECK(Attempt(its.problem(), &options).status == HM_BAD_CONDITION);
+}

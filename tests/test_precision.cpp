@@ -1,0 +1,83 @@
+// A factor in single precision, and functions refined to what double precision gives.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+#include <fixtures/o_mesh.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+hm_options with(std::int32_t operator_kind, std::int32_t precision) {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = operator_kind;
+    out.precision = precision;
+    return out;
+}
+
+double largest_difference_of_all(Solved const& a, Solved const& b) {
+    double worst = 0;
+    hm_basis_info const info = a.info();
+    std::vector<double> p(static_cast<std::size_t>(info.points)), q = p;
+    for (std::int32_t function = 0; function < info.functions; ++function)
+        for (std::int32_t number = 0; number < info.numbers_per_value; ++number) {
+            REQUIRE(hm_basis_values(a.basis, function, number, p.data(), nullptr) == HM_OK);
+            REQUIRE(hm_basis_values(b.basis, function, number, q.data(), nullptr) == HM_OK);
+            worst = std::fmax(worst, largest_difference(p, q));
+        }
+    return worst;
+}
+
+// The functions are those of double precision.
+void check_same(Case& its, std::int32_t operator_kind, double tolerance) {
+    hm_options const in_double = with(operator_kind, HM_DOUBLE), in_single = with(operator_kind, HM_SINGLE);
+    Solved const exact(its, &in_double), refined(its, &in_single);
+    INFO("operator " << operator_kind << ": " << refined.report.refinements << " steps to " << refined.report.residual);
+    CHECK(refined.report.residual < 1e-12);
+    CHECK(refined.report.refinements >= 1);
+    CHECK(refined.report.refinements <= 4);
+    CHECK(largest_difference_of_all(exact, refined) < tolerance);
+    CHECK(refined.report.boundary_error < 1e-15);
+}
+
+}  // namespace
+
+TEST_CASE("real, complex and weighted functions, more of them than are refined at a time") {
+    for (int const n_control : {5, 31})
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
+            Case its = ring_case(14, 62, 0.5, 2, Cells::hybrid, 3, n_control);
+            check_same(its, operator_kind, 1e-11);
+        }
+}
+
+TEST_CASE("viscous meshes: entries of the matrix that differ by eight orders") {
+    Case its = airfoil_case();
+    HybridOptions options;
+    options.first = 1e-5;
+    options.layers = 25;
+    its.mesh = hybrid_mesh(naca4(Naca4{}, 60), options);
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-9);
+}
+
+TEST_CASE("the plan takes less than two thirds of the memory") {
+    Case its = ring_case(40, 200, 0.5, 2, Cells::quads, 3, 20);
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        std::size_t bytes[2] = {};
+        for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
+            hm_options const options = with(operator_kind, precision);
+            Solved const solved(its, &options);
+            bytes[precision] = solved.plan_block->size();
+        }
+        INFO(bytes[HM_DOUBLE] << " and " << bytes[HM_SINGLE] << " bytes");
+        CHECK(3 * bytes[HM_SINGLE] < 2 * bytes[HM_DOUBLE]);
+    }
+}
+
+TEST_CASE("an unknown precision is refused") {
+    Case its = tiny_case();
+    for (std::int32_t const precision : {-1, 2}) {
+        hm_options const options = with(HM_LAPLACE, precision);
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    }
+}

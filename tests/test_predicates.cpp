@@ -1,0 +1,118 @@
+// Signs of determinants: against whole numbers where they fit, and against geometry where nothing fits.
+#include <doctest/doctest.h>
+
+#include <fixtures/perturb.hpp>
+
+#include <harmorph/predicates.hpp>
+
+using harmorph::Vec2;
+using harmorph::in_circle_sign;
+using harmorph::orientation_sign;
+
+namespace {
+
+__extension__ typedef __int128 Whole;   // products of four differences below 2^30 fit
+
+struct GridPoint {
+    std::int64_t x, y;
+};
+GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
+Whole cross(GridPoint a, GridPoint b) { return Whole(a.x) * b.y - Whole(a.y) * b.x; }
+Whole square(GridPoint a) { return Whole(a.x) * a.x + Whole(a.y) * a.y; }
+int sign(Whole value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+
+int orientation_sign(GridPoint a, GridPoint b, GridPoint c) { return sign(cross(a - c, b - c)); }
+int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+    GridPoint const p = a - d, q = b - d, r = c - d;
+    return sign(square(p) * cross(q, r) + square(q) * cross(r, p) + square(r) * cross(p, q));
+}
+
+Vec2 at(GridPoint p, double scale) { return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)}; }
+
+std::int64_t below(std::mt19937& random, std::int64_t end) {
+    return static_cast<std::int64_t>(fixtures::uniform(random) * static_cast<double>(end));
+}
+
+// Any exponent a double can have, subnormals included, either sign, 0 now and then.
+double any_number(std::mt19937& random) {
+    if (random() % 8 == 0) return 0;
+    double const mantissa = 1 + fixtures::uniform(random);
+    double const size = std::ldexp(mantissa, static_cast<int>(random() % 2090) - 1067);
+    return random() % 2 == 0 ? size : -size;
+}
+
+}  // namespace
+
+TEST_CASE("signs are those of whole numbers, in any unit of length") {
+    std::mt19937 random(1);
+    int degenerate = 0, wrong = 0;
+    for (int round = 0; round < 20000; ++round) {
+        // Few points on a line or a circle by chance: small numbers, and a fourth point mirrored or one step off.
+        std::int64_t const size = round % 2 == 0 ? 8 : 20000, far = round % 3 == 0 ? 1 << 28 : 0;
+        GridPoint p[4];
+        for (GridPoint& one : p) one = {far + below(random, size), far + below(random, size)};
+        if (round % 5 == 0) p[3] = {p[0].x + p[1].x - p[2].x, p[0].y + p[1].y - p[2].y};
+        if (round % 7 == 0) p[2] = {2 * p[1].x - p[0].x, 2 * p[1].y - p[0].y};
+        int const turn = orientation_sign(p[0], p[1], p[2]), circle = in_circle_sign(p[0], p[1], p[2], p[3]);
+        degenerate += (turn == 0 || circle == 0) ? 1 : 0;
+        for (double const scale : {1.0, 0x1p-900, 0x1p900, 0x1p-1074, 0x1p994, 0x1p-300, 3.0}) {
+            Vec2 q[4];
+            for (int k = 0; k < 4; ++k) q[k] = at(p[k], scale);   // 3 times a number below 2^30 is exact as well
+            wrong += orientation_sign(q[0], q[1], q[2]) != turn;
+            wrong += in_circle_sign(q[0], q[1], q[2], q[3]) != circle;
+        }
+    }
+    CHECK(wrong == 0);
+    CHECK(degenerate > 2000);
+}
+
+TEST_CASE("a line through numbers that no double can hold the products of") {
+    // (k, k) for neighbouring doubles k lie on one line; a step of one unit beside it decides.
+    double const a = 0.1, b = std::nextafter(a, 1), c = std::nextafter(b, 1);
+    CHECK(orientation_sign(Vec2{a, a}, Vec2{b, b}, Vec2{c, c}) == 0);
+    CHECK(orientation_sign(Vec2{a, a}, Vec2{b, b}, Vec2{c, std::nextafter(c, 1)}) == 1);
+    CHECK(orientation_sign(Vec2{a, a}, Vec2{1e300, 1e300}, Vec2{b, b}) == 0);
+    CHECK(orientation_sign(Vec2{a, a}, Vec2{1e300, 1e300}, Vec2{b, c}) == 1);
+    CHECK(orientation_sign(Vec2{0, 0}, Vec2{1e300, 0}, Vec2{-1e300, 5e-324}) == 1);
+    CHECK(orientation_sign(Vec2{0, 0}, Vec2{1e300, 0}, Vec2{-1e300, -5e-324}) == -1);
+    double const most = 1.7976931348623157e308;
+    CHECK(orientation_sign(Vec2{-most, -most}, Vec2{most, -most}, Vec2{most, most}) == 1);
+}
+
+TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
+    double const tiny = 5e-324;
+    for (double const r : {1e300, 1.0, 1e-300}) {
+        Vec2 const a{r, 0}, b{0, r}, c{-r, 0};
+        CHECK(in_circle_sign(a, b, c, Vec2{0, -r}) == 0);
+        CHECK(in_circle_sign(a, b, c, Vec2{0, -std::nextafter(r, 0)}) == 1);
+        CHECK(in_circle_sign(a, b, c, Vec2{0, -std::nextafter(r, 2 * r)}) == -1);
+        CHECK(in_circle_sign(a, b, c, Vec2{tiny, -r}) == -1);
+        CHECK(in_circle_sign(a, b, c, Vec2{tiny, 0}) == 1);
+        // Through (r, h), (0, r), (-r, 0) the centre is (t, -t), t = h^2 / (4 r - 2 h): a larger circle for either sign of h.
+        CHECK(in_circle_sign(Vec2{r, tiny}, b, c, Vec2{0, -r}) == 1);
+        CHECK(in_circle_sign(Vec2{r, -tiny}, b, c, Vec2{0, -r}) == 1);
+    }
+}
+
+TEST_CASE("swapping two points changes the sign, whatever the sizes") {
+    std::mt19937 random(2);
+    int not_zero = 0, wrong = 0;
+    for (int round = 0; round < 3000; ++round) {
+        Vec2 p[4];
+        for (Vec2& one : p) one = {any_number(random), any_number(random)};
+        int const turn = orientation_sign(p[0], p[1], p[2]);
+        wrong += orientation_sign(p[1], p[0], p[2]) != -turn;
+        wrong += orientation_sign(p[1], p[2], p[0]) != turn;
+        int const circle = in_circle_sign(p[0], p[1], p[2], p[3]);
+        not_zero += circle != 0;
+        wrong += in_circle_sign(p[1], p[0], p[2], p[3]) != -circle;
+        wrong += in_circle_sign(p[0], p[1], p[3], p[2]) != -circle;
+        wrong += in_circle_sign(p[1], p[2], p[3], p[0]) != -circle;
+        wrong += in_circle_sign(p[0], p[1], p[2], p[0]) != 0;
+        // x and y change places: a reflection.
+        Vec2 const m[] = {{p[0].y, p[0].x}, {p[1].y, p[1].x}, {p[2].y, p[2].x}, {p[3].y, p[3].x}};
+        wrong += in_circle_sign(m[0], m[1], m[2], m[3]) != -circle;
+    }
+    CHECK(wrong == 0);
+    CHECK(not_zero > 1500);
+}

@@ -1,0 +1,121 @@
+// The region round chosen cells, against distances counted the slow way.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/mangle.hpp>
+#include <fixtures/square.hpp>
+
+#include <harmorph/region.hpp>
+
+#include <set>
+
+using namespace fixtures;
+using harmorph::Index;
+using harmorph::Region;
+
+namespace {
+
+struct Grown {
+    Mesh mesh;
+    harmorph::Mesh view;
+    std::vector<std::uint8_t> held;
+    Analysed analysed;
+    std::vector<unsigned char> block;
+    harmorph::Tangle tangle;
+    Region region;
+
+    explicit Grown(Mesh const& its_mesh)
+        : mesh(its_mesh), view(core_mesh(mesh)), held(mesh.x.size(), 0), analysed(mesh) {
+        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+        auto const counts = harmorph::RegionCounts::of(view, analysed->edges);
+        harmorph::Arena query;
+        region.lay_out(query, counts);
+        block.resize(query.bytes());
+        harmorph::Arena arena(block.data(), block.size());
+        region.lay_out(arena, counts);
+        tangle = {view, view.points, analysed->reversed, analysed->representative, span(held)};
+        region.link(tangle);
+    }
+    std::set<Index> corners(Index cell) const {
+        harmorph::Cell const its = view.cell(cell);
+        return {its.point, its.point + its.n};
+    }
+    // Points within `layers` cells of a cell.
+    std::set<Index> near(Index cell, int layers) const {
+        std::set<Index> out = corners(cell);
+        for (int layer = 0; layer < layers; ++layer) {
+            std::set<Index> const before = out;
+            for (Index i = 0; i < view.n_cells; ++i) {
+                std::set<Index> const its = corners(i);
+                bool touches = false;
+                for (Index const point : its) touches = touches || before.count(point) != 0;
+                if (touches) out.insert(its.begin(), its.end());
+            }
+        }
+        return out;
+    }
+};
+
+Mesh numbered_anyhow(int n) {
+    Mesh mesh = square(n, Cells::hybrid, 2, 2);
+    add_unused(mesh, 3, 4);
+    shuffle_cells(mesh, 5);
+    reverse_some(mesh, 6);
+    return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("unknowns are the points within so many cells that are not held; cells and neighbours are theirs") {
+    Grown its(numbered_anyhow(12));
+    for (Index const seed : {3, 60, 140})
+        for (int const layers : {1, 2, 4, 300}) {
+            its.region.choose([&](Index cell) { return cell == seed; });
+            its.region.grow(its.tangle, layers);
+            std::set<Index> wanted;
+            for (Index const point : its.near(seed, layers < 300 ? layers : 40))
+                if (its.held[static_cast<std::size_t>(point)] == 0) wanted.insert(point);
+            Region const& region = its.region;
+            CHECK(std::set<Index>(region.point.begin(), region.point.begin() + region.n) == wanted);
+            for (Index u = 0; u < region.n; ++u) CHECK(region.unknown[region.point[u]] == u);
+
+            std::set<Index> cells;
+            std::vector<std::set<Index>> neighbours(static_cast<std::size_t>(region.n));
+            for (Index i = 0; i < its.view.n_cells; ++i)
+                for (Index const a : its.corners(i)) {
+                    if (region.unknown[a] == harmorph::none) continue;
+                    cells.insert(i);
+                    for (Index const b : its.corners(i)) {
+                        Index const v = region.unknown[b];
+                        if (v != harmorph::none) neighbours[static_cast<std::size_t>(region.unknown[a])].insert(v);
+                    }
+                }
+            CHECK(region.n_cells == static_cast<Index>(cells.size()));
+            CHECK(std::set<Index>(region.cell.begin(), region.cell.begin() + region.n_cells) == cells);
+            for (Index u = 0; u < region.n; ++u) {
+                auto const row = region.of(u);
+                CHECK(row[0] == u);
+                CHECK(std::set<Index>(row.begin(), row.end()) == neighbours[static_cast<std::size_t>(u)]);
+                CHECK(row.size() == neighbours[static_cast<std::size_t>(u)].size());
+            }
+        }
+}
+
+TEST_CASE("the whole mesh fills the room of the pairs to the last one when nothing is held") {
+    Grown its(numbered_anyhow(8));
+    std::fill(its.held.begin(), its.held.end(), std::uint8_t{0});
+    its.region.choose([](Index) { return false; });
+    its.region.grow(its.tangle, Region::whole);
+    CHECK(its.region.n == its.mesh.n_points() - 3);
+    CHECK(its.region.n_cells == its.view.n_cells);
+    CHECK(its.region.start[its.region.n] == its.region.neighbour.count() - 3);   // less those of unused points
+}
+
+TEST_CASE("cells are kept in order") {
+    Grown its(numbered_anyhow(6));
+    its.region.choose([](Index cell) { return cell % 2 == 0; });
+    CHECK(its.region.n_cells == (its.view.n_cells + 1) / 2);
+    its.region.keep([](Index cell) { return cell % 3 == 0; });
+    for (Index k = 0; k < its.region.n_cells; ++k) CHECK(its.region.cell[k] == 6 * k);
+    CHECK(its.region.n_cells == (its.view.n_cells + 5) / 6);
+}

@@ -1,0 +1,313 @@
+// Untangling: meshes with inverted cells come out valid, with their boundary as it was; what cannot be is refused.
+#include <doctest/doctest.h>
+
+#include <fixtures/airfoil.hpp>
+#include <fixtures/annulus.hpp>
+#include <fixtures/c_mesh.hpp>
+#include <fixtures/core.hpp>
+#include <fixtures/executors.hpp>
+#include <fixtures/guarded.hpp>
+#include <fixtures/mangle.hpp>
+#include <fixtures/square.hpp>
+
+#include <harmorph/untangle.hpp>
+
+using namespace fixtures;
+using harmorph::Status;
+using harmorph::UntangleOptions;
+using harmorph::UntangleReport;
+using harmorph::Untangling;
+
+namespace {
+
+// Where the points of a mesh are to be, and where they are.
+struct Tangled {
+    Mesh reference, now;
+    std::vector<std::uint8_t> held;
+
+    explicit Tangled(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
+        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+    }
+    bool is_held(std::size_t k) const { return held[k] != 0; }
+    // Inner points go anywhere within `reach`.
+    void scatter(double reach, unsigned seed) {
+        std::mt19937 random(seed);
+        for (std::size_t k = 0; k < held.size(); ++k) {
+            double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1;
+            if (is_held(k)) continue;
+            now.x[k] += reach * dx;
+            now.y[k] += reach * dy;
+        }
+    }
+    // The points of one marker turn about the origin; the others stay.
+    void turn(std::int32_t marker, double angle) {
+        double const c = std::cos(angle), s = std::sin(angle);
+        std::vector<char> turned(held.size(), 0);
+        for (std::size_t k = 0; k < now.faces.size(); ++k)
+            if (now.face_markers[k / 2] == marker) turned[static_cast<std::size_t>(now.faces[k])] = 1;
+        for (std::size_t k = 0; k < turned.size(); ++k) {
+            if (turned[k] == 0) continue;
+            Point const p = reference.point(static_cast<std::int32_t>(k));
+            now.x[k] = c * p.x - s * p.y;
+            now.y[k] = s * p.x + c * p.y;
+        }
+    }
+};
+
+struct Outcome {
+    Status status = Status::ok;
+    UntangleReport report;
+    harmorph::Fault fault;
+    Mesh mesh;   // afterwards
+    Analysed analysed;
+
+    explicit Outcome(Tangled const& its, UntangleOptions const& options = {}, harmorph::Executor const& executor = {})
+        : mesh(its.now), analysed(its.reference) {
+        harmorph::Mesh const view = core_mesh(its.reference);
+        auto const counts = harmorph::RegionCounts::of(view, analysed->edges);
+        Untangling untangling;
+        harmorph::Arena query;
+        untangling.lay_out(query, counts);
+        Guarded block(query.bytes());
+        harmorph::Arena arena(block.data(), query.bytes());
+        untangling.lay_out(arena, counts);
+        CHECK((!arena.overflown() && arena.bytes() == query.bytes()));
+        untangling.tangle = {view, view.points, analysed->reversed, analysed->representative, span(its.held)};
+        untangling.executor = executor;
+        status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
+        CHECK(block.guards_intact());
+    }
+
+    // Corner areas relative to the reference's; of corners that can move.
+    double smallest(Tangled const& its) const {
+        double least = HUGE_VAL;
+        harmorph::Mesh const view = core_mesh(its.reference);
+        for (std::int32_t i = 0; i < view.n_cells; ++i) {
+            harmorph::Cell const cell = view.cell(i);
+            for (std::int32_t k = 0; k < cell.n; ++k) {
+                std::int32_t const a = cell.point[k], b = cell.next(k), c = cell.previous(k);
+                auto const fixed = [&](std::int32_t p) { return its.is_held(static_cast<std::size_t>(p)); };
+                if (fixed(a) && fixed(b) && fixed(c)) continue;
+                auto const area = [&](Mesh const& of) { return twice_area(of.point(a), of.point(b), of.point(c)); };
+                least = std::fmin(least, area(mesh) / area(its.reference));
+            }
+        }
+        return least;
+    }
+    bool same_bits(Mesh const& other) const { return mesh.x == other.x && mesh.y == other.y; }
+};
+
+void check_repaired(Tangled const& its, Outcome const& out, int at_least_inverted) {
+    INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations << ", smallest "
+                     << out.report.smallest);
+    CHECK(out.report.inverted_before >= at_least_inverted);
+    CHECK((out.status == Status::ok && out.report.left == 0));
+    CHECK(out.smallest(its) >= UntangleOptions{}.margin);
+    bool boundary_stays = true;
+    for (std::size_t k = 0; k < its.held.size(); ++k) {
+        bool const stays = out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k];
+        boundary_stays = boundary_stays && (stays || !its.is_held(k));
+    }
+    CHECK(boundary_stays);
+}
+
+Tangled twisted_annulus(Cells kind, double angle) {
+    Tangled its(annulus(16, 64, 0.4, 2, kind, true));
+    its.turn(body, angle);
+    return its;
+}
+
+}  // namespace
+
+TEST_CASE("squares whose inner points were thrown about come out valid") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Tangled its(square(40, kind));
+        its.scatter(2.0 / 40, 5);
+        check_repaired(its, Outcome(its), 1000);
+    }
+}
+
+TEST_CASE("rings whose inner circle turns come out valid") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+        for (double const angle : {0.5, 1.0, -2.0}) {
+            Tangled const its = twisted_annulus(kind, angle);
+            check_repaired(its, Outcome(its), 64);
+        }
+}
+
+TEST_CASE("viscous layers whose airfoil turns under them come out valid") {
+    Tangled its(o_mesh(naca4({}, 40), stretched(1e-4, 10, 30), Cells::hybrid));
+    for (double const angle : {0.05, 0.3}) {
+        its.turn(body, angle);
+        check_repaired(its, Outcome(its), 40);
+    }
+}
+
+TEST_CASE("a valid mesh is left alone, bit by bit, however bad it is") {
+    Tangled its(square(12, Cells::hybrid));
+    perturb(its.now, 0.6, 3);
+    Outcome const out(its);
+    CHECK((out.status == Status::ok && out.report.inverted_before == 0 && out.report.iterations == 0));
+    CHECK(out.same_bits(its.now));
+}
+
+TEST_CASE("few inverted cells: what is far from them does not move") {
+    Tangled its(square(60, Cells::hybrid));
+    std::size_t const inner = 61 * 20 + 20;
+    its.now.x[inner] += 2.5 / 60;
+    UntangleOptions options;
+    options.layers = 3;
+    Outcome const out(its, options);
+    check_repaired(its, out, 2);
+    CHECK(out.report.regions == 1);
+    CHECK(out.report.unknowns < 100);
+    double farthest = 0;   // in cells
+    for (std::size_t k = 0; k < its.held.size(); ++k) {
+        if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
+        Point const p = its.reference.point(static_cast<std::int32_t>(k));
+        farthest = std::fmax(farthest, 60 * std::fmax(std::fabs(p.x - 20 / 60.0), std::fabs(p.y - 20 / 60.0)));
+    }
+    CHECK(farthest > 0.5);
+    CHECK(farthest < 7.5);
+}
+
+TEST_CASE("a region that is too small is given up for a larger one") {
+    Tangled const its = twisted_annulus(Cells::triangles, 1.0);
+    UntangleOptions options;
+    options.layers = 1;
+    options.iterations_in_part = 5;
+    Outcome const out(its, options);
+    check_repaired(its, out, 64);
+    CHECK(out.report.regions > 1);
+    CHECK(out.report.iterations > 5);
+}
+
+TEST_CASE("turned, moved and scaled meshes are repaired in the same way") {
+    Tangled const its = twisted_annulus(Cells::hybrid, 0.6);
+    Outcome const expected(its);
+    struct Similarity {
+        double scale, angle, x, y;
+    };
+    for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
+                                Similarity{1e-7, 2, 1e-7, 0}}) {
+        auto const image = [&](Mesh const& mesh) {
+            Mesh out = mesh;
+            double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
+            for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+                out.x[k] = c * mesh.x[k] - s * mesh.y[k] + by.x;
+                out.y[k] = s * mesh.x[k] + c * mesh.y[k] + by.y;
+            }
+            return out;
+        };
+        Tangled moved = its;
+        moved.reference = image(its.reference);
+        moved.now = image(its.now);
+        Outcome const found(moved);
+        CHECK(found.report.iterations == expected.report.iterations);
+        Mesh const wanted = image(expected.mesh);
+        double worst = 0;
+        for (std::size_t k = 0; k < wanted.x.size(); ++k)
+            worst = std::fmax(worst, distance(wanted.point(static_cast<std::int32_t>(k)),
+                                              found.mesh.point(static_cast<std::int32_t>(k))));
+        CHECK(worst < 1e-9 * by.scale);
+    }
+}
+
+TEST_CASE("a power of two changes no bit") {
+    Tangled its = twisted_annulus(Cells::hybrid, 0.6);
+    Outcome const expected(its);
+    for (std::vector<double>* const list : {&its.reference.x, &its.reference.y, &its.now.x, &its.now.y})
+        for (double& value : *list) value *= 0x1p20;
+    Mesh wanted = expected.mesh;
+    for (double& x : wanted.x) x *= 0x1p20;
+    for (double& y : wanted.y) y *= 0x1p20;
+    CHECK(Outcome(its).same_bits(wanted));
+}
+
+TEST_CASE("other numberings, cells that start elsewhere, and mixed orientation are repaired too") {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        Tangled const plain = twisted_annulus(Cells::hybrid, 0.7);
+        Mesh both = plain.reference, target = plain.now;
+        for (Mesh* const mesh : {&both, &target}) {
+            renumber_points(*mesh, seed);
+            shuffle_cells(*mesh, seed);
+            rotate_starts(*mesh, seed);
+        }
+        Tangled sorted(both);
+        sorted.now = target;
+        check_repaired(sorted, Outcome(sorted), 64);
+
+        Tangled mixed = sorted;
+        reverse_some(mixed.reference, seed);
+        reverse_some(mixed.now, seed);
+        Outcome const out(mixed);
+        check_repaired(mixed, out, 64);
+        Mesh straight = out.mesh;
+        straight.cells = sorted.now.cells;
+        CHECK(check(straight).min_corner > 0);
+    }
+}
+
+TEST_CASE("the points of a cut move as one") {
+    CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-3, 4, 16));
+    Tangled its(c.mesh);
+    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    for (std::size_t k = 4; k < 8; ++k) {   // both copies of four points in the wake go up by some layers
+        for (std::size_t const point : {k, ni - 1 - k}) its.now.y[point] += 0.1;
+    }
+    REQUIRE(its.now.y[5] == its.now.y[ni - 6]);
+    Outcome const out(its);
+    check_repaired(its, out, 4);
+    bool moved = false;
+    for (std::size_t k = 0; k < 12; ++k) {
+        CHECK((out.mesh.x[k] == out.mesh.x[ni - 1 - k] && out.mesh.y[k] == out.mesh.y[ni - 1 - k]));
+        moved = moved || out.mesh.y[k] != its.now.y[k];
+    }
+    CHECK(moved);
+}
+
+TEST_CASE("the number of threads changes no bit") {
+    Tangled const its = twisted_annulus(Cells::hybrid, 0.8);
+    Outcome const expected(its);
+    for (std::int32_t const threads : {2, 3, 8}) {
+        Backwards order;
+        harmorph::Executor const executor{Backwards::run, &order, threads};
+        CHECK(Outcome(its, {}, executor).same_bits(expected.mesh));
+        CHECK(order.tasks > 100);
+    }
+}
+
+TEST_CASE("a body that lies across the outer boundary is refused after so many iterations, and nothing has moved") {
+    Tangled its(annulus(8, 32, 0.5, 2, Cells::hybrid, true));
+    for (std::size_t k = 0; k < 32; ++k) its.now.x[k] += 2;
+    UntangleOptions options;
+    options.iterations_in_part = 4;
+    options.iterations_in_whole = 12;
+    Outcome const out(its, options);
+    CHECK(out.status == Status::not_converged);
+    CHECK((out.report.inverted_before > 0 && out.report.left > 0));
+    CHECK(out.report.iterations <= 4 * (out.report.regions - 1) + 12);
+    CHECK(out.report.iterations > 12);
+    CHECK(out.same_bits(its.now));
+}
+
+TEST_CASE("a corner that nothing can move is seen at once") {
+    Tangled its(square(6, Cells::quads));
+    its.now.x[0] = its.now.y[0] = 0.4;   // the square's own corner, folded over its cell's diagonal
+    Outcome const out(its);
+    CHECK((out.status == Status::not_converged && out.report.stuck_cell == 0 && out.report.iterations == 0));
+    CHECK(out.same_bits(its.now));
+}
+
+TEST_CASE("an inverted reference is refused, numbers that are none are not repaired") {
+    Tangled its(square(6, Cells::hybrid));
+    std::swap(its.reference.x[24], its.reference.x[25]);
+    its.scatter(0.3, 1);
+    Outcome const out(its);
+    CHECK((out.status == Status::bad_mesh && out.fault.item >= 0));
+    CHECK(out.same_bits(its.now));
+
+    Tangled undefined(square(6, Cells::hybrid));
+    undefined.now.x[24] = std::nan("");
+    CHECK(Outcome(undefined).status == Status::not_converged);
+}

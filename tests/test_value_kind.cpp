@@ -1,0 +1,281 @@
+// Values of all kinds, real, complex and 2 x 2: one basis, one morph, one adjoint, whatever a value is made of.
+#include <doctest/doctest.h>
+
+#include <fixtures/executors.hpp>
+#include <fixtures/operators.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// A square with a hole on a polygon, and what makes its values real, complex or 2 x 2.
+struct Kind {
+    const char* name;
+    std::int32_t operator_kind;
+    bool rigid, slip;
+    std::int32_t least_numbers;   // fewer cannot express the values
+};
+constexpr Kind kinds[] = {{"Laplace", HM_LAPLACE, false, false, 1},       {"weighted", HM_WEIGHTED, false, false, 1},
+                          {"Laplace, rigid body", HM_LAPLACE, true, false, 2}, {"conformal", HM_CONFORMAL, false, false, 2},
+                          {"conformal, rigid body", HM_CONFORMAL, true, false, 2},
+                          {"Laplace, slip", HM_LAPLACE, false, true, 4}, {"conformal, slip", HM_CONFORMAL, true, true, 4}};
+
+Case case_of(Kind const& kind) {
+    Case out;
+    if (kind.rigid) {
+        out = two_body_case(Cells::hybrid, 4, 3);
+        out.conditions.clear();
+        out.put_on_curves(body, 0);
+        out.set_rigid(second_body, 1.5, 0.5);
+        if (kind.slip) out.set_slip(far_field);
+    } else {
+        out = tiny_case();
+        if (kind.slip)
+            for (std::int32_t const side : {bottom, right, top, left}) out.set_slip(side);
+    }
+    return out;
+}
+
+std::vector<double> numbers(const hm_basis* basis, std::int32_t function, std::int32_t number, std::int32_t n_points) {
+    std::vector<double> out(static_cast<std::size_t>(n_points));
+    REQUIRE(hm_basis_values(basis, function, number, out.data(), nullptr) == HM_OK);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("the numbers of a value are the linear map that a morph applies") {
+    for (Kind const& kind : kinds) {
+        INFO(kind.name);
+        Case its = case_of(kind);
+        hm_options const options = options_of(kind.operator_kind);
+        Solved const solved(its, &options);
+        hm_basis_info const info = solved.info();
+        CHECK(info.numbers_per_value >= kind.least_numbers);
+        CHECK((info.numbers_per_value == 1 || info.numbers_per_value == 2 || info.numbers_per_value == 4));
+        CHECK(info.functions == its.curves.n_control() + 2 * info.bodies);
+        CHECK(info.bodies == (kind.rigid ? 1 : 0));
+        for (std::int32_t i = 0; i < info.functions; ++i) {
+            std::vector<std::vector<double>> value;
+            for (std::int32_t p = 0; p < info.numbers_per_value; ++p) value.push_back(numbers(solved.basis, i, p, info.points));
+            Field const by_x = displacement_by(solved, i, 1), by_y = displacement_by(solved, i, {0, 1});
+            for (std::size_t k = 0; k < by_x.size(); ++k) {
+                double xx = value[0][k], xy = 0, yx = 0, yy = value[0][k];
+                if (info.numbers_per_value == 2) {
+                    yx = value[1][k];
+                    xy = -yx;
+                }
+                if (info.numbers_per_value == 4) {
+                    xy = value[1][k];
+                    yx = value[2][k];
+                    yy = value[3][k];
+                }
+                CHECK(by_x[k] == Complex(xx, yx));
+                CHECK(by_y[k] == Complex(xy, yy));
+            }
+        }
+        std::vector<double> to(static_cast<std::size_t>(info.points), 7);
+        CHECK(hm_basis_values(solved.basis, 0, info.numbers_per_value, to.data(), nullptr) == HM_BAD_ARGUMENT);
+        CHECK(hm_basis_values(solved.basis, 0, -1, to.data(), nullptr) == HM_BAD_ARGUMENT);
+        CHECK(hm_basis_values(solved.basis, info.functions, 0, to.data(), nullptr) == HM_BAD_ARGUMENT);
+        CHECK(to[0] == 7);
+    }
+}
+
+TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") {
+    for (Kind const& kind : kinds) {
+        INFO(kind.name);
+        Case its = case_of(kind);
+        hm_options const options = options_of(kind.operator_kind);
+        Solved const solved(its, &options);
+        std::int32_t const n = solved.info().functions;
+        std::vector<double> const g = some_move(its.mesh.n_points(), 1, 5);
+        std::vector<double> gradient(2 * static_cast<std::size_t>(n), -1.0);
+        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        for (std::int32_t k = 0; k < 2 * n; ++k) {   // each of its numbers
+            Field const by = displacement_by(solved, k / 2, k % 2 == 0 ? Complex(1, 0) : Complex(0, 1));
+            double expected = 0, size = 0;
+            for (std::size_t p = 0; p < by.size(); ++p) {
+                double const part[] = {g[2 * p] * by[p].real(), g[2 * p + 1] * by[p].imag()};
+                expected += part[0] + part[1];
+                size += std::fabs(part[0]) + std::fabs(part[1]);
+            }
+            CHECK(std::fabs(gradient[static_cast<std::size_t>(k)] - expected) <= 1e-14 * size);
+        }
+        Backwards backwards;
+        hm_executor const executor = backwards.executor(3);
+        std::vector<double> again(gradient.size());
+        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, again.data(), &executor, nullptr) == HM_OK);
+        CHECK(same_bits(again, gradient));
+    }
+}
+
+TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one block of either") {
+    for (int const n : {9, 150}) {
+        Case its = ring_case(14, 300, 0.5, 2, Cells::hybrid, 3, n);
+        hm_options const options = options_of(HM_CONFORMAL);
+        Solved const solved(its, &options);
+        std::vector<double> const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
+        Field const moved = displacement(solved, move);
+        std::vector<double> gradient(2 * static_cast<std::size_t>(n));
+        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        double here = 0, there = 0, size = 0;
+        for (std::size_t k = 0; k < moved.size(); ++k) {
+            here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
+            size += std::fabs(g[2 * k] * moved[k].real()) + std::fabs(g[2 * k + 1] * moved[k].imag());
+        }
+        for (std::size_t k = 0; k < move.size(); ++k) there += gradient[k] * move[k];
+        CHECK(std::fabs(here - there) <= 1e-14 * size);
+        CHECK(std::fabs(here) > 1e-3 * size / std::sqrt(4500.0));   // the test could have failed
+    }
+}
+
+TEST_CASE("zero movement keeps every bit, and a movement that is not finite is refused") {
+    for (Kind const& kind : kinds) {
+        INFO(kind.name);
+        Case its = case_of(kind);
+        hm_options const options = options_of(kind.operator_kind);
+        Solved const solved(its, &options);
+        std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0), x = its.mesh.x, y = its.mesh.y;
+        x[3] = -0.0;
+        std::vector<double> const before = x;
+        REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) == HM_OK);
+        CHECK((same_bits(x, before) && same_bits(y, its.mesh.y)));
+        move.back() = std::nan("");
+        CHECK(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) ==
+              HM_BAD_ARGUMENT);
+        CHECK(same_bits(x, before));
+    }
+}
+
+TEST_CASE("saved and attached, values of all kinds are the same; truncated at any length or with a changed byte, refused") {
+    for (Kind const& kind : kinds) {
+        INFO(kind.name);
+        Case its = case_of(kind);
+        hm_options const options = options_of(kind.operator_kind);
+        Solved const solved(its, &options);
+        std::size_t const bytes = static_cast<std::size_t>(solved.info().bytes);
+        std::vector<double> const move = some_move(solved.info().functions, 0.1, 6);
+        Guarded whole(bytes, 8);
+        std::memcpy(whole.data(), solved.basis, bytes);
+        hm_mesh const mesh = its.mesh.view();
+        const hm_basis* copy = nullptr;
+        REQUIRE(hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr) == HM_OK);
+        CHECK(displacement(copy, move) == displacement(solved, move));
+        std::size_t accepted = 0;
+        for (std::size_t size = 0; size < bytes; size += size < 800 ? 1 : 61) {
+            Guarded part(size);
+            if (size > 0) std::memcpy(part.data(), whole.data(), size);
+            accepted += hm_basis_attach(&copy, part.data(), size, &mesh, nullptr) != HM_BAD_BASIS;
+        }
+        CHECK(accepted == 0);
+        for (std::size_t k = 0; k < bytes; k += k < 800 ? 1 : 13) {
+            unsigned char& byte = whole.data()[k];
+            byte = static_cast<unsigned char>(byte ^ 0x10);
+            accepted += hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr) != HM_BAD_BASIS;
+            byte = static_cast<unsigned char>(byte ^ 0x10);
+        }
+        CHECK(accepted == 0);
+        CHECK(hm_basis_attach(&copy, whole.data(), bytes, &mesh, nullptr) == HM_OK);
+    }
+}
+
+TEST_CASE("a basis gives back the conditions it was solved with, and how") {
+    Case its = two_body_case(Cells::hybrid, 4, 3);
+    its.conditions.clear();
+    its.put_on_curves(body, 0);
+    its.set_rigid(second_body, 1.25, 0.75);
+    its.set_slip(far_field);
+    hm_options options = options_of(HM_CONFORMAL, 5);
+    options.offset_correction = 1;
+    Solved const solved(its, &options);
+    hm_basis_info const info = solved.info();
+    CHECK((info.operator_kind == HM_CONFORMAL && info.exponent_quarters == 5 && info.offset_correction == 1));
+    CHECK((info.scheme == HM_COMPACT && info.engine == HM_DIRECT && info.bodies == 1 && info.numbers_per_value == 4));
+    hm_condition found[4];
+    std::memset(static_cast<void*>(found), 0x55, sizeof found);
+    std::int32_t n = -1;
+    found[0].struct_size = sizeof found[0];
+    CHECK(hm_basis_conditions(solved.basis, found, 2, &n, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(n == 3);
+    found[0].struct_size = sizeof found[0];
+    REQUIRE(hm_basis_conditions(solved.basis, found, 4, &n, nullptr) == HM_OK);
+    REQUIRE(n == 3);
+    CHECK(found[3].marker == 0x55555555);
+    for (std::size_t k = 0; k < 3; ++k) {
+        hm_condition const& expected = its.conditions[k];
+        CHECK((found[k].struct_size == sizeof found[k] && found[k].marker == expected.marker));
+        CHECK((found[k].kind == expected.kind && found[k].first_curve == expected.first_curve));
+        CHECK((found[k].n_curves == expected.n_curves && found[k].body == expected.body));
+        CHECK((found[k].partner == expected.partner && found[k].x == expected.x && found[k].y == expected.y));
+    }
+    // With curves and parameters they make the problem, and so the basis, again.
+    hm_curves curves{};
+    curves.struct_size = sizeof curves;
+    hm_curve shape[2];
+    REQUIRE(hm_basis_curves(solved.basis, &curves, shape, 2, nullptr) == HM_OK);
+    std::vector<std::int32_t> points, on;
+    std::vector<double> u;
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        if (info.point_curve[k] >= info.curves) continue;
+        points.push_back(info.curve_point[k]);
+        on.push_back(info.point_curve[k]);
+        u.push_back(info.point_u[k]);
+    }
+    hm_mesh const mesh = its.mesh.view();
+    hm_problem problem{};
+    problem.struct_size = sizeof problem;
+    problem.mesh = &mesh;
+    problem.curves = &curves;
+    problem.n_conditions = n;
+    problem.conditions = found;
+    problem.n_given = static_cast<std::int32_t>(points.size());
+    problem.given_points = points.data();
+    problem.given_curves = on.data();
+    problem.given_u = u.data();
+    Solved const again(problem, &options);
+    REQUIRE(again.info().bytes == info.bytes);
+    CHECK(std::memcmp(again.basis, solved.basis, static_cast<std::size_t>(info.bytes)) == 0);
+}
+
+TEST_CASE("a plan does not solve the basis of another operator, exponent or correction") {
+    Case its = tiny_case();
+    auto const plan_of = [&](Attempt& attempt, hm_options const& options) {
+        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(attempt.prepare());
+        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    };
+    hm_options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6), options_of(HM_LAPLACE),
+                                  options_of(HM_CONFORMAL, 4), options_of(HM_CONFORMAL, 6)};
+    for (hm_options const& of_plan : options)
+        for (hm_options const& of_basis : options) {
+            Attempt a, b;
+            plan_of(a, of_plan);
+            plan_of(b, of_basis);
+            bool const same = &of_plan == &of_basis;
+            CHECK(hm_plan_solve(a.plan, b.basis, nullptr, nullptr) == (same ? HM_OK : HM_BAD_BASIS));
+        }
+}
+
+TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one byte less is refused") {
+    for (Kind const& kind : kinds) {
+        INFO(kind.name);
+        Case its = case_of(kind);
+        hm_options const options = options_of(kind.operator_kind);
+        hm_problem const problem = its.problem();
+        for (std::size_t const shift : {0, 1, 13}) {
+            Attempt attempt;
+            REQUIRE(attempt.analyse(problem, &options, shift));
+            REQUIRE(attempt.prepare(shift));
+            REQUIRE(attempt.solve());
+            CHECK(attempt.guards_intact());
+            hm_plan* plan = nullptr;
+            hm_basis* basis = nullptr;
+            Guarded less_plan(attempt.plan_block->size() - 64), less_basis(attempt.basis_block->size() - 64);
+            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_basis_init(&basis, less_basis.data(), less_basis.size(), attempt.analysis, nullptr) ==
+                  HM_BLOCK_TOO_SMALL);
+            CHECK((less_plan.guards_intact() && less_basis.guards_intact() && plan == nullptr && basis == nullptr));
+        }
+    }
+}

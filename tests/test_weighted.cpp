@@ -1,0 +1,132 @@
+// The weighted Laplace operator: k = 1 / d^q, d the distance to what moves.
+#include <doctest/doctest.h>
+
+#include <fixtures/matrices.hpp>
+#include <fixtures/operators.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// The unknowns' matrix with given conductivities.
+DenseMatrix assembled(Case& its, std::vector<double> const& k) {
+    Analysed const seen(its);
+    AssembledMatrix matrix(*seen.operator->());
+    REQUIRE(assemble_stiffness(seen->problem.mesh, seen->problem.mesh.points, seen->reversed, span(k), false,
+                               matrix.matrix) == harmorph::none);
+    return matrix.unknowns();
+}
+
+// All functions are moved by 1 on a ring of radius r0 and 0 on r1: only r matters, r k f' is constant, and
+// f = I(r) / I(r0), I(r) = integral from r to r1 of (s - r0)^q / s ds, by the midpoint rule.
+double radial(double r, double r0, double r1, double q) {
+    auto const integral = [&](double from) {
+        constexpr int steps = 2000;
+        double sum = 0;
+        for (int k = 0; k < steps; ++k) {
+            double const s = from + (r1 - from) * (k + 0.5) / steps;
+            sum += std::pow(s - r0, q) / s;
+        }
+        return sum * (r1 - from) / steps;
+    };
+    return r >= r1 ? 0 : integral(r) / integral(r0);
+}
+
+double rms_error(int refine, Cells kind, std::int32_t quarters) {
+    int const n_r = 8 * refine, n_t = 32 * refine;
+    Case its = ring_case(n_r, n_t, 0.5, 2, kind);
+    hm_options const options = options_of(HM_WEIGHTED, quarters);
+    Solved const solved(its, &options);
+    std::vector<double> const sum = solved.sum();
+    double sum_of_squares = 0;
+    for (int i = 0; i <= n_r; ++i) {
+        double const exact = radial(0.5 * std::pow(4, 1.0 * i / n_r), 0.5, 2, 0.25 * quarters);
+        for (int k = 0; k < n_t; ++k) sum_of_squares += std::pow(sum[static_cast<std::size_t>(i * n_t + k)] - exact, 2);
+    }
+    return std::sqrt(sum_of_squares / static_cast<double>(sum.size()));
+}
+
+}  // namespace
+
+TEST_CASE("annulus: the exact radial solution, to second order, with exponents in quarters") {
+    for (Cells const kind : {Cells::quads, Cells::hybrid, Cells::triangles})
+        for (std::int32_t const quarters : {1, 2, 4, 7, 8}) {
+            double const coarse = rms_error(2, kind, quarters), fine = rms_error(4, kind, quarters);
+            INFO("q = " << 0.25 * quarters << ": " << coarse << " " << fine);
+            CHECK(fine < 1e-3);
+            // A ring's quads have equal diagonals: which one splits them is chance, and part of the error is, too.
+            double const at_best = kind == Cells::quads ? 1.85 : 1.5;
+            CHECK(std::log2(coarse / fine) > (quarters < 4 ? 1 + 0.2 * quarters : at_best));   // f = d^(1 + q): less smooth
+        }
+}
+
+TEST_CASE("a constant factor of k is a factor of the matrix: it changes no function") {
+    Case its = square_on_curve(7, Cells::hybrid, 0.4, 3);
+    std::mt19937 random(4);
+    std::vector<double> k, eightfold;
+    for (std::int32_t i = 0; i < its.mesh.n_cells(); ++i) {
+        k.push_back(0.1 + uniform(random));
+        eightfold.push_back(8 * k.back());
+    }
+    DenseMatrix const a = assembled(its, k), b = assembled(its, eightfold);
+    std::vector<double> expected;
+    for (double const entry : a.entries) expected.push_back(8 * entry);
+    CHECK(same_bits(b.entries, expected));
+    CHECK(same_bits(assembled(its, {}).entries, assembled(its, std::vector<double>(k.size(), 1.0)).entries));
+    CHECK(!same_bits(a.entries, assembled(its, {}).entries));
+}
+
+TEST_CASE("nor does the unit of length, though k has one") {
+    Case const origin = airfoil_case(30, 10);
+    for (std::int32_t const quarters : {1, 4, 6, 16}) {
+        hm_options const options = options_of(HM_WEIGHTED, quarters);
+        Case its = origin;
+        Solved const reference(its, &options);
+        for (double const unit : {1 / 1024.0, 3.7, 1e20}) {
+            Case scaled = similar(origin, unit, 0);
+            CHECK(largest_difference(Solved(scaled, &options).all_values(), reference.all_values()) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("without a weight: Laplace's functions, bit by bit; with more of it, more of the body's movement reaches its surroundings") {
+    Case its = airfoil_case();
+    hm_options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT), usual = options_of(HM_WEIGHTED);
+    Solved const plain(its), unweighted(its, &none_at_all), by_default(its, &usual);
+    CHECK(same_bits(unweighted.all_values(), plain.all_values()));
+    CHECK(by_default.info().exponent_quarters == 4);
+    std::vector<double> last = plain.sum();
+    for (std::int32_t const quarters : {2, 4, 6, 8}) {
+        hm_options const options = options_of(HM_WEIGHTED, quarters);
+        Solved const solved(its, &options);
+        CHECK(solved.info().exponent_quarters == quarters);
+        if (quarters == 4) CHECK(same_bits(solved.all_values(), by_default.all_values()));
+        std::vector<double> const sum = solved.sum();
+        double mean = 0;
+        for (std::size_t k = 0; k < sum.size(); ++k) mean += (sum[k] - last[k]) / static_cast<double>(sum.size());
+        CHECK(mean > 0.01);
+        last = sum;
+    }
+}
+
+TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do not") {
+    Case curve = ring_case(8, 32, 0.5, 2);
+    Case rigid = curve, shifted = curve;
+    rigid.conditions.clear();
+    rigid.curves = CurveSet{};
+    rigid.given_points.clear();
+    rigid.set_rigid(body, 0, 0);
+    hm_problem problem = rigid.problem();
+    problem.curves = nullptr;
+    problem.n_given = 0;
+    hm_options const options = options_of(HM_WEIGHTED, 6);
+    Solved const a(curve, &options), b(problem, &options);
+    // A translation of all: the same data on the wall, so the same displacements if the weights are the same.
+    Field const by_curve = displacement(a, similarity_move(curve.curves, 1, 0, {1, -2}));
+    CHECK(largest_difference(by_curve, displacement(b, {1, -2, 0, 0})) < 1e-13);
+    // With the far field on a curve too, distances and functions are others.
+    shifted.curves.add(ring(3, 8, 2, 2));
+    shifted.put_on_curves(far_field, 1);
+    Solved const c(shifted, &options);
+    CHECK(largest_difference(c.values(0), a.values(0)) > 1e-3);
+}
