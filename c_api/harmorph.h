@@ -243,6 +243,8 @@ typedef struct hm_problem {
  *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT      all but slip                      real
  *   HM_LAPLACE    HM_COMPACT  HM_MULTIGRID   all but slip                      real
  *   HM_WEIGHTED   HM_COMPACT  HM_MULTIGRID   all but slip                      real
+ *   HM_LAPLACE    HM_COMPACT  HM_FAS         all but slip                      real
+ *   HM_WEIGHTED   HM_COMPACT  HM_FAS         all but slip                      real
  *
  * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
  * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
@@ -264,11 +266,14 @@ enum {                             /* scheme; both reproduce linear fields, and 
 };
 enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
-    HM_MULTIGRID = 1               /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
+    HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
                                       20 to 35 iterations, whatever the size. A residual tells little of the error where
                                       weights vary strongly */
+    HM_FAS = 2                     /* the paper's iteration: pseudo-time, explicit four-stage Runge-Kutta with local steps, full
+                                      approximation scheme on agglomerated levels, started from the coarsest (FMG-FAS); one
+                                      level: Runge-Kutta alone. The slowest: for comparison with the paper */
 };
-enum {                             /* agglomeration: which cells the levels of HM_MULTIGRID merge */
+enum {                             /* agglomeration: which cells are merged */
     HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where cells are stretched more than 2 to 1, else any */
     HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with most mesh edges between them, however stretched */
     HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
@@ -306,11 +311,12 @@ typedef struct hm_options {
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
                                       and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
-    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: as many as there are */
+    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: HM_FAS 5, otherwise all */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
     int32_t  block_width;          /* functions solved at a time: 4, 8 or 16; 0 means 8. Plan space for each thread's vectors
                                       grows with it: 56 bytes per unknown and function */
-    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200 */
+    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200; HM_FAS: 2000 cycles, or with
+                                      one level 200000 steps */
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
@@ -376,13 +382,19 @@ typedef struct hm_solve_report {
     int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
     int32_t  iterations;           /* engines that iterate: largest over the functions; 0: HM_DIRECT */
     int32_t  levels;               /* of agglomeration */
-    int32_t  fine_sweeps;          /* of the smoother over the finest level, largest over the functions */
+    int32_t  fine_sweeps;          /* over the finest level, largest over the functions: symmetric Gauss-Seidel, or
+                                      Runge-Kutta steps */
     int32_t  reserved_too;         /* 0 */
 } hm_solve_report;
 
 /* Solves all functions in the basis, with the plan's factor. Both must come from one analysis. report may be NULL.
  * Cancelled: the basis counts as not solved, the factor stays. */
 HM_API hm_status hm_plan_solve(hm_plan *plan, hm_basis *basis, hm_solve_report *report, hm_error *err);
+
+/* Where agglomeration merged the mesh, after hm_plan_factor with an engine that has levels: cells [n_points] receives the
+ * merged cell, from 0, in which each point's control volume is on a level (0: the finest), -1 for points whose value is
+ * known; *n_cells how many there are. Refused where there is no such level. */
+HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cells, int32_t *n_cells, hm_error *err);
 
 /* A basis is one block without pointers: write it to a file as it is (hm_basis_info.bytes), read or map it back, attach.
  * block aligned to 8 bytes. Refused with the reason: not a basis, another format version or byte order, truncated,
