@@ -18,8 +18,9 @@ namespace harmorph {
 // 3.7e-5). On viscous meshes functions leave [0, 1] by 0.03 to 0.14, and an eigenvalue may have the wrong sign:
 // explicit steps then diverge, slowly.
 //
-// With correction it is as accurate as the compact scheme: 3.0e-5 on those 128 x 128 squares, 3.8e-5 against 4.5e-5 on
-// perturbed triangles; functions of three airfoil meshes differ by 5e-4 to 1.4e-3. It is the one to take of the two.
+// With correction it is about as accurate as the compact scheme: 3.0e-5 on those 128 x 128 squares, 3.8e-5 against 4.5e-5
+// on perturbed triangles, but 4.1e-5 against 1.1e-5 on uniform ones; functions of three airfoil meshes differ by 5e-4 to
+// 1.4e-3. It is the one to take of the two.
 struct NodalGradient {
     Mesh mesh;
     Points points;                // those of build(): apply() reads them
