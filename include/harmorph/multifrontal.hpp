@@ -10,19 +10,6 @@
 
 namespace harmorph {
 
-// Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
-struct Rows {
-    Real* data = nullptr;
-    const Index* row_of = nullptr;  // [n] row of each position, or null: its number
-    Offset row_length = 0;          // numbers from one row to the next
-    Index width = 0;                // right-hand sides
-    Offset plane = 0;               // complex: from a row's real parts to its imaginary parts
-
-    Real* operator[](Index position) const noexcept {
-        return data + (row_of != nullptr ? row_of[position] : position) * row_length;
-    }
-};
-
 // The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
 // so that each of them is added and forgotten at once.
 //
