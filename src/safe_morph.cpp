@@ -124,7 +124,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     if (derivative != nullptr) finish_derivative(work);
     if (options.heights > 0) restore_heights(work);
     measure_first_layer(work);
-    if (report.fraction >= 1) return Status::ok;
+    if (report.fraction >= 1) return fault.status;
     return fault.refuse(Status::short_of_target, "the mesh could follow ~ of the movement; then cell # stands in the way",
                         Counts::mesh, report.limit.cell, none, report.fraction);
 }
@@ -160,11 +160,9 @@ Status SafeMorph::substeps(Work& work) noexcept {
         }
         Fault why;
         Status const status = solve_here(work, scratch, why);
-        if (status == Status::cancelled) {
-            work.fault = why;
-            return status;
-        }
-        if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
+        if (failed(status) && status != Status::cancelled) break;  // a scheme that cannot, or a mesh too poor
+        if (status != Status::ok) work.fault = why;                // not converged: a warning, and on
+        HARMORPH_TRY(status);
         ++report.resolves;
     }
     if (!work.options.tries(Rung::untangled)) return Status::ok;
