@@ -127,7 +127,7 @@ const Command solve_command = {
                          "max_value, residual, iterations, levels, setup_seconds, factor_seconds,\n"
                          "solve_seconds, plan_bytes, basis_bytes"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
-    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --free symmetry -o wing.basis\n",
+    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};
 
 } // namespace cli

@@ -35,6 +35,7 @@ std::vector<Option> engine_options() {
     return {
         {"--engine", "ENGINE", "direct (default): the fastest; multigrid: conjugate gradients with a third of its memory;\n"
                                "fas: the paper's iteration, slow (the last two with laplace and weighted)"},
+        {"--precision", "P", "of the direct engine's factor: double (default), or single: half the memory, refined in double"},
         {"--levels", "N", "multigrid and fas: levels of agglomeration at most (default: fas 5, multigrid all)"},
         agglomeration_option,
         {"--history", "F.csv", "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
@@ -49,6 +50,8 @@ void set_agglomeration(const Arguments& arguments, hm_options& options) {
 
 void set_engine(const Arguments& arguments, hm_options& options) {
     options.engine = choose(arguments, "--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
+    options.precision = choose(arguments, "--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
+    if (options.engine != HM_DIRECT && arguments.has("--precision")) arguments.refuse("--precision goes with --engine direct");
     set_agglomeration(arguments, options);
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
