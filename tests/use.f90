@@ -756,7 +756,7 @@ contains
             call check(stat == hm_bad_basis, "cut short")
         end if
         call copy%free()
-        call copy%values(1, a, stat)
+        call copy%values(1, a, stat=stat)
         call check(stat == hm_bad_argument, "nothing is left of it")
     end subroutine
 
@@ -865,9 +865,9 @@ contains
         call check(stat == hm_bad_argument, "another length")
         call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)
         call check(stat == hm_bad_argument, "a reference of another length")
-        call basis%values(0, a, stat)
+        call basis%values(0, a, stat=stat)
         call check(stat == hm_bad_argument, "there is no function 0")
-        call basis%values(1, a(2:), stat)
+        call basis%values(1, a(2:), stat=stat)
         call check(stat == hm_bad_argument, "too little room for values")
         call plan%solve(empty, report, stat)
         call check(stat == hm_bad_argument, "an empty plan")
