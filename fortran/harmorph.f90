@@ -263,7 +263,7 @@ module harmorph
         integer :: operator_kind = hm_conformal, scheme = hm_compact, engine = hm_direct, kernel = hm_kernel_auto
         real(c_double) :: tolerance = 0
         procedure(hm_progress), pointer, nopass :: progress => null()
-        type(hm_executor) :: executor         ! copied; its procedure must outlive the plan
+        type(hm_executor) :: executor = hm_executor()           ! copied; its procedure must outlive the plan
         integer :: exponent_quarters = 0      ! 4 q of the weight 1 / d**q, or hm_no_weight
         logical :: offset_correction = .false.
         integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0     ! hm_multigrid
@@ -1641,7 +1641,7 @@ contains
         self%c = hm_c_mesh(index_base=1)
     end subroutine
 
-    subroutine mesh_final(self)
+    impure elemental subroutine mesh_final(self)
         type(hm_mesh), intent(inout) :: self
         call self%free()
     end subroutine
@@ -2540,7 +2540,7 @@ contains
         nullify(self%data)
     end subroutine
 
-    subroutine plan_final(self)
+    impure elemental subroutine plan_final(self)
         type(hm_plan), intent(inout) :: self
         call self%free()
     end subroutine
@@ -2860,7 +2860,7 @@ contains
         self%n_functions = 0
     end subroutine
 
-    subroutine basis_final(self)
+    impure elemental subroutine basis_final(self)
         type(hm_basis), intent(inout) :: self
         call self%free()
     end subroutine
