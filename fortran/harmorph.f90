@@ -40,18 +40,23 @@ module harmorph
     character(len=*), parameter, public :: hm_header_version = "0.1.0"
     integer, parameter, public :: hm_abi = 1
 
-    integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2
+    integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3
     integer, parameter, public :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
     integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, hm_not_positive = -8
-    integer, parameter, public :: hm_unsupported = -9
+    integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
     integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
     integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
-    integer, parameter, public :: hm_on_curve = 0, hm_fixed = 1, hm_free = 2
-    integer, parameter, public :: hm_laplace = 0, hm_compact = 0, hm_direct = 0
+    integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
+    integer, parameter, public :: hm_periodic_pair = 5
+    integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
+    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1
+    integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
+    integer, parameter, public :: hm_double = 0, hm_single = 1
     integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
+    integer, parameter, public :: hm_rung_linear = 0, hm_rung_other = 1, hm_rung_substeps = 2, hm_rung_untangled = 3
 
     ! ---- The structs of harmorph.h (tests/layout.f90 compares them). Reports are used as they are; hm_c_* stay inside.
 
@@ -108,7 +113,8 @@ module harmorph
 
     type, bind(c), public :: hm_c_condition
         integer(c_int64_t) :: struct_size = 0
-        integer(c_int32_t) :: marker = 0, kind = 0, first_curve = 0, n_curves = 0
+        integer(c_int32_t) :: marker = 0, kind = 0, first_curve = 0, n_curves = 0, body = 0, partner = 0
+        real(c_double) :: x = 0, y = 0
     end type
 
     type, bind(c), public :: hm_c_problem
@@ -126,6 +132,10 @@ module harmorph
         real(c_double) :: tolerance = 0
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_user = c_null_ptr, executor = c_null_ptr
+        integer(c_int32_t) :: exponent_quarters = 0, offset_correction = 0
+        integer(c_int32_t) :: levels = 0, agglomeration = 0, block_width = 0, max_iterations = 0
+        type(c_ptr) :: history = c_null_ptr
+        integer(c_int32_t) :: history_length = 0, precision = 0
     end type
 
     type, bind(c), public :: hm_mesh_report
@@ -143,6 +153,7 @@ module harmorph
         real(c_double) :: boundary_error = 0, partition_defect = 0, min_value = 0, max_value = 0, max_distance = 0
         integer(c_int32_t) :: max_distance_point = 0, curve_points = 0, refinements = 0, reserved = 0
         integer(c_int64_t) :: factor_entries = 0
+        integer(c_int32_t) :: iterations = 0, levels = 0, fine_sweeps = 0, reserved_too = 0
     end type
 
     type, bind(c), public :: hm_c_basis_info
@@ -150,6 +161,15 @@ module harmorph
         integer(c_int32_t) :: solved = 0, points = 0, cells = 0, functions = 0, curves = 0, curve_points = 0
         integer(c_int32_t) :: numbers_per_value = 0, operator_kind = 0, scheme = 0, engine = 0, index_base = 0
         type(c_ptr) :: curve_point = c_null_ptr, point_curve = c_null_ptr, point_u = c_null_ptr
+        integer(c_int32_t) :: exponent_quarters = 0, bodies = 0, offset_correction = 0, reserved = 0
+    end type
+
+    type, bind(c), public :: hm_transfer_report
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: points = 0, outside = 0
+        real(c_double) :: max_distance = 0
+        integer(c_int32_t) :: max_distance_point = 0, boundary_error_point = 0
+        real(c_double) :: boundary_error = 0, wall_correction = 0
     end type
 
     type, bind(c), public :: hm_step_report
@@ -163,6 +183,23 @@ module harmorph
         integer(c_int32_t) :: inverted = 0, first_inverted = 0
         real(c_double) :: min_area = 0, min_quality = 0, mean_quality = 0
         integer(c_int32_t) :: min_quality_cell = 0, self_crossing = 0, crossing_points(4) = 0
+    end type
+
+    type, bind(c), public :: hm_c_safe_options
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: max_resolves = 0, skipped_rungs = 0, n_others = 0, reserved = 0
+        type(c_ptr) :: others = c_null_ptr
+    end type
+
+    type, bind(c), public :: hm_safe_report
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: rung = 0, other = 0, steps = 0, resolves = 0
+        real(c_double) :: step_fraction = 0, admissible = 0
+        integer(c_int32_t) :: cell = 0, point = 0, untangled = 0, iterations = 0, crossing_points(4) = 0
+        integer(c_int32_t) :: inverted = 0, min_quality_cell = 0
+        real(c_double) :: min_quality = 0, mean_quality = 0, mean_angle_change = 0, max_angle_change = 0
+        real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0
+        integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
     end type
 
     ! ---- What Fortran callers use
@@ -223,16 +260,29 @@ module harmorph
     end type
 
     type, public :: hm_options                ! 0 and null are the defaults
-        integer :: operator_kind = hm_laplace, scheme = hm_compact, engine = hm_direct, kernel = hm_kernel_auto
+        integer :: operator_kind = hm_conformal, scheme = hm_compact, engine = hm_direct, kernel = hm_kernel_auto
         real(c_double) :: tolerance = 0
         procedure(hm_progress), pointer, nopass :: progress => null()
-        type(hm_executor) :: executor         ! copied; its procedure must outlive the plan
+        type(hm_executor) :: executor = hm_executor()           ! copied; its procedure must outlive the plan
+        integer :: exponent_quarters = 0      ! 4 q of the weight 1 / d**q, or hm_no_weight
+        logical :: offset_correction = .false.
+        integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0     ! hm_multigrid
+        real(c_double), pointer, contiguous :: history(:) => null()     ! of its residuals; must outlive the plan
+        integer :: precision = hm_double
     end type
 
-    type, public :: hm_condition
+    type, public :: hm_safe_options           ! of morph_safe; 0 are the defaults
+        integer :: max_resolves = 0
+        integer :: skipped_rungs = 0          ! sum of 2**hm_rung_... of those not to be tried
+    end type
+
+    type, public :: hm_condition              ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=.25d0)
         integer :: marker = 0
         integer :: kind = hm_on_curve
         integer :: first_curve = 1, n_curves = 1
+        integer :: body = 1                                     ! rigid: which one; markers may share one
+        integer :: partner = 0                                  ! periodic: the other marker, which has no condition
+        real(c_double) :: x = 0, y = 0                          ! rigid: the point that the body turns about
     end type
 
     type, public :: hm_curve
@@ -263,8 +313,10 @@ module harmorph
         integer :: points = 0, cells = 0, functions = 0, curves = 0, curve_points = 0, numbers_per_value = 0
         integer :: operator_kind = 0, scheme = 0, engine = 0, index_base = 0
         integer, allocatable :: curve_point(:)                  ! mesh points on curves
-        integer, allocatable :: point_curve(:)                  ! the curve each is on
+        integer, allocatable :: point_curve(:)                  ! the curve each is on; curves + b: rigid body b
         real(c_double), allocatable :: point_u(:)               ! and its parameter
+        integer :: exponent_quarters = 0, bodies = 0            ! functions: control points, and two for each body
+        logical :: offset_correction = .false.
     end type
 
     type :: block_of_memory
@@ -331,7 +383,13 @@ module harmorph
         procedure, private :: plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         generic :: factor => plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         procedure :: solve => plan_solve
-        procedure :: solve_share => plan_solve_share
+        procedure :: transfer => plan_transfer
+        procedure :: transfer_words => plan_transfer_words
+        procedure, private :: morph_safe_v8, morph_safe_v4, morph_safe_b8, morph_safe_b4
+        generic :: morph_safe => morph_safe_v8, morph_safe_v4, morph_safe_b8, morph_safe_b4
+        procedure :: morph_safe_words => plan_morph_safe_words
+        procedure :: share_of => plan_share_of
+        procedure :: share_words => plan_share_words
         procedure :: free => plan_free
         procedure, private :: plan_assign
         generic :: assignment(=) => plan_assign
@@ -342,9 +400,11 @@ module harmorph
         private
         type(c_ptr) :: handle = c_null_ptr
         type(block_of_memory) :: memory
-        integer(c_int64_t) :: n_points = 0, n_functions = 0
+        integer(c_int64_t) :: n_points = 0, n_functions = 0, n_numbers = 1
     contains
         procedure :: init => basis_init
+        procedure :: init_share => basis_init_share
+        procedure :: address => basis_address
         procedure :: attach => basis_attach
         procedure :: write => basis_write
         procedure :: read => basis_read
@@ -353,9 +413,7 @@ module harmorph
         procedure :: bytes => basis_bytes
         procedure :: info => basis_info
         procedure :: curves => basis_curves
-        procedure, private :: extract_i4, extract_i8
-        generic :: extract => extract_i4, extract_i8
-        procedure :: address => basis_address
+        procedure :: conditions => basis_conditions
         procedure, private :: values_v8, values_b8, values_v4, values_b4
         generic :: values => values_v8, values_b8, values_v4, values_b4
         procedure, private :: morph_v8, morph_v4, morph_b8, morph_b4
@@ -373,6 +431,19 @@ module harmorph
         generic :: admissible_step => admissible_step_v8, admissible_step_v4, admissible_step_b8, admissible_step_b4
         procedure, private :: quality_v8, quality_v4, quality_b8, quality_b4
         generic :: quality => quality_v8, quality_v4, quality_b8, quality_b4
+        procedure, private :: assess_v8, assess_v4, assess_b8, assess_b4
+        generic :: assess => assess_v8, assess_v4, assess_b8, assess_b4
+        procedure :: extract => basis_extract
+        procedure :: extract_words => basis_extract_words
+        procedure :: pack => basis_pack
+        procedure :: unpack => basis_unpack
+        procedure :: parcel_words => basis_parcel_words
+        procedure, private :: adjoint_scale_v8, adjoint_scale_v4, adjoint_scale_b8, adjoint_scale_b4
+        generic :: adjoint_scale => adjoint_scale_v8, adjoint_scale_v4, adjoint_scale_b8, adjoint_scale_b4
+        procedure, private :: adjoint_sums_v8, adjoint_sums_v4, adjoint_sums_b8, adjoint_sums_b4
+        generic :: adjoint_sums => adjoint_sums_v8, adjoint_sums_v4, adjoint_sums_b8, adjoint_sums_b4
+        procedure, private :: adjoint_finish_8, adjoint_finish_4
+        generic :: adjoint_finish => adjoint_finish_8, adjoint_finish_4
         procedure :: free => basis_free
         procedure, private :: basis_assign
         generic :: assignment(=) => basis_assign
@@ -386,8 +457,11 @@ module harmorph
     public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, hm_c_curve_point, &
         hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
-        hm_c_plan_solve, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_values, hm_c_morph, &
-        hm_c_adjoint, hm_c_boundary_error, hm_c_admissible_step, hm_c_quality
+        hm_c_plan_solve, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_conditions, &
+        hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, hm_c_boundary_error, &
+        hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_parcel_size, &
+        hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, hm_c_adjoint_finish, &
+        hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
 
     interface
         function hm_c_abi_version() result(version) bind(c, name="hm_abi_version")
@@ -594,12 +668,43 @@ module harmorph
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function hm_c_basis_values(basis, function, values, err) result(status) bind(c, name="hm_basis_values")
+        function hm_c_basis_conditions(basis, out, capacity, n, err) result(status) bind(c, name="hm_basis_conditions")
+            import :: c_int32_t, c_ptr, hm_c_condition, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_condition), intent(inout) :: out(*)
+            integer(c_int32_t), value, intent(in) :: capacity
+            integer(c_int32_t), intent(inout) :: n
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_basis_values(basis, function, number, values, err) result(status) bind(c, name="hm_basis_values")
             import :: c_int32_t, c_ptr, hm_c_error
             implicit none
             type(c_ptr), value, intent(in) :: basis
-            integer(c_int32_t), value, intent(in) :: function
+            integer(c_int32_t), value, intent(in) :: function, number
             type(c_ptr), value, intent(in) :: values
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_transfer_size(analysis, coarse_mesh, bytes, err) result(status) bind(c, name="hm_transfer_size")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_mesh
+            implicit none
+            type(c_ptr), value, intent(in) :: analysis
+            type(hm_c_mesh), intent(in) :: coarse_mesh
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_transfer(basis, block, bytes, analysis, coarse, coarse_mesh, report, err) result(status) &
+            bind(c, name="hm_transfer")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_mesh, hm_transfer_report
+            implicit none
+            type(c_ptr), value, intent(in) :: basis, block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(c_ptr), value, intent(in) :: analysis, coarse
+            type(hm_c_mesh), intent(in) :: coarse_mesh
+            type(hm_transfer_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
@@ -642,67 +747,28 @@ module harmorph
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) result(status) bind(c, &
-            name="hm_admissible_step")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_step_report
+        function hm_c_extract_size(basis, n, bytes, err) result(status) bind(c, name="hm_extract_size")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
             implicit none
             type(c_ptr), value, intent(in) :: basis
-            type(hm_c_mesh), intent(in) :: mesh
-            type(c_ptr), value, intent(in) :: dx, dy
-            integer(c_int64_t), value, intent(in) :: stride
-            type(c_ptr), value, intent(in) :: executor
-            type(hm_step_report), intent(inout) :: report
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, report, &
-            err) result(status) bind(c, name="hm_quality")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_quality_report
+        function hm_c_extract_init(rows, block, bytes, basis, n, points, err) result(status) bind(c, &
+            name="hm_extract_init")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
             implicit none
+            type(c_ptr), intent(inout) :: rows
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: basis
-            type(hm_c_mesh), intent(in) :: mesh
-            type(c_ptr), value, intent(in) :: x, y
-            integer(c_int64_t), value, intent(in) :: stride
-            type(c_ptr), value, intent(in) :: x_ref, y_ref
-            integer(c_int64_t), value, intent(in) :: stride_ref
-            type(c_ptr), value, intent(in) :: executor
-            type(hm_quality_report), intent(inout) :: report
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-    end interface
-
-    ! ---- Where coordinates lie
-
-    type :: view
-        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
-        integer(c_int64_t) :: stride = 1, n = 0
-        integer :: ni = 0, nj = 0                               ! structured
-        real(c_double), pointer :: copy(:, :) => null()         ! (n,2) where they cannot be used as they lie
-        character(len=112) :: wrong = ""
-    end type
-
-    interface view_of
-        procedure :: view_of_v8, view_of_b8, view_of_v4, view_of_b4
-    end interface
-    interface put_back
-        procedure :: put_back_b8, put_back_v4, put_back_b4
-    end interface
-    interface as_double
-        procedure :: as_double_8, as_double_4
-    end interface
-    interface put_gradient
-        procedure :: put_gradient_8, put_gradient_4
-    end interface
-
-    ! ---- Meshes in parts; harmorph_mpi.f90 ends its calls like those here
-
-    interface hm_finish
-        procedure :: finish
-    end interface
-    public :: hm_finish, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_extract_size, hm_c_extract_init
-
-    interface
         function hm_c_share_of(analysis, part, n_parts, first, n, err) result(status) bind(c, name="hm_share_of")
             import :: c_int32_t, c_ptr, hm_c_error
             implicit none
@@ -733,28 +799,156 @@ module harmorph
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function hm_c_extract_size(basis, n, bytes, err) result(status) bind(c, name="hm_extract_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+        function hm_c_parcel_size(share, n, doubles, err) result(status) bind(c, name="hm_parcel_size")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: share
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int64_t), intent(inout) :: doubles
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_parcel_pack(share, n, points, parcel, err) result(status) bind(c, name="hm_parcel_pack")
+            import :: c_double, c_int32_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: share
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            real(c_double), intent(inout) :: parcel(*)
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_parcel_unpack(rows, parcel, doubles, err) result(status) bind(c, name="hm_parcel_unpack")
+            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: rows
+            real(c_double), intent(in) :: parcel(*)
+            integer(c_int64_t), value, intent(in) :: doubles
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_adjoint_scale(basis, dj_dx, dj_dy, stride, scale, executor, err) result(status) bind(c, &
+            name="hm_adjoint_scale")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy
+            integer(c_int64_t), value, intent(in) :: stride
+            integer(c_int32_t), intent(inout) :: scale
+            type(c_ptr), value, intent(in) :: executor
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_adjoint_sums(basis, dj_dx, dj_dy, stride, scale, sums, executor, err) result(status) bind(c, &
+            name="hm_adjoint_sums")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy
+            integer(c_int64_t), value, intent(in) :: stride
+            integer(c_int32_t), value, intent(in) :: scale
+            integer(c_int64_t), intent(inout) :: sums(*)
+            type(c_ptr), value, intent(in) :: executor
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_adjoint_finish(basis, scale, sums, gradient, err) result(status) bind(c, name="hm_adjoint_finish")
+            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
             implicit none
             type(c_ptr), value, intent(in) :: basis
-            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), value, intent(in) :: scale
+            integer(c_int64_t), intent(in) :: sums(*)
+            real(c_double), intent(inout) :: gradient(*)
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) result(status) bind(c, &
+            name="hm_admissible_step")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_step_report
+            implicit none
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_mesh), intent(in) :: mesh
+            type(c_ptr), value, intent(in) :: dx, dy
+            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: executor
+            type(hm_step_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, report, &
+            err) result(status) bind(c, name="hm_quality")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_quality_report
+            implicit none
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_mesh), intent(in) :: mesh
+            type(c_ptr), value, intent(in) :: x, y
+            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: x_ref, y_ref
+            integer(c_int64_t), value, intent(in) :: stride_ref
+            type(c_ptr), value, intent(in) :: executor
+            type(hm_quality_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_assess(basis, mesh, dx, dy, stride, executor, step, quality, err) result(status) bind(c, &
+            name="hm_assess")
+            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_quality_report, hm_step_report
+            implicit none
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_mesh), intent(in) :: mesh
+            type(c_ptr), value, intent(in) :: dx, dy
+            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: executor
+            type(hm_step_report), intent(inout) :: step
+            type(hm_quality_report), intent(inout) :: quality
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function hm_c_morph_safe_size(plan, bytes, err) result(status) bind(c, name="hm_morph_safe_size")
+            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: plan
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function hm_c_extract_init(rows, block, bytes, basis, n, points, err) result(status) bind(c, &
-            name="hm_extract_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
+        function hm_c_morph_safe(plan, basis, move, x_new, y_new, stride_new, derivative, work, bytes, options, &
+            report, err) result(status) bind(c, name="hm_morph_safe")
+            import :: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t, hm_c_error, hm_c_safe_options, hm_safe_report
             implicit none
-            type(c_ptr), intent(inout) :: rows
-            type(c_ptr), value, intent(in) :: block
+            type(c_ptr), value, intent(in) :: plan, basis
+            real(c_double), intent(in) :: move(*)
+            type(c_ptr), value, intent(in) :: x_new, y_new
+            integer(c_int64_t), value, intent(in) :: stride_new
+            type(c_ptr), value, intent(in) :: derivative, work
             integer(c_size_t), value, intent(in) :: bytes
-            type(c_ptr), value, intent(in) :: basis
-            integer(c_int32_t), value, intent(in) :: n
-            integer(c_int32_t), intent(in) :: points(*)
+            type(hm_c_safe_options), intent(in) :: options
+            type(hm_safe_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
+    end interface
+
+    ! ---- Where coordinates lie
+
+    type :: view
+        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
+        integer(c_int64_t) :: stride = 1, n = 0
+        integer :: ni = 0, nj = 0                               ! structured
+        real(c_double), pointer :: copy(:, :) => null()         ! (n,2) where they cannot be used as they lie
+        character(len=112) :: wrong = ""
+    end type
+
+    interface view_of
+        procedure :: view_of_v8, view_of_b8, view_of_v4, view_of_b4
+    end interface
+    interface put_back
+        procedure :: put_back_b8, put_back_v4, put_back_b4
+    end interface
+    interface hm_finish   ! harmorph_mpi.f90 ends its calls like those here
+        procedure :: finish
+    end interface
+    public :: hm_finish
+    interface as_double
+        procedure :: as_double_8, as_double_4
     end interface
 
 contains
@@ -1063,9 +1257,10 @@ contains
     end subroutine
 
     subroutine drop(v)
-        type(view), intent(inout) :: v
-        if (associated(v%copy)) deallocate(v%copy)
-        nullify(v%copy)
+        type(view), intent(in) :: v
+        real(c_double), pointer :: copy(:, :)
+        copy => v%copy
+        if (associated(copy)) deallocate(copy)
     end subroutine
 
     ! Results go from the copy, where there is one, to the caller's arrays. Double vectors are always used where they lie.
@@ -1107,18 +1302,6 @@ contains
         real(c_double), allocatable :: copy(:, :)
         copy = real(pairs, c_double)
     end function
-
-    subroutine put_gradient_8(gradient, values)
-        real(c_double), intent(inout) :: gradient(:, :)
-        real(c_double), intent(in) :: values(:, :)
-        gradient = values
-    end subroutine
-
-    subroutine put_gradient_4(gradient, values)
-        real(c_float), intent(inout) :: gradient(:, :)
-        real(c_double), intent(in) :: values(:, :)
-        gradient = real(values, c_float)
-    end subroutine
 
     ! ==== Mesh ========================================================================================================
 
@@ -1463,7 +1646,7 @@ contains
         self%c = hm_c_mesh(index_base=1)
     end subroutine
 
-    subroutine mesh_final(self)
+    impure elemental subroutine mesh_final(self)
         type(hm_mesh), intent(inout) :: self
         call self%free()
     end subroutine
@@ -1547,8 +1730,11 @@ contains
         real(c_double), pointer :: control(:, :), numbers(:)
         integer(c_int32_t), pointer :: indices(:)
         integer :: k
-        call c_f_pointer(set%control, control, [2, int(set%n_control)])
-        made%control = control
+        if (set%n_control == 0) allocate(made%control(2, 0))     ! rigid bodies alone
+        if (set%n_control > 0) then
+            call c_f_pointer(set%control, control, [2, int(set%n_control)])
+            made%control = control
+        end if
         if (c_associated(set%weights)) then
             call c_f_pointer(set%weights, numbers, [set%n_control])
             made%weights = numbers
@@ -1756,10 +1942,7 @@ contains
         real(c_double), intent(inout), target, optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call fit(self, v, loop, c_fit_options_of(degree, n_control, closed), report, work, stat, err)
-        call drop(v)
+        call fit(self, view_of(x, y), loop, c_fit_options_of(degree, n_control, closed), report, work, stat, err)
     end subroutine
 
     subroutine curves_fit_4(self, x, y, loop, degree, n_control, closed, report, work, stat, err)
@@ -1771,10 +1954,7 @@ contains
         real(c_double), intent(inout), target, optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call fit(self, v, loop, c_fit_options_of(degree, n_control, closed), report, work, stat, err)
-        call drop(v)
+        call fit(self, view_of(x, y), loop, c_fit_options_of(degree, n_control, closed), report, work, stat, err)
     end subroutine
 
     subroutine fit(self, v, loop, options, report, work, stat, err)
@@ -1814,6 +1994,7 @@ contains
             if (present(report)) report = its
         end if
         call give_back(block)
+        call drop(v)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -1841,18 +2022,29 @@ contains
         data%c_options%engine = int(its%engine, c_int32_t)
         data%c_options%kernel = int(its%kernel, c_int32_t)
         data%c_options%tolerance = its%tolerance
+        data%c_options%exponent_quarters = int(its%exponent_quarters, c_int32_t)
+        data%c_options%offset_correction = merge(1_c_int32_t, 0_c_int32_t, its%offset_correction)
+        data%c_options%levels = int(its%levels, c_int32_t)
+        data%c_options%agglomeration = int(its%agglomeration, c_int32_t)
+        data%c_options%block_width = int(its%block_width, c_int32_t)
+        data%c_options%max_iterations = int(its%max_iterations, c_int32_t)
+        data%c_options%precision = int(its%precision, c_int32_t)
+        if (associated(its%history)) then
+            data%c_options%history_length = int(size(its%history), c_int32_t)
+            if (size(its%history) > 0) data%c_options%history = c_loc(its%history)
+        end if
         if (associated(its%progress)) then
             data%c_options%progress = c_funloc(call_progress)
             data%progress%procedure = c_funloc(its%progress)
             data%c_options%progress_user = c_loc(data%progress)
         end if
         data%c_options%executor = c_executor_of(its%executor, data%threads)
-        if (.not. present(curves)) return
-
-        call check_lengths(curves, status, e)
-        data%curves = curves
-        call c_curves_of(data%curves, data%set, data%curve)
-        data%problem%curves = c_loc(data%set)
+        if (present(curves)) then
+            call check_lengths(curves, status, e)
+            data%curves = curves
+            call c_curves_of(data%curves, data%set, data%curve)
+            data%problem%curves = c_loc(data%set)
+        end if
         if (present(conditions)) then
             data%conditions = c_conditions_of(conditions)
             data%problem%n_conditions = int(size(conditions), c_int32_t)
@@ -1885,6 +2077,10 @@ contains
             list(k)%kind = int(conditions(k)%kind, c_int32_t)
             list(k)%first_curve = int(conditions(k)%first_curve - 1, c_int32_t)
             list(k)%n_curves = int(conditions(k)%n_curves, c_int32_t)
+            list(k)%body = int(conditions(k)%body - 1, c_int32_t)
+            list(k)%partner = int(conditions(k)%partner, c_int32_t)
+            list(k)%x = conditions(k)%x
+            list(k)%y = conditions(k)%y
         end do
     end function
 
@@ -1910,8 +2106,8 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! Checks mesh, curves and conditions, and orders the unknowns. Without curves: the mesh alone. What the plan had before
-    ! is forgotten. given_*: curve points whose parameters are known.
+    ! Checks mesh, curves and conditions, and orders the unknowns. Without curves or rigid bodies: the mesh alone. What the
+    ! plan had before is forgotten. given_*: curve points whose parameters are known.
     subroutine plan_analyse(self, mesh, curves, conditions, given_points, given_curves, given_u, options, work, stat, err)
         class(hm_plan), intent(inout) :: self
         type(hm_mesh), intent(in) :: mesh
@@ -2063,6 +2259,7 @@ contains
         if (v%wrong /= "") call refuse(status, e, v%wrong)
         if (status == hm_ok .and. c_associated(v%x)) call check_count(v, int(self%data%mesh%n_points, c_int64_t), status, e)
         if (status == hm_ok) status = hm_c_plan_factor(self%plan, v%x, v%y, v%stride, e)
+        call drop(v)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -2071,9 +2268,7 @@ contains
         real(c_double), intent(in), target :: x(:), y(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call factor(self, v, stat, err)
+        call factor(self, view_of(x, y), stat, err)
     end subroutine
 
     subroutine factor_v4(self, x, y, stat, err)
@@ -2081,10 +2276,7 @@ contains
         real(c_float), intent(in), target :: x(:), y(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call factor(self, v, stat, err)
-        call drop(v)
+        call factor(self, view_of(x, y), stat, err)
     end subroutine
 
     subroutine factor_b8(self, x, y, stat, err)
@@ -2092,10 +2284,7 @@ contains
         real(c_double), intent(in), target :: x(:, :), y(:, :)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call factor(self, v, stat, err)
-        call drop(v)
+        call factor(self, view_of(x, y), stat, err)
     end subroutine
 
     subroutine factor_b4(self, x, y, stat, err)
@@ -2103,10 +2292,7 @@ contains
         real(c_float), intent(in), target :: x(:, :), y(:, :)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(x, y)
-        call factor(self, v, stat, err)
-        call drop(v)
+        call factor(self, view_of(x, y), stat, err)
     end subroutine
 
     ! All functions; a basis that has no memory yet is made first.
@@ -2134,32 +2320,219 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! Solves the functions of part `part` (from 1) of n_parts, in a basis that has room for no others.
-    subroutine plan_solve_share(self, share, part, n_parts, report, stat, err)
-        class(hm_plan), intent(inout) :: self
-        type(hm_basis), intent(inout) :: share
-        integer, intent(in) :: part, n_parts
-        type(hm_solve_report), intent(out), optional :: report
+    ! Functions solved on a coarse mesh, for this denser one of the same domain: the plan needs no factor.
+    subroutine plan_transfer(self, coarse, coarse_mesh, basis, report, work, stat, err)
+        class(hm_plan), intent(in) :: self
+        type(hm_basis), intent(in) :: coarse
+        type(hm_mesh), intent(in) :: coarse_mesh
+        type(hm_basis), intent(inout) :: basis
+        type(hm_transfer_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_c_error) :: e
-        integer(c_int32_t) :: status, first, n
+        type(hm_error) :: reason
+        type(hm_transfer_report) :: its
+        type(block_of_memory) :: block
+        integer(c_int32_t) :: status
         integer(c_size_t) :: bytes
-        call share%free()
+        integer :: made
         status = hm_ok
         call need_analysis(self, status, e)
-        if (status == hm_ok) status = hm_c_share_of(self%analysis, int(part - 1, c_int32_t), &
-            int(n_parts, c_int32_t), first, n, e)
-        if (status == hm_ok) status = hm_c_share_size(self%analysis, first, n, bytes, e)
-        call take(share%memory, bytes, status=status, e=e)
-        if (status == hm_ok) status = hm_c_share_init(share%handle, share%memory%start, share%memory%bytes, &
-            self%analysis, first, n, e)
-        call know_basis(share, status)
-        if (status < 0) then
-            call finish(status, e, stat, err)
-        else
-            call self%solve(share, report, stat, err)
+        call need_basis(coarse, status, e)
+        if (status == hm_ok .and. .not. c_associated(basis%handle)) then
+            call basis%init(self, stat=made, err=reason)
+            if (made < 0) call refuse(status, e, trim(reason%text), made)
         end if
+        if (status == hm_ok) status = hm_c_transfer_size(self%analysis, c_mesh_of(coarse_mesh), bytes, e)
+        call take(block, bytes, work, status, e)
+        its%struct_size = int(c_sizeof(its), c_int64_t)
+        if (status == hm_ok) status = hm_c_transfer(basis%handle, block%start, block%bytes, self%analysis, coarse%handle, &
+            c_mesh_of(coarse_mesh), its, e)
+        if (present(report)) report = its
+        call give_back(block)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    integer(c_int64_t) function plan_transfer_words(self, coarse_mesh)
+        class(hm_plan), intent(in) :: self
+        type(hm_mesh), intent(in) :: coarse_mesh
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        plan_transfer_words = 0
+        if (hm_c_transfer_size(self%analysis, c_mesh_of(coarse_mesh), bytes, e) >= 0) plan_transfer_words = words_of(bytes)
+    end function
+
+    ! Which functions part k of n_parts may solve; n is 0 where there are more parts than functions.
+    subroutine plan_share_of(self, part, n_parts, first, n, stat, err)
+        class(hm_plan), intent(in) :: self
+        integer, intent(in) :: part, n_parts
+        integer, intent(inout) :: first, n
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, its_first, its_n
+        status = hm_ok
+        call need_analysis(self, status, e)
+        if (status == hm_ok) status = hm_c_share_of(self%analysis, int(part - 1, c_int32_t), int(n_parts, c_int32_t), &
+            its_first, its_n, e)
+        if (status >= 0) then
+            first = int(its_first) + 1
+            n = int(its_n)
+        end if
+        call finish(status, e, stat, err)
+    end subroutine
+
+    integer(c_int64_t) function plan_share_words(self, first, n)
+        class(hm_plan), intent(in) :: self
+        integer, intent(in) :: first, n
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        plan_share_words = 0
+        if (hm_c_share_size(self%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), bytes, e) >= 0) &
+            plan_share_words = words_of(bytes)
+    end function
+
+    ! Working space of morph_safe; 0 without prepare or factor.
+    integer(c_int64_t) function plan_morph_safe_words(self)
+        class(hm_plan), intent(in) :: self
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        plan_morph_safe_words = 0
+        if (hm_c_morph_safe_size(self%plan, bytes, e) >= 0) plan_morph_safe_words = words_of(bytes)
+    end function
+
+    subroutine move_safely(self, basis, move, to, derivative, others, options, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(in) :: basis
+        real(c_double), intent(in) :: move(:, :)
+        type(view), intent(in) :: to
+        type(hm_basis), intent(inout), optional :: derivative
+        type(hm_basis), intent(in), optional :: others(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(hm_error) :: reason
+        type(hm_c_safe_options) :: c_options
+        type(hm_safe_report) :: its
+        type(c_ptr), allocatable, target :: handles(:)
+        type(c_ptr) :: sum_of_steps
+        type(block_of_memory) :: block
+        integer(c_int32_t) :: status
+        integer(c_size_t) :: bytes
+        integer :: k, made
+        status = hm_ok
+        if (.not. c_associated(self%plan)) call refuse(status, e, "the plan has no factor: call factor first")
+        call need_basis(basis, status, e)
+        call check_pairs_of_control(basis, move, status, e)
+        call check_count(to, basis%n_points, status, e)
+        sum_of_steps = c_null_ptr
+        if (present(derivative) .and. status == hm_ok) then
+            if (.not. c_associated(derivative%handle)) then
+                call derivative%init(self, stat=made, err=reason)
+                if (made < 0) call refuse(status, e, trim(reason%text), made)
+            end if
+            sum_of_steps = derivative%handle
+        end if
+        c_options%struct_size = int(c_sizeof(c_options), c_int64_t)
+        if (present(options)) then
+            c_options%max_resolves = int(options%max_resolves, c_int32_t)
+            c_options%skipped_rungs = int(options%skipped_rungs, c_int32_t)
+        end if
+        if (present(others)) then
+            allocate(handles(size(others)))
+            do k = 1, size(others)
+                handles(k) = others(k)%handle
+            end do
+            c_options%n_others = int(size(others), c_int32_t)
+            if (size(others) > 0) c_options%others = c_loc(handles)
+        end if
+        if (status == hm_ok) status = hm_c_morph_safe_size(self%plan, bytes, e)
+        call take(block, bytes, work, status, e)
+        its%struct_size = int(c_sizeof(its), c_int64_t)
+        if (status == hm_ok) status = hm_c_morph_safe(self%plan, basis%handle, move, to%x, to%y, to%stride, sum_of_steps, &
+            block%start, block%bytes, c_options, its, e)
+        its%other = its%other + 1_c_int32_t
+        if (present(report)) report = its
+        call give_back(block)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all of
+    ! move. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole, made here
+    ! if empty. others: bases to be tried where this one would invert cells. The report counts them from 1; 0: none.
+    subroutine morph_safe_v8(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(in) :: basis
+        real(c_double), intent(in) :: move(:, :)
+        real(c_double), intent(inout), target :: x_new(:), y_new(:)
+        type(hm_basis), intent(inout), optional :: derivative
+        type(hm_basis), intent(in), optional :: others(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(view) :: v
+        v = view_of(x_new, y_new)
+        call move_safely(self, basis, as_double(move), v, derivative, others, options, report, work, stat, err)
+    end subroutine
+
+    subroutine morph_safe_v4(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(in) :: basis
+        real(c_float), intent(in) :: move(:, :)
+        real(c_float), intent(inout), target :: x_new(:), y_new(:)
+        type(hm_basis), intent(inout), optional :: derivative
+        type(hm_basis), intent(in), optional :: others(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(view) :: v
+        v = view_of(x_new, y_new)
+        call move_safely(self, basis, as_double(move), v, derivative, others, options, report, work, stat, err)
+        call put_back(v, x_new, y_new)
+    end subroutine
+
+    subroutine morph_safe_b8(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(in) :: basis
+        real(c_double), intent(in) :: move(:, :)
+        real(c_double), intent(inout), target :: x_new(:, :), y_new(:, :)
+        type(hm_basis), intent(inout), optional :: derivative
+        type(hm_basis), intent(in), optional :: others(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(view) :: v
+        v = view_of(x_new, y_new)
+        call move_safely(self, basis, as_double(move), v, derivative, others, options, report, work, stat, err)
+        call put_back(v, x_new, y_new)
+    end subroutine
+
+    subroutine morph_safe_b4(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(in) :: basis
+        real(c_float), intent(in) :: move(:, :)
+        real(c_float), intent(inout), target :: x_new(:, :), y_new(:, :)
+        type(hm_basis), intent(inout), optional :: derivative
+        type(hm_basis), intent(in), optional :: others(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(view) :: v
+        v = view_of(x_new, y_new)
+        call move_safely(self, basis, as_double(move), v, derivative, others, options, report, work, stat, err)
+        call put_back(v, x_new, y_new)
     end subroutine
 
     subroutine plan_free(self)
@@ -2172,7 +2545,7 @@ contains
         nullify(self%data)
     end subroutine
 
-    subroutine plan_final(self)
+    impure elemental subroutine plan_final(self)
         type(hm_plan), intent(inout) :: self
         call self%free()
     end subroutine
@@ -2205,41 +2578,29 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! Rows of some points: a basis for a part of the mesh, with arrays in the order of the list. Of a share it waits for
-    ! its values (harmorph_mpi.f90).
-    subroutine extract_i4(self, rows, points, work, stat, err)
-        class(hm_basis), intent(in) :: self
-        type(hm_basis), intent(inout) :: rows
-        integer(c_int32_t), intent(in), contiguous :: points(:)
+    ! Memory for functions first .. first+n-1 alone, n >= 0: a share, which solve fills.
+    subroutine basis_init_share(self, plan, first, n, work, stat, err)
+        class(hm_basis), intent(inout) :: self
+        class(hm_plan), intent(in) :: plan
+        integer, intent(in) :: first, n
         real(c_double), intent(inout), target, optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_c_error) :: e
-        integer(c_int32_t) :: status, n
+        integer(c_int32_t) :: status
         integer(c_size_t) :: bytes
-        call rows%free()
+        call self%free()
         status = hm_ok
-        n = int(size(points), c_int32_t)
-        call need_basis(self, status, e)
-        if (status == hm_ok) status = hm_c_extract_size(self%handle, n, bytes, e)
-        call take(rows%memory, bytes, work, status, e)
-        if (status == hm_ok) status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, &
-            self%handle, n, points, e)
-        call know_basis(rows, status)
+        call need_analysis(plan, status, e)
+        if (status == hm_ok) status = hm_c_share_size(plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), bytes, e)
+        call take(self%memory, bytes, work, status, e)
+        if (status == hm_ok) status = hm_c_share_init(self%handle, self%memory%start, self%memory%bytes, plan%analysis, &
+            int(first - 1, c_int32_t), int(n, c_int32_t), e)
+        call know_basis(self, status)
         call finish(status, e, stat, err)
     end subroutine
 
-    subroutine extract_i8(self, rows, points, work, stat, err)
-        class(hm_basis), intent(in) :: self
-        type(hm_basis), intent(inout) :: rows
-        integer(c_int64_t), intent(in), contiguous :: points(:)
-        real(c_double), intent(inout), target, optional :: work(:)
-        integer, intent(out), optional :: stat
-        type(hm_error), intent(out), optional :: err
-        call self%extract(rows, small(points), work, stat, err)
-    end subroutine
-
-    ! The basis as C sees it; null if it is empty.
+    ! The library's object, for its other bindings; null: none.
     type(c_ptr) function basis_address(self)
         class(hm_basis), intent(in) :: self
         basis_address = self%handle
@@ -2256,6 +2617,7 @@ contains
             if (hm_c_basis_info_get(self%handle, info, e) < 0) return
             self%n_points = info%points
             self%n_functions = info%functions
+            self%n_numbers = info%numbers_per_value
         else
             call self%free()
         end if
@@ -2443,6 +2805,36 @@ contains
             info%point_curve = int(numbers) + 1
             call c_f_pointer(c%point_u, u, [c%curve_points])
             info%point_u = u
+            info%exponent_quarters = int(c%exponent_quarters)
+            info%bodies = int(c%bodies)
+            info%offset_correction = c%offset_correction /= 0
+        end if
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! The conditions the basis was solved with.
+    subroutine basis_conditions(self, conditions, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_condition), allocatable, intent(out) :: conditions(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(hm_c_condition), allocatable :: list(:)
+        integer(c_int32_t) :: status, n
+        integer :: k
+        status = hm_ok
+        n = 0
+        call need_basis(self, status, e)
+        do k = 1, 2                           ! first without room, to learn how many there are
+            allocate(list(n))
+            if (n > 0) list%struct_size = int(c_sizeof(list(1)), c_int64_t)
+            if (status == hm_ok .or. k == 2) status = hm_c_basis_conditions(self%handle, list, n, n, e)
+            if (.not. (k == 1 .and. status == hm_bad_argument .and. n > 0)) exit
+            deallocate(list)
+        end do
+        if (status >= 0) then
+            conditions = [(hm_condition(int(list(k)%marker), int(list(k)%kind), int(list(k)%first_curve) + 1, &
+                int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y), k = 1, int(n))]
         end if
         call finish(status, e, stat, err)
     end subroutine
@@ -2479,7 +2871,7 @@ contains
         self%n_functions = 0
     end subroutine
 
-    subroutine basis_final(self)
+    impure elemental subroutine basis_final(self)
         type(hm_basis), intent(inout) :: self
         call self%free()
     end subroutine
@@ -2516,68 +2908,79 @@ contains
     end subroutine
 
     ! values: not allocated if refused.
-    subroutine function_values(self, number, room, values, stat, err)
+    subroutine function_values(self, function, number, room, values, stat, err)
         class(hm_basis), intent(in) :: self
-        integer, intent(in) :: number
+        integer, intent(in) :: function
+        integer, intent(in), optional :: number
         integer(c_int64_t), intent(in) :: room
         real(c_double), allocatable, target, intent(out) :: values(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_c_error) :: e
         integer(c_int32_t) :: status
+        integer :: its_number
         status = hm_ok
+        its_number = 1
+        if (present(number)) its_number = number
         call need_basis(self, status, e)
         call check_count(view(n=room), self%n_points, status, e)
-        if (number < 1 .or. number > self%n_functions) call refuse(status, e, "there is no function of this number")
+        if (function < 1 .or. function > self%n_functions) call refuse(status, e, "there is no function of this number")
+        if (its_number < 1 .or. its_number > self%n_numbers) call refuse(status, e, "values have no number of this number")
         if (status == hm_ok) then
             allocate(values(self%n_points))
-            status = hm_c_basis_values(self%handle, int(number - 1, c_int32_t), c_loc(values), e)
+            status = hm_c_basis_values(self%handle, int(function - 1, c_int32_t), int(its_number - 1, c_int32_t), &
+                c_loc(values), e)
             if (status < 0) deallocate(values)
         end if
         call finish(status, e, stat, err)
     end subroutine
 
-    subroutine values_v8(self, number, values, stat, err)
+    ! values(function, values [, number]): which of the info's numbers_per_value, 1: the only one, real part, or xx.
+    subroutine values_v8(self, function, values, number, stat, err)
         class(hm_basis), intent(in) :: self
-        integer, intent(in) :: number
+        integer, intent(in) :: function
         real(c_double), intent(inout) :: values(:)
+        integer, intent(in), optional :: number
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         real(c_double), allocatable, target :: all(:)
-        call function_values(self, number, size(values, kind=c_int64_t), all, stat, err)
+        call function_values(self, function, number, size(values, kind=c_int64_t), all, stat, err)
         if (allocated(all)) values = all
     end subroutine
 
-    subroutine values_v4(self, number, values, stat, err)
+    subroutine values_v4(self, function, values, number, stat, err)
         class(hm_basis), intent(in) :: self
-        integer, intent(in) :: number
+        integer, intent(in) :: function
         real(c_float), intent(inout) :: values(:)
+        integer, intent(in), optional :: number
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         real(c_double), allocatable, target :: all(:)
-        call function_values(self, number, size(values, kind=c_int64_t), all, stat, err)
+        call function_values(self, function, number, size(values, kind=c_int64_t), all, stat, err)
         if (allocated(all)) values = real(all, c_float)
     end subroutine
 
-    subroutine values_b8(self, number, values, stat, err)
+    subroutine values_b8(self, function, values, number, stat, err)
         class(hm_basis), intent(in) :: self
-        integer, intent(in) :: number
+        integer, intent(in) :: function
         real(c_double), intent(inout) :: values(:, :)
+        integer, intent(in), optional :: number
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         real(c_double), allocatable, target :: all(:)
-        call function_values(self, number, size(values, kind=c_int64_t), all, stat, err)
+        call function_values(self, function, number, size(values, kind=c_int64_t), all, stat, err)
         if (allocated(all)) values = reshape(all, shape(values))
     end subroutine
 
-    subroutine values_b4(self, number, values, stat, err)
+    subroutine values_b4(self, function, values, number, stat, err)
         class(hm_basis), intent(in) :: self
-        integer, intent(in) :: number
+        integer, intent(in) :: function
         real(c_float), intent(inout) :: values(:, :)
+        integer, intent(in), optional :: number
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         real(c_double), allocatable, target :: all(:)
-        call function_values(self, number, size(values, kind=c_int64_t), all, stat, err)
+        call function_values(self, function, number, size(values, kind=c_int64_t), all, stat, err)
         if (allocated(all)) values = real(reshape(all, shape(values)), c_float)
     end subroutine
 
@@ -2786,6 +3189,7 @@ contains
         call check_count(v, self%n_points, status, e)
         if (status == hm_ok) status = hm_c_adjoint(self%handle, v%x, v%y, v%stride, gradient, &
             c_executor_of(executor, threads), e)
+        call drop(v)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -2797,12 +3201,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        real(c_double) :: values(size(gradient, 1), size(gradient, 2))
-        v = view_of(dj_dx, dj_dy)
-        values = as_double(gradient)
-        call pull_back(self, v, values, executor, stat, err)
-        call put_gradient(gradient, values)
+        call pull_back(self, view_of(dj_dx, dj_dy), gradient, executor, stat, err)
     end subroutine
 
     subroutine adjoint_v4(self, dj_dx, dj_dy, gradient, executor, stat, err)
@@ -2812,13 +3211,10 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
         real(c_double) :: values(size(gradient, 1), size(gradient, 2))
-        v = view_of(dj_dx, dj_dy)
-        values = as_double(gradient)
-        call pull_back(self, v, values, executor, stat, err)
-        call put_gradient(gradient, values)
-        call drop(v)
+        values = real(gradient, c_double)
+        call pull_back(self, view_of(dj_dx, dj_dy), values, executor, stat, err)
+        gradient = real(values, c_float)
     end subroutine
 
     subroutine adjoint_b8(self, dj_dx, dj_dy, gradient, executor, stat, err)
@@ -2828,13 +3224,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        real(c_double) :: values(size(gradient, 1), size(gradient, 2))
-        v = view_of(dj_dx, dj_dy)
-        values = as_double(gradient)
-        call pull_back(self, v, values, executor, stat, err)
-        call put_gradient(gradient, values)
-        call drop(v)
+        call pull_back(self, view_of(dj_dx, dj_dy), gradient, executor, stat, err)
     end subroutine
 
     subroutine adjoint_b4(self, dj_dx, dj_dy, gradient, executor, stat, err)
@@ -2844,13 +3234,10 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
         real(c_double) :: values(size(gradient, 1), size(gradient, 2))
-        v = view_of(dj_dx, dj_dy)
-        values = as_double(gradient)
-        call pull_back(self, v, values, executor, stat, err)
-        call put_gradient(gradient, values)
-        call drop(v)
+        values = real(gradient, c_double)
+        call pull_back(self, view_of(dj_dx, dj_dy), values, executor, stat, err)
+        gradient = real(values, c_float)
     end subroutine
 
     subroutine measure_boundary(self, move, from, to, error, point, stat, err)
@@ -2872,6 +3259,8 @@ contains
         if (status == hm_ok) status = hm_c_boundary_error(self%handle, move, from%x, from%y, from%stride, to%x, to%y, &
             to%stride, error, its, e)
         if (present(point)) point = int(its)
+        call drop(from)
+        call drop(to)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -2884,10 +3273,7 @@ contains
         integer, intent(out), optional :: point
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: from, to
-        from = view_of(x, y)
-        to = view_of(x_new, y_new)
-        call measure_boundary(self, as_double(move), from, to, error, point, stat, err)
+        call measure_boundary(self, as_double(move), view_of(x, y), view_of(x_new, y_new), error, point, stat, err)
     end subroutine
 
     subroutine boundary_error_v4(self, move, x, y, x_new, y_new, error, point, stat, err)
@@ -2898,12 +3284,7 @@ contains
         integer, intent(out), optional :: point
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: from, to
-        from = view_of(x, y)
-        to = view_of(x_new, y_new)
-        call measure_boundary(self, as_double(move), from, to, error, point, stat, err)
-        call drop(from)
-        call drop(to)
+        call measure_boundary(self, as_double(move), view_of(x, y), view_of(x_new, y_new), error, point, stat, err)
     end subroutine
 
     subroutine boundary_error_b8(self, move, x, y, x_new, y_new, error, point, stat, err)
@@ -2914,12 +3295,7 @@ contains
         integer, intent(out), optional :: point
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: from, to
-        from = view_of(x, y)
-        to = view_of(x_new, y_new)
-        call measure_boundary(self, as_double(move), from, to, error, point, stat, err)
-        call drop(from)
-        call drop(to)
+        call measure_boundary(self, as_double(move), view_of(x, y), view_of(x_new, y_new), error, point, stat, err)
     end subroutine
 
     subroutine boundary_error_b4(self, move, x, y, x_new, y_new, error, point, stat, err)
@@ -2930,12 +3306,7 @@ contains
         integer, intent(out), optional :: point
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: from, to
-        from = view_of(x, y)
-        to = view_of(x_new, y_new)
-        call measure_boundary(self, as_double(move), from, to, error, point, stat, err)
-        call drop(from)
-        call drop(to)
+        call measure_boundary(self, as_double(move), view_of(x, y), view_of(x_new, y_new), error, point, stat, err)
     end subroutine
 
     subroutine limit_step(self, mesh, v, report, executor, stat, err)
@@ -2955,6 +3326,7 @@ contains
         report%struct_size = int(c_sizeof(report), c_int64_t)
         if (status == hm_ok) status = hm_c_admissible_step(self%handle, c_mesh_of(mesh), v%x, v%y, v%stride, &
             c_executor_of(executor, threads), report, e)
+        call drop(v)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -2967,9 +3339,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(dx, dy)
-        call limit_step(self, mesh, v, report, executor, stat, err)
+        call limit_step(self, mesh, view_of(dx, dy), report, executor, stat, err)
     end subroutine
 
     subroutine admissible_step_v4(self, mesh, dx, dy, report, executor, stat, err)
@@ -2980,10 +3350,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(dx, dy)
-        call limit_step(self, mesh, v, report, executor, stat, err)
-        call drop(v)
+        call limit_step(self, mesh, view_of(dx, dy), report, executor, stat, err)
     end subroutine
 
     subroutine admissible_step_b8(self, mesh, dx, dy, report, executor, stat, err)
@@ -2994,10 +3361,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(dx, dy)
-        call limit_step(self, mesh, v, report, executor, stat, err)
-        call drop(v)
+        call limit_step(self, mesh, view_of(dx, dy), report, executor, stat, err)
     end subroutine
 
     subroutine admissible_step_b4(self, mesh, dx, dy, report, executor, stat, err)
@@ -3008,10 +3372,7 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v
-        v = view_of(dx, dy)
-        call limit_step(self, mesh, v, report, executor, stat, err)
-        call drop(v)
+        call limit_step(self, mesh, view_of(dx, dy), report, executor, stat, err)
     end subroutine
 
     subroutine measure_quality(self, mesh, v, ref, report, executor, stat, err)
@@ -3032,6 +3393,8 @@ contains
         report%struct_size = int(c_sizeof(report), c_int64_t)
         if (status == hm_ok) status = hm_c_quality(self%handle, c_mesh_of(mesh), v%x, v%y, v%stride, ref%x, ref%y, &
             ref%stride, c_executor_of(executor, threads), report, e)
+        call drop(v)
+        call drop(ref)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -3045,10 +3408,9 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v, ref
-        v = view_of(x, y)
+        type(view) :: ref
         if (present(x_ref) .and. present(y_ref)) ref = view_of(x_ref, y_ref)
-        call measure_quality(self, mesh, v, ref, report, executor, stat, err)
+        call measure_quality(self, mesh, view_of(x, y), ref, report, executor, stat, err)
     end subroutine
 
     subroutine quality_v4(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)
@@ -3060,12 +3422,9 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v, ref
-        v = view_of(x, y)
+        type(view) :: ref
         if (present(x_ref) .and. present(y_ref)) ref = view_of(x_ref, y_ref)
-        call measure_quality(self, mesh, v, ref, report, executor, stat, err)
-        call drop(v)
-        call drop(ref)
+        call measure_quality(self, mesh, view_of(x, y), ref, report, executor, stat, err)
     end subroutine
 
     subroutine quality_b8(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)
@@ -3077,12 +3436,9 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v, ref
-        v = view_of(x, y)
+        type(view) :: ref
         if (present(x_ref) .and. present(y_ref)) ref = view_of(x_ref, y_ref)
-        call measure_quality(self, mesh, v, ref, report, executor, stat, err)
-        call drop(v)
-        call drop(ref)
+        call measure_quality(self, mesh, view_of(x, y), ref, report, executor, stat, err)
     end subroutine
 
     subroutine quality_b4(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)
@@ -3094,12 +3450,324 @@ contains
         type(hm_executor), intent(in), optional :: executor
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        type(view) :: v, ref
-        v = view_of(x, y)
+        type(view) :: ref
         if (present(x_ref) .and. present(y_ref)) ref = view_of(x_ref, y_ref)
-        call measure_quality(self, mesh, v, ref, report, executor, stat, err)
+        call measure_quality(self, mesh, view_of(x, y), ref, report, executor, stat, err)
+    end subroutine
+
+    subroutine judge(self, mesh, v, step, quality, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_mesh), intent(in) :: mesh
+        type(view), intent(in) :: v
+        type(hm_step_report), intent(inout) :: step
+        type(hm_quality_report), intent(inout) :: quality
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(c_threads), target :: threads
+        integer(c_int32_t) :: status
+        status = hm_ok
+        call need_basis(self, status, e)
+        call check_count(v, self%n_points, status, e)
+        step%struct_size = int(c_sizeof(step), c_int64_t)
+        quality%struct_size = int(c_sizeof(quality), c_int64_t)
+        if (status == hm_ok) status = hm_c_assess(self%handle, c_mesh_of(mesh), v%x, v%y, v%stride, &
+            c_executor_of(executor, threads), step, quality, e)
         call drop(v)
-        call drop(ref)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! assess(mesh, dx, dy, step, quality): both in one pass, quality where the displacement leads, before anything moves.
+    subroutine assess_v8(self, mesh, dx, dy, step, quality, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_mesh), intent(in) :: mesh
+        real(c_double), intent(in), target :: dx(:), dy(:)
+        type(hm_step_report), intent(inout) :: step
+        type(hm_quality_report), intent(inout) :: quality
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call judge(self, mesh, view_of(dx, dy), step, quality, executor, stat, err)
+    end subroutine
+
+    subroutine assess_v4(self, mesh, dx, dy, step, quality, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_mesh), intent(in) :: mesh
+        real(c_float), intent(in), target :: dx(:), dy(:)
+        type(hm_step_report), intent(inout) :: step
+        type(hm_quality_report), intent(inout) :: quality
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call judge(self, mesh, view_of(dx, dy), step, quality, executor, stat, err)
+    end subroutine
+
+    subroutine assess_b8(self, mesh, dx, dy, step, quality, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_mesh), intent(in) :: mesh
+        real(c_double), intent(in), target :: dx(:, :), dy(:, :)
+        type(hm_step_report), intent(inout) :: step
+        type(hm_quality_report), intent(inout) :: quality
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call judge(self, mesh, view_of(dx, dy), step, quality, executor, stat, err)
+    end subroutine
+
+    subroutine assess_b4(self, mesh, dx, dy, step, quality, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_mesh), intent(in) :: mesh
+        real(c_float), intent(in), target :: dx(:, :), dy(:, :)
+        type(hm_step_report), intent(inout) :: step
+        type(hm_quality_report), intent(inout) :: quality
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call judge(self, mesh, view_of(dx, dy), step, quality, executor, stat, err)
+    end subroutine
+
+    ! ==== Meshes in parts: several processes, see harmorph.h ===========================================================
+
+    ! 8-byte numbers of work for an extract of n points, of a parcel of n points; 0 of a basis that is not solved.
+    integer(c_int64_t) function basis_extract_words(self, n)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: n
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        basis_extract_words = 0
+        if (hm_c_extract_size(self%handle, int(n, c_int32_t), bytes, e) >= 0) basis_extract_words = words_of(bytes)
+    end function
+
+    integer(c_int64_t) function basis_parcel_words(self, n)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: n
+        type(hm_c_error) :: e
+        basis_parcel_words = 0
+        if (hm_c_parcel_size(self%handle, int(n, c_int32_t), basis_parcel_words, e) < 0) basis_parcel_words = 0
+    end function
+
+    ! The rows of some points: a basis for the part of the mesh that a process has, in the order of the list.
+    subroutine basis_extract(self, points, rows, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: points(:)
+        type(hm_basis), intent(inout) :: rows
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, n
+        integer(c_size_t) :: bytes
+        call rows%free()
+        status = hm_ok
+        n = int(size(points), c_int32_t)
+        call need_basis(self, status, e)
+        if (status == hm_ok) status = hm_c_extract_size(self%handle, n, bytes, e)
+        call take(rows%memory, bytes, work, status, e)
+        if (status == hm_ok) status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, self%handle, n, &
+            int(points, c_int32_t), e)
+        call know_basis(rows, status)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! The values of a share at some points, for another process: parcel(parcel_words(n)).
+    subroutine basis_pack(self, points, parcel, stat, err)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: points(:)
+        real(c_double), intent(inout) :: parcel(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status
+        status = hm_ok
+        call need_basis(self, status, e)
+        if (size(parcel, kind=c_int64_t) < self%parcel_words(size(points))) call refuse(status, e, "parcel is too short")
+        if (status == hm_ok) status = hm_c_parcel_pack(self%handle, int(size(points), c_int32_t), int(points, c_int32_t), &
+            parcel, e)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! The parcels of all shares, in the order of their functions, make the extract of a share a basis.
+    subroutine basis_unpack(self, parcel, stat, err)
+        class(hm_basis), intent(inout) :: self
+        real(c_double), intent(in) :: parcel(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status
+        status = hm_ok
+        call need_basis(self, status, e)
+        if (status == hm_ok) status = hm_c_parcel_unpack(self%handle, parcel, size(parcel, kind=c_int64_t), e)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    subroutine find_scale(self, v, scale, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(view), intent(in) :: v
+        integer, intent(inout) :: scale
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(c_threads), target :: threads
+        integer(c_int32_t) :: status, its
+        status = hm_ok
+        call need_basis(self, status, e)
+        call check_count(v, self%n_points, status, e)
+        if (status == hm_ok) status = hm_c_adjoint_scale(self%handle, v%x, v%y, v%stride, its, &
+            c_executor_of(executor, threads), e)
+        if (status >= 0) scale = int(its)
+        call drop(v)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! The adjoint in parts. adjoint_scale(dj_dx, dj_dy, scale): take the largest of all parts.
+    subroutine adjoint_scale_v8(self, dj_dx, dj_dy, scale, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in), target :: dj_dx(:), dj_dy(:)
+        integer, intent(inout) :: scale
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call find_scale(self, view_of(dj_dx, dj_dy), scale, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_scale_v4(self, dj_dx, dj_dy, scale, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_float), intent(in), target :: dj_dx(:), dj_dy(:)
+        integer, intent(inout) :: scale
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call find_scale(self, view_of(dj_dx, dj_dy), scale, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_scale_b8(self, dj_dx, dj_dy, scale, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in), target :: dj_dx(:, :), dj_dy(:, :)
+        integer, intent(inout) :: scale
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call find_scale(self, view_of(dj_dx, dj_dy), scale, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_scale_b4(self, dj_dx, dj_dy, scale, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_float), intent(in), target :: dj_dx(:, :), dj_dy(:, :)
+        integer, intent(inout) :: scale
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call find_scale(self, view_of(dj_dx, dj_dy), scale, executor, stat, err)
+    end subroutine
+
+    subroutine sum_up(self, v, scale, sums, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(view), intent(in) :: v
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(inout) :: sums(:)
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(c_threads), target :: threads
+        integer(c_int32_t) :: status
+        status = hm_ok
+        call need_basis(self, status, e)
+        call check_count(v, self%n_points, status, e)
+        call check_sums(self, sums, status, e)
+        if (status == hm_ok) status = hm_c_adjoint_sums(self%handle, v%x, v%y, v%stride, int(scale, c_int32_t), sums, &
+            c_executor_of(executor, threads), e)
+        call drop(v)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    subroutine check_sums(self, sums, status, e)
+        class(hm_basis), intent(in) :: self
+        integer(c_int64_t), intent(in) :: sums(:)
+        integer(c_int32_t), intent(inout) :: status
+        type(hm_c_error), intent(inout) :: e
+        character(len=112) :: text
+        if (size(sums, kind=c_int64_t) == 4 * self%n_functions * self%n_numbers) return
+        write(text, "(a, i0, a)") "sums must be (", 4 * self%n_functions * self%n_numbers, ")"
+        call refuse(status, e, text)
+    end subroutine
+
+    ! adjoint_sums(dj_dx, dj_dy, scale, sums): add those of all parts. sums(4 * functions * numbers_per_value).
+    subroutine adjoint_sums_v8(self, dj_dx, dj_dy, scale, sums, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in), target :: dj_dx(:), dj_dy(:)
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(inout) :: sums(:)
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call sum_up(self, view_of(dj_dx, dj_dy), scale, sums, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_sums_v4(self, dj_dx, dj_dy, scale, sums, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_float), intent(in), target :: dj_dx(:), dj_dy(:)
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(inout) :: sums(:)
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call sum_up(self, view_of(dj_dx, dj_dy), scale, sums, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_sums_b8(self, dj_dx, dj_dy, scale, sums, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in), target :: dj_dx(:, :), dj_dy(:, :)
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(inout) :: sums(:)
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call sum_up(self, view_of(dj_dx, dj_dy), scale, sums, executor, stat, err)
+    end subroutine
+
+    subroutine adjoint_sums_b4(self, dj_dx, dj_dy, scale, sums, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_float), intent(in), target :: dj_dx(:, :), dj_dy(:, :)
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(inout) :: sums(:)
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call sum_up(self, view_of(dj_dx, dj_dy), scale, sums, executor, stat, err)
+    end subroutine
+
+    ! The gradient by the control points, of all parts' sums.
+    subroutine adjoint_finish_8(self, scale, sums, gradient, stat, err)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(in) :: sums(:)
+        real(c_double), intent(inout) :: gradient(:, :)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status
+        status = hm_ok
+        call need_basis(self, status, e)
+        call check_sums(self, sums, status, e)
+        call check_pairs_of_control(self, gradient, status, e)
+        if (status == hm_ok) status = hm_c_adjoint_finish(self%handle, int(scale, c_int32_t), sums, gradient, e)
+        call finish(status, e, stat, err)
+    end subroutine
+
+    subroutine adjoint_finish_4(self, scale, sums, gradient, stat, err)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: scale
+        integer(c_int64_t), intent(in) :: sums(:)
+        real(c_float), intent(inout) :: gradient(:, :)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        real(c_double) :: values(size(gradient, 1), size(gradient, 2))
+        values = real(gradient, c_double)
+        call adjoint_finish_8(self, scale, sums, values, stat, err)
+        gradient = real(values, c_float)
     end subroutine
 
 end module

@@ -10,10 +10,22 @@
 !  or CALL HMCTRL (W, NCP, P, IERR, MSG)                         control points P(2,NCP); forgets all curves; then
 !     CALL HMCURV (W, IDEG, NIDX, IDX, U, IERR, MSG)             a curve through control points IDX(NIDX), knots
 !                                                                U(NIDX+IDEG+1)
-!     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 1 fixed, 2 free
+!     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed, 3 slips
+!                                                                along its straight lines, 4 free; see hm_on_curve, ...
+!     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)            belongs to rigid body IBODY, which turns about XC, YC
+!     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                    these two are translates of each other and move alike
+!     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                     before HMSOLV; NAME and values of hm_options:
+!                                                                'OPERATOR' 0 conformal, 1 Laplace, 2 weighted;
+!                                                                'EXPONENT' 4 q of the weight 1/d**q, -1: no weight;
+!                                                                'SCHEME', 'ENGINE', 'KERNEL', 'OFFSET', 'PRECISION'
 !     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
-!     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP)
+!     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP), or with
+!                                                                rigid bodies DP(2,NCP+2*NBODY), see hm_morph
+!     CALL HMSAFE (W, DP, XN, YN, INC, FRAC, IRUNG, IERR, MSG)   XN, YN: the mesh of HMMESH moved so that no cell is
+!                                                                inverted, however large DP is; FRAC: how much of DP
+!                                                                (IERR 3: not all); IRUNG 0: as HMMORF, 2: in several
+!                                                                steps, 3: untangled
 !     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)                displacements alone; of velocities: velocities
 !     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)                 gradient G(2,NCP) by control points from mesh points'
 !     CALL HMSTEP (W, DX, DY, INC, S, ICELL, IERR, MSG)          largest S for which X + S*DX has no inverted cell
@@ -25,6 +37,7 @@
 ! below 0 refused with the reason in MSG, CHARACTER*112 or so. -7: W is too small; MSG says what it needs, as far as is
 ! known. X, Y, CELLS, FACES and MARKS of HMMESH, and W, must stay where they are: main program, COMMON, SAVE.
 ! HMMESH first, then curves, conditions, HMSOLV; or HMMESH and HMLOAD. HMSOLV again after the mesh has moved: as before.
+! HMSAFE wants HMSOLV before it in the same W, and X, Y as they were then.
 module harmorph77_state
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, &
         c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
@@ -45,7 +58,8 @@ module harmorph77_state
         type(hm_c_curves) :: set
         type(hm_c_curve) :: curve(most_curves)
         type(hm_c_condition) :: condition(most_conditions)
-        integer(c_int32_t) :: n_conditions = 0, n_control = 0
+        integer(c_int32_t) :: n_conditions = 0
+        type(hm_c_options) :: options
         type(c_ptr) :: basis = c_null_ptr
     end type
 
@@ -111,7 +125,6 @@ contains
         its%set = hm_c_curves(index_base=1)
         its%set%struct_size = int(c_sizeof(its%set), c_int64_t)
         its%n_conditions = 0
-        its%n_control = 0
         its%basis = c_null_ptr
     end subroutine
 
@@ -130,17 +143,18 @@ contains
         problem%struct_size = int(c_sizeof(problem), c_int64_t)
         problem%mesh = c_loc(its%mesh)
         if (with_curves) then
-            problem%curves = c_loc(its%set)
+            if (its%set%n_curves > 0) problem%curves = c_loc(its%set)
             problem%n_conditions = its%n_conditions
             problem%conditions = c_loc(its%condition)
         end if
         analysis = c_null_ptr
         top = its%words
-        call tell(hm_c_analysis_size(problem, c_null_ptr, bytes, e), e, ierr, msg)
+        call tell(hm_c_analysis_size(problem, c_loc(its%options), bytes, e), e, ierr, msg)
         if (ierr < 0) return
         if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
         top = top - words_of(bytes)
-        call tell(hm_c_analysis_init(analysis, c_loc(w(top + 1)), bytes, problem, c_null_ptr, e), e, ierr, msg)
+        call tell(hm_c_analysis_init(analysis, c_loc(w(top + 1)), bytes, problem, c_loc(its%options), e), e, ierr, &
+            msg)
     end subroutine
 
     ! What every use of the functions begins with.
@@ -165,7 +179,6 @@ contains
         if (hm_c_basis_info_get(basis, info, e) < 0) return
         first = transfer(basis, first)
         its%basis = basis
-        its%n_control = info%functions
         its%used = (first - its%here + info%bytes + 7) / 8
     end subroutine
 
@@ -183,7 +196,6 @@ contains
         w(its%used + 1:its%used + 2 * n) = reshape(control, [2 * n])
         its%set%control = c_loc(w(its%used + 1))
         its%set%n_control = int(n, c_int32_t)
-        its%n_control = its%set%n_control
         its%used = its%used + 2 * n
         its%no_basis = its%used
     end subroutine
@@ -214,6 +226,41 @@ contains
             int(n, c_int32_t), c_loc(copy), c_loc(w(its%used + 1)))
         its%used = its%used + m + (n + 1) / 2
         its%no_basis = its%used
+    end subroutine
+
+    subroutine put_condition(its, condition, ierr, msg)
+        type(state), intent(inout) :: its
+        type(hm_c_condition), intent(in) :: condition
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        integer :: n
+        n = int(its%n_conditions) + 1
+        if (n > most_conditions) then
+            call complain("there are 64 conditions already", ierr, msg)
+            return
+        end if
+        its%condition(n) = condition
+        its%condition(n)%struct_size = int(c_sizeof(condition), c_int64_t)
+        its%n_conditions = int(n, c_int32_t)
+    end subroutine
+
+    ! A plan of the analysis, below top.
+    subroutine make_plan(w, its, analysis, plan, top, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), intent(in) :: its
+        type(c_ptr), intent(in) :: analysis
+        type(c_ptr), intent(out) :: plan
+        integer(c_int64_t), intent(inout) :: top
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        plan = c_null_ptr
+        call tell(hm_c_plan_size(analysis, bytes, e), e, ierr, msg)
+        if (ierr < 0) return
+        if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+        top = top - words_of(bytes)
+        call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), bytes, analysis, e), e, ierr, msg)
     end subroutine
 
     integer(c_int64_t) function stride_of(inc)
@@ -247,6 +294,7 @@ subroutine hmopen(w, lw, ierr, msg)
         its = fresh
         its%here = transfer(c_loc(w), its%here)
         its%words = lw
+        its%options%struct_size = int(c_sizeof(its%options), c_int64_t)
         its%own = n
         call forget(its)
     end if
@@ -424,8 +472,7 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     if (ierr < 0) return
     if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
     call tell(hm_c_fit(made, c_loc(w(top - words_of(bytes) + 1)), bytes, c_loc(wall(1, 1)), c_loc(wall(1, 2)), &
-        1_c_int64_t, n, &
-        is_loop, options, report, e), e, ierr, msg)
+        1_c_int64_t, n, is_loop, options, report, e), e, ierr, msg)
     if (ierr < 0) return
     top = top - words_of(bytes)
 
@@ -489,17 +536,69 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
-    integer :: n
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. kind == hm_rigid) call complain("a rigid body is made by HMRIGD", ierr, msg)
+    if (ierr == hm_ok .and. kind == hm_periodic_pair) call complain("a periodic pair is made by HMPAIR", ierr, msg)
+    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=kind, first_curve=icurv - 1, &
+        n_curves=ncurv), ierr, msg)
+end subroutine
+
+subroutine hmrigd(w, mark, ibody, xc, yc, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: mark, ibody
+    real(c_double), intent(in) :: xc, yc
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=hm_rigid, body=ibody - 1, x=xc, y=yc), &
+        ierr, msg)
+end subroutine
+
+subroutine hmpair(w, mark, mark2, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: mark, mark2
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), ierr, msg)
+end subroutine
+
+! Whether values go together, HMSOLV tells.
+subroutine hmopt(w, name, ival, ierr, msg)
+    use harmorph77_state
+    implicit none
+    character(len=*), intent(in) :: name
+    integer, intent(in) :: ival
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
     call open_state(w, its, ierr, msg)
     if (ierr /= hm_ok) return
-    n = int(its%n_conditions) + 1
-    if (n > most_conditions) then
-        call complain("there are 64 conditions already", ierr, msg)
-        return
-    end if
-    its%condition(n) = hm_c_condition(int(c_sizeof(its%condition(n)), c_int64_t), int(mark, c_int32_t), &
-        int(kind, c_int32_t), int(icurv - 1, c_int32_t), int(ncurv, c_int32_t))
-    its%n_conditions = int(n, c_int32_t)
+    select case (name)
+    case ("OPERATOR")
+        its%options%operator_kind = int(ival, c_int32_t)
+    case ("EXPONENT")
+        its%options%exponent_quarters = int(ival, c_int32_t)
+    case ("SCHEME")
+        its%options%scheme = int(ival, c_int32_t)
+    case ("ENGINE")
+        its%options%engine = int(ival, c_int32_t)
+    case ("KERNEL")
+        its%options%kernel = int(ival, c_int32_t)
+    case ("OFFSET")
+        its%options%offset_correction = int(ival, c_int32_t)
+    case ("PRECISION")
+        its%options%precision = int(ival, c_int32_t)
+    case default
+        call complain("there is no option of this name: " // name, ierr, msg)
+    end select
 end subroutine
 
 ! From the end of W downwards: analysis, plan. From what is kept upwards: the functions, which stay.
@@ -515,20 +614,19 @@ subroutine hmsolv(w, resid, ierr, msg)
     type(hm_solve_report) :: report
     type(c_ptr) :: analysis, plan, basis
     integer(c_int64_t) :: top
-    integer(c_size_t) :: plan_bytes, basis_bytes
+    integer(c_size_t) :: bytes
     call open_state(w, its, ierr, msg)
-    if (ierr == hm_ok .and. its%set%n_curves < 1) call complain("there is no curve: HMFIT, or HMCTRL and HMCURV", ierr, msg)
+    if (ierr == hm_ok .and. its%set%n_curves < 1 .and. all(its%condition(:its%n_conditions)%kind /= hm_rigid)) &
+        call complain("there is no curve and no rigid body: HMFIT, or HMCTRL and HMCURV, or HMRIGD", ierr, msg)
     if (ierr /= hm_ok) return
     its%used = its%no_basis
     its%basis = c_null_ptr
     call analyse(w, its, .true., analysis, top, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_plan_size(analysis, plan_bytes, e), e, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, basis_bytes, e), e, ierr, msg)
+    if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, bytes, e), e, ierr, msg)
     if (ierr < 0) return
-    if (.not. fits(its, words_of(plan_bytes) + words_of(basis_bytes), top, ierr, msg)) return
-    top = top - words_of(plan_bytes)
-    call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), plan_bytes, analysis, e), e, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), basis_bytes, analysis, e), e, ierr, msg)
+    if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+    call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), bytes, analysis, e), e, ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, c_null_ptr, 0_c_int64_t, e), e, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     if (ierr == hm_ok) call tell(hm_c_plan_solve(plan, basis, report, e), e, ierr, msg)
@@ -579,6 +677,47 @@ subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
         stride_of(inc), c_null_ptr, e), e, ierr, msg)
 end subroutine
 
+! The plan is made again in the free end of W, with the working space below it.
+subroutine hmsafe(w, dp, xn, yn, inc, frac, irung, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
+    real(c_double), intent(in) :: dp(2, *)
+    real(c_double), intent(inout) :: frac
+    integer, intent(inout) :: irung
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_basis_info) :: info
+    type(hm_c_error) :: e
+    type(hm_c_safe_options) :: options
+    type(hm_safe_report) :: report
+    type(c_ptr) :: analysis, plan, same
+    integer(c_int64_t) :: top
+    integer(c_size_t) :: bytes
+    info%struct_size = int(c_sizeof(info), c_int64_t)
+    options%struct_size = int(c_sizeof(options), c_int64_t)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok .and. its%n_conditions == 0) call complain("HMSAFE needs HMSOLV before it, HMLOAD is not enough", &
+        ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_attach(same, its%basis, int(info%bytes, c_size_t), c_loc(its%mesh), e), e, &
+        ierr, msg)
+    if (ierr == hm_moved) call complain("X, Y are no longer where HMSOLV found them", ierr, msg)
+    if (ierr == hm_ok) call analyse(w, its, .true., analysis, top, ierr, msg)
+    if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph_safe_size(plan, bytes, e), e, ierr, msg)
+    if (ierr < 0) return
+    if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+    call tell(hm_c_morph_safe(plan, its%basis, dp, c_loc(xn), c_loc(yn), stride_of(inc), c_null_ptr, &
+        c_loc(w(top - words_of(bytes) + 1)), bytes, options, report, e), e, ierr, msg)
+    if (ierr < 0) return
+    frac = report%step_fraction
+    irung = int(report%rung)
+end subroutine
+
 subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)
     use harmorph77_state
     implicit none
@@ -626,8 +765,7 @@ subroutine hmstep(w, dx, dy, inc, s, icell, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_admissible_step(its%basis, its%mesh, c_loc(dx), c_loc(dy), stride_of(inc), &
-        c_null_ptr, &
-        report, e), e, ierr, msg)
+        c_null_ptr, report, e), e, ierr, msg)
     if (ierr < 0) return
     s = report%admissible
     icell = int(report%cell)
@@ -649,8 +787,7 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(x), c_loc(y), stride_of(inc), c_null_ptr, &
-        c_null_ptr, &
-        1_c_int64_t, c_null_ptr, report, e), e, ierr, msg)
+        c_null_ptr, 1_c_int64_t, c_null_ptr, report, e), e, ierr, msg)
     if (ierr < 0) return
     ninv = int(report%inverted)
     amin = report%min_area

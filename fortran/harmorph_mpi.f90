@@ -65,14 +65,16 @@ contains
         type(hm_error), intent(out), optional :: err
         type(hm_basis) :: share
         type(hm_error) :: reason
-        integer :: rank, n_processes, solved, done
+        integer :: rank, n_processes, first, n, solved, done
         call mpi_comm_rank(comm, rank)
         call mpi_comm_size(comm, n_processes)
         ! What fails on one process leaves an empty basis there, which all then refuse together.
-        call plan%solve_share(share, rank + 1, n_processes, report, solved, reason)
+        call plan%share_of(rank + 1, n_processes, first, n, solved, reason)
+        if (solved >= 0) call share%init_share(plan, first, n, stat=solved, err=reason)
+        if (solved >= 0) call plan%solve(share, report, solved, reason)
         if (solved < 0) call share%free()
         call basis%free()
-        if (solved >= 0) call share%extract(basis, points, stat=done, err=reason)
+        if (solved >= 0) call share%extract(points, basis, stat=done, err=reason)
         if (solved >= 0 .and. done < 0) solved = done
         if (solved >= 0) then
             call exchange(basis, share, points, comm, done, reason)
@@ -89,7 +91,7 @@ contains
         end if
     end subroutine
 
-    ! rows: made of this process's share by share%extract(rows, points).
+    ! rows: made of this process's share by share%extract(points, rows).
     subroutine exchange(rows, share, points, comm, stat, err)
         type(hm_basis), intent(inout) :: rows
         type(hm_basis), intent(in) :: share

@@ -61,19 +61,28 @@ int main(void) {
     HAS_SIZE_FIRST(hm_transfer_report);
     HAS_SIZE_FIRST(hm_step_report);
     HAS_SIZE_FIRST(hm_quality_report);
+    HAS_SIZE_FIRST(hm_safe_options);
+    HAS_SIZE_FIRST(hm_safe_report);
     if (sizeof(void *) == 8) {
         PLACE(hm_mesh, x, 16);
         PLACE(hm_mesh, stride, 32);
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);
         PLACE(hm_options, progress, 32);
+        PLACE(hm_options, exponent_quarters, 56);
+        PLACE(hm_condition, x, 32);
     }
 
     /* Zero is the default everywhere. */
     check(HM_CELLS_ROWS == 0 && HM_CLOSED_AUTO == 0, "defaults are 0");
-    check(HM_LAPLACE == 0 && HM_COMPACT == 0 && HM_DIRECT == 0, "defaults of the options are 0");
-    check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_CANCELLED < 0 && HM_UNSUPPORTED < 0, "signs of statuses");
-    check(HM_ON_CURVE < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE, "order of conditions");
+    check(HM_CONFORMAL == 0 && HM_COMPACT == 0 && HM_DIRECT == 0, "defaults of the options are 0");
+    check(HM_AGGLOMERATE_AUTO == 0 && HM_KERNEL_AUTO == 0 && HM_DOUBLE == 0, "more defaults of the options");
+    check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_SHORT > 0, "warnings are positive");
+    check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
+    check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE
+              && HM_FREE < HM_PERIODIC_PAIR, "order of conditions");
+    check(HM_RUNG_LINEAR < HM_RUNG_OTHER && HM_RUNG_OTHER < HM_RUNG_SUBSTEPS && HM_RUNG_SUBSTEPS < HM_RUNG_UNTANGLED,
+          "order of rungs");
     check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");
 
     options.progress = never_cancel;

@@ -27,7 +27,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_curves
     case 5:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_control); AT(control); AT(weights); AT(n_curves); AT(curve);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_control); AT(control); AT(weights); AT(n_curves);
+        AT(curve);
         break;
 #undef TYPE
 #define TYPE hm_fit_options
@@ -35,12 +36,15 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_fit_report
     case 7:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(max_error); AT(rms_error); AT(max_error_point); AT(closed); AT(first_point);
-        AT(base_points);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(max_error); AT(rms_error); AT(max_error_point); AT(closed);
+        AT(first_point); AT(base_points);
         break;
 #undef TYPE
 #define TYPE hm_condition
-    case 8: PUT(sizeof(TYPE)); AT(struct_size); AT(marker); AT(kind); AT(first_curve); AT(n_curves); break;
+    case 8:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(marker); AT(kind); AT(first_curve); AT(n_curves); AT(body); AT(partner);
+        AT(x); AT(y);
+        break;
 #undef TYPE
 #define TYPE hm_problem
     case 9:
@@ -51,7 +55,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_options
     case 10:
         PUT(sizeof(TYPE)); AT(struct_size); AT(operator_kind); AT(scheme); AT(engine); AT(kernel); AT(tolerance);
-        AT(progress); AT(progress_user); AT(executor);
+        AT(progress); AT(progress_user); AT(executor); AT(exponent_quarters); AT(offset_correction); AT(levels);
+        AT(agglomeration); AT(block_width); AT(max_iterations); AT(history); AT(history_length); AT(precision);
         break;
 #undef TYPE
 #define TYPE hm_mesh_report
@@ -64,38 +69,63 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_solve_report
     case 12:
         PUT(sizeof(TYPE)); AT(struct_size); AT(unknowns); AT(functions); AT(residual); AT(residual_function);
-        AT(boundary_error_point); AT(boundary_error); AT(partition_defect); AT(min_value); AT(max_value); AT(max_distance);
-        AT(max_distance_point); AT(curve_points); AT(refinements); AT(reserved); AT(factor_entries);
+        AT(boundary_error_point); AT(boundary_error); AT(partition_defect); AT(min_value); AT(max_value);
+        AT(max_distance); AT(max_distance_point); AT(curve_points); AT(refinements); AT(reserved); AT(factor_entries);
+        AT(iterations); AT(levels); AT(fine_sweeps); AT(reserved_too);
         break;
 #undef TYPE
 #define TYPE hm_basis_info
     case 13:
         PUT(sizeof(TYPE)); AT(struct_size); AT(bytes); AT(solved); AT(points); AT(cells); AT(functions); AT(curves);
         AT(curve_points); AT(numbers_per_value); AT(operator_kind); AT(scheme); AT(engine); AT(index_base);
-        AT(curve_point); AT(point_curve); AT(point_u);
+        AT(curve_point); AT(point_curve); AT(point_u); AT(exponent_quarters); AT(bodies); AT(offset_correction);
+        AT(reserved);
+        break;
+#undef TYPE
+#define TYPE hm_transfer_report
+    case 14:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(points); AT(outside); AT(max_distance); AT(max_distance_point);
+        AT(boundary_error_point); AT(boundary_error); AT(wall_correction);
         break;
 #undef TYPE
 #define TYPE hm_step_report
-    case 14: PUT(sizeof(TYPE)); AT(struct_size); AT(admissible); AT(cell); AT(point); break;
+    case 15: PUT(sizeof(TYPE)); AT(struct_size); AT(admissible); AT(cell); AT(point); break;
 #undef TYPE
 #define TYPE hm_quality_report
-    case 15:
+    case 16:
         PUT(sizeof(TYPE)); AT(struct_size); AT(inverted); AT(first_inverted); AT(min_area); AT(min_quality);
         AT(mean_quality); AT(min_quality_cell); AT(self_crossing); AT(crossing_points);
         break;
 #undef TYPE
-    case 16:
-        PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_CANCELLED); PUT(HM_BAD_ARGUMENT);
-        PUT(HM_BAD_MESH); PUT(HM_BAD_CURVE); PUT(HM_BAD_CONDITION); PUT(HM_BAD_BASIS); PUT(HM_BLOCK_TOO_SMALL);
-        PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED);
-        break;
+#define TYPE hm_safe_options
     case 17:
-        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED);
-        PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_ON_CURVE); PUT(HM_FIXED); PUT(HM_FREE);
-        PUT(HM_LAPLACE); PUT(HM_COMPACT); PUT(HM_DIRECT);
-        PUT(HM_KERNEL_AUTO); PUT(HM_KERNEL_BASELINE); PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512);
-        PUT(HM_PHASE_STRUCTURE); PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY);
-        PUT(HM_PHASE_FACTOR); PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_rungs); AT(n_others); AT(reserved); AT(others);
+        break;
+#undef TYPE
+#define TYPE hm_safe_report
+    case 18:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(rung); AT(other); AT(steps); AT(resolves); AT(step_fraction);
+        AT(admissible); AT(cell); AT(point); AT(untangled); AT(iterations); AT(crossing_points); AT(inverted);
+        AT(min_quality_cell); AT(min_quality); AT(mean_quality); AT(mean_angle_change); AT(max_angle_change);
+        AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(angle_point); AT(min_height_point);
+        AT(max_height_point); AT(reserved);
+        break;
+#undef TYPE
+    case 19:
+        PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_SHORT); PUT(HM_CANCELLED);
+        PUT(HM_BAD_ARGUMENT); PUT(HM_BAD_MESH); PUT(HM_BAD_CURVE); PUT(HM_BAD_CONDITION); PUT(HM_BAD_BASIS);
+        PUT(HM_BLOCK_TOO_SMALL); PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED); PUT(HM_CROSSING);
+        break;
+    case 20:
+        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CLOSED_AUTO);
+        PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
+        PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
+        PUT(HM_COMPACT); PUT(HM_BOUNDED); PUT(HM_DIRECT); PUT(HM_MULTIGRID); PUT(HM_AGGLOMERATE_AUTO);
+        PUT(HM_AGGLOMERATE_ISOTROPIC); PUT(HM_AGGLOMERATE_DIRECTIONAL); PUT(HM_KERNEL_AUTO); PUT(HM_KERNEL_BASELINE);
+        PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_PHASE_STRUCTURE);
+        PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);
+        PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_RUNG_LINEAR); PUT(HM_RUNG_OTHER); PUT(HM_RUNG_SUBSTEPS);
+        PUT(HM_RUNG_UNTANGLED);
         break;
     default: break;
     }

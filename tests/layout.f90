@@ -1,7 +1,7 @@
 ! Sizes and places of the fields of every struct that C and Fortran share, and the constants: Fortran's against C's
 ! (layout.c). A struct that gets a field in C only fails here.
 program layout
-    use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_intptr_t, c_loc, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_loc, c_ptr, c_size_t, c_sizeof
     use harmorph
     implicit none
 
@@ -29,106 +29,123 @@ program layout
     type(hm_mesh_report), target :: mesh_report
     type(hm_solve_report), target :: solve_report
     type(hm_c_basis_info), target :: basis_info
+    type(hm_transfer_report), target :: transfer_report
     type(hm_step_report), target :: step_report
     type(hm_quality_report), target :: quality_report
+    type(hm_c_safe_options), target :: safe_options
+    type(hm_safe_report), target :: safe_report
 
-    call compare("hm_error", 1, [c_sizeof(error), place(c_loc(error), c_loc(error%code)), place(c_loc(error), &
-        c_loc(error%item)), place(c_loc(error), c_loc(error%value)), place(c_loc(error), c_loc(error%text))])
-    call compare("hm_executor", 2, [c_sizeof(executor), place(c_loc(executor), c_loc(executor%struct_size)), &
-        place(c_loc(executor), c_loc(executor%run)), place(c_loc(executor), c_loc(executor%user)), place(c_loc(executor), &
-        c_loc(executor%n_threads)), place(c_loc(executor), c_loc(executor%reserved))])
-    call compare("hm_mesh", 3, [c_sizeof(mesh), place(c_loc(mesh), c_loc(mesh%struct_size)), place(c_loc(mesh), &
-        c_loc(mesh%index_base)), place(c_loc(mesh), c_loc(mesh%n_points)), place(c_loc(mesh), c_loc(mesh%x)), &
-        place(c_loc(mesh), c_loc(mesh%y)), place(c_loc(mesh), c_loc(mesh%stride)), place(c_loc(mesh), &
-        c_loc(mesh%cell_layout)), place(c_loc(mesh), c_loc(mesh%n_cells)), place(c_loc(mesh), c_loc(mesh%cell_start)), &
-        place(c_loc(mesh), c_loc(mesh%cell_points)), place(c_loc(mesh), c_loc(mesh%ni)), place(c_loc(mesh), &
-        c_loc(mesh%nj)), place(c_loc(mesh), c_loc(mesh%n_faces)), place(c_loc(mesh), c_loc(mesh%face_points)), &
-        place(c_loc(mesh), c_loc(mesh%face_markers)), place(c_loc(mesh), c_loc(mesh%n_lists)), place(c_loc(mesh), &
-        c_loc(mesh%list_start)), place(c_loc(mesh), c_loc(mesh%list_points)), place(c_loc(mesh), c_loc(mesh%list_markers))])
-    call compare("hm_curve", 4, [c_sizeof(curve), place(c_loc(curve), c_loc(curve%struct_size)), place(c_loc(curve), &
-        c_loc(curve%degree)), place(c_loc(curve), c_loc(curve%n_indices)), place(c_loc(curve), c_loc(curve%indices)), &
-        place(c_loc(curve), c_loc(curve%knots))])
-    call compare("hm_curves", 5, [c_sizeof(curves), place(c_loc(curves), c_loc(curves%struct_size)), place(c_loc(curves), &
-        c_loc(curves%index_base)), place(c_loc(curves), c_loc(curves%n_control)), place(c_loc(curves), &
-        c_loc(curves%control)), place(c_loc(curves), c_loc(curves%weights)), place(c_loc(curves), c_loc(curves%n_curves)), &
-        place(c_loc(curves), c_loc(curves%curve))])
-    call compare("hm_fit_options", 6, [c_sizeof(fit_options), place(c_loc(fit_options), c_loc(fit_options%struct_size)), &
-        place(c_loc(fit_options), c_loc(fit_options%degree)), place(c_loc(fit_options), c_loc(fit_options%n_control)), &
-        place(c_loc(fit_options), c_loc(fit_options%closed))])
-    call compare("hm_fit_report", 7, [c_sizeof(fit_report), place(c_loc(fit_report), c_loc(fit_report%struct_size)), &
-        place(c_loc(fit_report), c_loc(fit_report%max_error)), place(c_loc(fit_report), c_loc(fit_report%rms_error)), &
-        place(c_loc(fit_report), c_loc(fit_report%max_error_point)), place(c_loc(fit_report), c_loc(fit_report%closed)), &
-        place(c_loc(fit_report), c_loc(fit_report%first_point)), place(c_loc(fit_report), c_loc(fit_report%base_points))])
-    call compare("hm_condition", 8, [c_sizeof(condition), place(c_loc(condition), c_loc(condition%struct_size)), &
-        place(c_loc(condition), c_loc(condition%marker)), place(c_loc(condition), c_loc(condition%kind)), &
-        place(c_loc(condition), c_loc(condition%first_curve)), place(c_loc(condition), c_loc(condition%n_curves))])
-    call compare("hm_problem", 9, [c_sizeof(problem), place(c_loc(problem), c_loc(problem%struct_size)), &
-        place(c_loc(problem), c_loc(problem%mesh)), place(c_loc(problem), c_loc(problem%curves)), place(c_loc(problem), &
-        c_loc(problem%n_conditions)), place(c_loc(problem), c_loc(problem%conditions)), place(c_loc(problem), &
-        c_loc(problem%n_given)), place(c_loc(problem), c_loc(problem%given_points)), place(c_loc(problem), &
-        c_loc(problem%given_curves)), place(c_loc(problem), c_loc(problem%given_u))])
-    call compare("hm_options", 10, [c_sizeof(options), place(c_loc(options), c_loc(options%struct_size)), &
-        place(c_loc(options), c_loc(options%operator_kind)), place(c_loc(options), c_loc(options%scheme)), &
-        place(c_loc(options), c_loc(options%engine)), place(c_loc(options), c_loc(options%kernel)), place(c_loc(options), &
-        c_loc(options%tolerance)), place(c_loc(options), c_loc(options%progress)), place(c_loc(options), &
-        c_loc(options%progress_user)), place(c_loc(options), c_loc(options%executor))])
-    call compare("hm_mesh_report", 11, [c_sizeof(mesh_report), place(c_loc(mesh_report), c_loc(mesh_report%struct_size)), &
-        place(c_loc(mesh_report), c_loc(mesh_report%points)), place(c_loc(mesh_report), c_loc(mesh_report%used_points)), &
-        place(c_loc(mesh_report), c_loc(mesh_report%cells)), place(c_loc(mesh_report), c_loc(mesh_report%triangles)), &
-        place(c_loc(mesh_report), c_loc(mesh_report%quads)), place(c_loc(mesh_report), c_loc(mesh_report%edges)), &
-        place(c_loc(mesh_report), c_loc(mesh_report%boundary_edges)), place(c_loc(mesh_report), &
-        c_loc(mesh_report%boundary_loops)), place(c_loc(mesh_report), c_loc(mesh_report%inverted)), &
-        place(c_loc(mesh_report), c_loc(mesh_report%first_inverted)), place(c_loc(mesh_report), &
-        c_loc(mesh_report%min_area)), place(c_loc(mesh_report), c_loc(mesh_report%min_quality)), place(c_loc(mesh_report), &
-        c_loc(mesh_report%mean_quality))])
-    call compare("hm_solve_report", 12, [c_sizeof(solve_report), place(c_loc(solve_report), &
-        c_loc(solve_report%struct_size)), place(c_loc(solve_report), c_loc(solve_report%unknowns)), &
-        place(c_loc(solve_report), c_loc(solve_report%functions)), place(c_loc(solve_report), &
-        c_loc(solve_report%residual)), place(c_loc(solve_report), c_loc(solve_report%residual_function)), &
-        place(c_loc(solve_report), c_loc(solve_report%boundary_error_point)), place(c_loc(solve_report), &
-        c_loc(solve_report%boundary_error)), place(c_loc(solve_report), c_loc(solve_report%partition_defect)), &
-        place(c_loc(solve_report), c_loc(solve_report%min_value)), place(c_loc(solve_report), &
-        c_loc(solve_report%max_value)), place(c_loc(solve_report), c_loc(solve_report%max_distance)), &
-        place(c_loc(solve_report), c_loc(solve_report%max_distance_point)), place(c_loc(solve_report), &
-        c_loc(solve_report%curve_points)), place(c_loc(solve_report), c_loc(solve_report%refinements)), &
-        place(c_loc(solve_report), c_loc(solve_report%reserved)), place(c_loc(solve_report), &
-        c_loc(solve_report%factor_entries))])
-    call compare("hm_basis_info", 13, [c_sizeof(basis_info), place(c_loc(basis_info), c_loc(basis_info%struct_size)), &
-        place(c_loc(basis_info), c_loc(basis_info%bytes)), place(c_loc(basis_info), c_loc(basis_info%solved)), &
-        place(c_loc(basis_info), c_loc(basis_info%points)), place(c_loc(basis_info), c_loc(basis_info%cells)), &
-        place(c_loc(basis_info), c_loc(basis_info%functions)), place(c_loc(basis_info), c_loc(basis_info%curves)), &
-        place(c_loc(basis_info), c_loc(basis_info%curve_points)), place(c_loc(basis_info), &
-        c_loc(basis_info%numbers_per_value)), place(c_loc(basis_info), c_loc(basis_info%operator_kind)), &
-        place(c_loc(basis_info), c_loc(basis_info%scheme)), place(c_loc(basis_info), c_loc(basis_info%engine)), &
-        place(c_loc(basis_info), c_loc(basis_info%index_base)), place(c_loc(basis_info), c_loc(basis_info%curve_point)), &
-        place(c_loc(basis_info), c_loc(basis_info%point_curve)), place(c_loc(basis_info), c_loc(basis_info%point_u))])
-    call compare("hm_step_report", 14, [c_sizeof(step_report), place(c_loc(step_report), c_loc(step_report%struct_size)), &
-        place(c_loc(step_report), c_loc(step_report%admissible)), place(c_loc(step_report), c_loc(step_report%cell)), &
-        place(c_loc(step_report), c_loc(step_report%point))])
-    call compare("hm_quality_report", 15, [c_sizeof(quality_report), place(c_loc(quality_report), &
-        c_loc(quality_report%struct_size)), place(c_loc(quality_report), c_loc(quality_report%inverted)), &
-        place(c_loc(quality_report), c_loc(quality_report%first_inverted)), place(c_loc(quality_report), &
-        c_loc(quality_report%min_area)), place(c_loc(quality_report), c_loc(quality_report%min_quality)), &
-        place(c_loc(quality_report), c_loc(quality_report%mean_quality)), place(c_loc(quality_report), &
-        c_loc(quality_report%min_quality_cell)), place(c_loc(quality_report), c_loc(quality_report%self_crossing)), &
-        place(c_loc(quality_report), c_loc(quality_report%crossing_points))])
-    call compare("constants", 16, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_cancelled, hm_bad_argument, &
-        hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, hm_not_positive, hm_unsupported], &
-        c_size_t))
-    call compare("constants", 17, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
-        hm_closed_auto, hm_open, hm_tied, hm_periodic, hm_on_curve, hm_fixed, hm_free, hm_laplace, hm_compact, hm_direct, &
-        hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_phase_structure, hm_phase_ordering, &
-        hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, hm_phase_residual], c_size_t))
+    call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), c_loc(error%item), &
+        c_loc(error%value), c_loc(error%text)])
+    call compare("hm_executor", 2, c_sizeof(executor), c_loc(executor), [c_loc(executor%struct_size), &
+        c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%reserved)])
+    call compare("hm_mesh", 3, c_sizeof(mesh), c_loc(mesh), [c_loc(mesh%struct_size), c_loc(mesh%index_base), &
+        c_loc(mesh%n_points), c_loc(mesh%x), c_loc(mesh%y), c_loc(mesh%stride), c_loc(mesh%cell_layout), &
+        c_loc(mesh%n_cells), c_loc(mesh%cell_start), c_loc(mesh%cell_points), c_loc(mesh%ni), c_loc(mesh%nj), &
+        c_loc(mesh%n_faces), c_loc(mesh%face_points), c_loc(mesh%face_markers), c_loc(mesh%n_lists), &
+        c_loc(mesh%list_start), c_loc(mesh%list_points), c_loc(mesh%list_markers)])
+    call compare("hm_curve", 4, c_sizeof(curve), c_loc(curve), [c_loc(curve%struct_size), c_loc(curve%degree), &
+        c_loc(curve%n_indices), c_loc(curve%indices), c_loc(curve%knots)])
+    call compare("hm_curves", 5, c_sizeof(curves), c_loc(curves), [c_loc(curves%struct_size), &
+        c_loc(curves%index_base), c_loc(curves%n_control), c_loc(curves%control), c_loc(curves%weights), &
+        c_loc(curves%n_curves), c_loc(curves%curve)])
+    call compare("hm_fit_options", 6, c_sizeof(fit_options), c_loc(fit_options), [c_loc(fit_options%struct_size), &
+        c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed)])
+    call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
+        c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
+        c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points)])
+    call compare("hm_condition", 8, c_sizeof(condition), c_loc(condition), [c_loc(condition%struct_size), &
+        c_loc(condition%marker), c_loc(condition%kind), c_loc(condition%first_curve), c_loc(condition%n_curves), &
+        c_loc(condition%body), c_loc(condition%partner), c_loc(condition%x), c_loc(condition%y)])
+    call compare("hm_problem", 9, c_sizeof(problem), c_loc(problem), [c_loc(problem%struct_size), c_loc(problem%mesh), &
+        c_loc(problem%curves), c_loc(problem%n_conditions), c_loc(problem%conditions), c_loc(problem%n_given), &
+        c_loc(problem%given_points), c_loc(problem%given_curves), c_loc(problem%given_u)])
+    call compare("hm_options", 10, c_sizeof(options), c_loc(options), [c_loc(options%struct_size), &
+        c_loc(options%operator_kind), c_loc(options%scheme), c_loc(options%engine), c_loc(options%kernel), &
+        c_loc(options%tolerance), c_loc(options%progress), c_loc(options%progress_user), c_loc(options%executor), &
+        c_loc(options%exponent_quarters), c_loc(options%offset_correction), c_loc(options%levels), &
+        c_loc(options%agglomeration), c_loc(options%block_width), c_loc(options%max_iterations), &
+        c_loc(options%history), c_loc(options%history_length), c_loc(options%precision)])
+    call compare("hm_mesh_report", 11, c_sizeof(mesh_report), c_loc(mesh_report), [c_loc(mesh_report%struct_size), &
+        c_loc(mesh_report%points), c_loc(mesh_report%used_points), c_loc(mesh_report%cells), &
+        c_loc(mesh_report%triangles), c_loc(mesh_report%quads), c_loc(mesh_report%edges), &
+        c_loc(mesh_report%boundary_edges), c_loc(mesh_report%boundary_loops), c_loc(mesh_report%inverted), &
+        c_loc(mesh_report%first_inverted), c_loc(mesh_report%min_area), c_loc(mesh_report%min_quality), &
+        c_loc(mesh_report%mean_quality)])
+    call compare("hm_solve_report", 12, c_sizeof(solve_report), c_loc(solve_report), [c_loc(solve_report%struct_size), &
+        c_loc(solve_report%unknowns), c_loc(solve_report%functions), c_loc(solve_report%residual), &
+        c_loc(solve_report%residual_function), c_loc(solve_report%boundary_error_point), &
+        c_loc(solve_report%boundary_error), c_loc(solve_report%partition_defect), c_loc(solve_report%min_value), &
+        c_loc(solve_report%max_value), c_loc(solve_report%max_distance), c_loc(solve_report%max_distance_point), &
+        c_loc(solve_report%curve_points), c_loc(solve_report%refinements), c_loc(solve_report%reserved), &
+        c_loc(solve_report%factor_entries), c_loc(solve_report%iterations), c_loc(solve_report%levels), &
+        c_loc(solve_report%fine_sweeps), c_loc(solve_report%reserved_too)])
+    call compare("hm_basis_info", 13, c_sizeof(basis_info), c_loc(basis_info), [c_loc(basis_info%struct_size), &
+        c_loc(basis_info%bytes), c_loc(basis_info%solved), c_loc(basis_info%points), c_loc(basis_info%cells), &
+        c_loc(basis_info%functions), c_loc(basis_info%curves), c_loc(basis_info%curve_points), &
+        c_loc(basis_info%numbers_per_value), c_loc(basis_info%operator_kind), c_loc(basis_info%scheme), &
+        c_loc(basis_info%engine), c_loc(basis_info%index_base), c_loc(basis_info%curve_point), &
+        c_loc(basis_info%point_curve), c_loc(basis_info%point_u), c_loc(basis_info%exponent_quarters), &
+        c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%reserved)])
+    call compare("hm_transfer_report", 14, c_sizeof(transfer_report), c_loc(transfer_report), &
+        [c_loc(transfer_report%struct_size), c_loc(transfer_report%points), c_loc(transfer_report%outside), &
+        c_loc(transfer_report%max_distance), c_loc(transfer_report%max_distance_point), &
+        c_loc(transfer_report%boundary_error_point), c_loc(transfer_report%boundary_error), &
+        c_loc(transfer_report%wall_correction)])
+    call compare("hm_step_report", 15, c_sizeof(step_report), c_loc(step_report), [c_loc(step_report%struct_size), &
+        c_loc(step_report%admissible), c_loc(step_report%cell), c_loc(step_report%point)])
+    call compare("hm_quality_report", 16, c_sizeof(quality_report), c_loc(quality_report), &
+        [c_loc(quality_report%struct_size), c_loc(quality_report%inverted), c_loc(quality_report%first_inverted), &
+        c_loc(quality_report%min_area), c_loc(quality_report%min_quality), c_loc(quality_report%mean_quality), &
+        c_loc(quality_report%min_quality_cell), c_loc(quality_report%self_crossing), &
+        c_loc(quality_report%crossing_points)])
+    call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
+        c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_rungs), c_loc(safe_options%n_others), &
+        c_loc(safe_options%reserved), c_loc(safe_options%others)])
+    call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
+        c_loc(safe_report%rung), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
+        c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &
+        c_loc(safe_report%point), c_loc(safe_report%untangled), c_loc(safe_report%iterations), &
+        c_loc(safe_report%crossing_points), c_loc(safe_report%inverted), c_loc(safe_report%min_quality_cell), &
+        c_loc(safe_report%min_quality), c_loc(safe_report%mean_quality), c_loc(safe_report%mean_angle_change), &
+        c_loc(safe_report%max_angle_change), c_loc(safe_report%mean_height_ratio), &
+        c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%angle_point), &
+        c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), c_loc(safe_report%reserved)])
+    call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, hm_cancelled, &
+        hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
+        hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
+    call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
+        hm_closed_auto, hm_open, hm_tied, hm_periodic, hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
+        hm_periodic_pair, hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_bounded, hm_direct, &
+        hm_multigrid, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, hm_kernel_auto, &
+        hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_double, hm_single, hm_phase_structure, &
+        hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, hm_phase_residual, &
+        hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop
 
 contains
 
-    subroutine compare(what, number, ours)
+    ! Size and places of the fields, given as their addresses.
+    subroutine compare(what, number, bytes, start, fields)
         character(len=*), intent(in) :: what
         integer, intent(in) :: number
-        integer(c_size_t), intent(in) :: ours(:)
+        integer(c_size_t), intent(in) :: bytes
+        type(c_ptr), intent(in) :: start, fields(:)
+        integer(c_int64_t) :: ours(1 + size(fields))
+        integer :: k
+        ours(1) = int(bytes, c_int64_t)
+        do k = 1, size(fields)
+            ours(1 + k) = transfer(fields(k), 0_c_int64_t) - transfer(start, 0_c_int64_t)
+        end do
+        call compare_numbers(what, number, ours)
+    end subroutine
+
+    subroutine compare_numbers(what, number, ours)
+        character(len=*), intent(in) :: what
+        integer, intent(in) :: number
+        integer(c_int64_t), intent(in) :: ours(:)
         integer(c_int64_t) :: theirs(100)
         integer :: k, n
         n = layout_of(int(number, c_int32_t), theirs)
@@ -137,7 +154,7 @@ contains
             print "(3a, i0, a, i0)", "layout: ", what, " has ", n, " numbers in C, here ", size(ours)
         end if
         do k = 1, min(n, size(ours))
-            if (theirs(k) == int(ours(k), c_int64_t)) then
+            if (theirs(k) == ours(k)) then
                 passed = passed + 1
             else
                 failed = failed + 1
@@ -145,9 +162,4 @@ contains
             end if
         end do
     end subroutine
-
-    integer(c_size_t) function place(start, field)
-        type(c_ptr), intent(in) :: start, field
-        place = int(transfer(field, 0_c_intptr_t) - transfer(start, 0_c_intptr_t), c_size_t)
-    end function
 end program

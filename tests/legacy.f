@@ -10,8 +10,8 @@ C     EVERY LEGACY CALL FROM FORTRAN 77, WITH ASSERTIONS.
       COMMON /MOVED/ XN(NP), YN(NP), DX(NP), DY(NP), GX(NP), GY(NP)
       DOUBLE PRECISION V(2,NP), XB(NA+1,NR), YB(NA+1,NR)
       COMMON /OTHER/ V, XB, YB
-      DOUBLE PRECISION P(2,40), DP(2,NCP), G(2,NCP), U(8), DMAX, RESID
-      DOUBLE PRECISION S, AMIN, QMIN, HERE, THERE, BIG
+      DOUBLE PRECISION P(2,40), DP(2,NCP), G(2,NCP), TURN(2,NCP), U(8)
+      DOUBLE PRECISION DMAX, RESID, S, AMIN, QMIN, HERE, THERE, BIG
       INTEGER IPTS(NA), IDX(5), MB(4), N, M, LOOP, ICELL, NINV, IERR
       INTEGER I, J, K
       CHARACTER*112 MSG
@@ -112,6 +112,90 @@ C     MORPH, ADJOINT, STEP, QUALITY.
       CALL CHECK (IERR .EQ. 0 .AND. ABS(HERE - THERE) .LT. 1D-12,
      &            'ADJOINT IS THE TRANSPOSE: ', MSG)
 
+C     A MOVEMENT THAT THE FUNCTIONS BEAR: HMSAFE IS HMMORF. CONFORMAL
+C     FUNCTIONS WITHOUT WEIGHT ARE THOSE OF LAPLACE. WITH THESE, A TURN
+C     BY 60 DEGREES INVERTS CELLS; HMSAFE GETS THERE.
+      CALL HMSAFE (W, DP, GX, GY, 1, S, K, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. K .EQ. 0 .AND. ABS(S - 1D0)
+     &            .LE. 0D0, 'A SAFE STEP: ', MSG)
+      BIG = 0D0
+      DO 51 K = 1, NP
+         BIG = MAX(BIG, ABS(GX(K) - XN(K)), ABS(GY(K) - YN(K)))
+   51 CONTINUE
+      CALL CHECK (BIG .LT. 1D-15, 'IT IS THE MORPH', ' ')
+      CALL HMOPT (W, 'EXPONANT', 1, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'AN OPTION THAT IS NONE: ', MSG)
+      CALL HMOPT (W, 'EXPONENT', 99, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .LT. 0, 'AN EXPONENT OF 24: ', MSG)
+      CALL HMOPT (W, 'EXPONENT', -1, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)
+      CALL HMOPT (W, 'EXPONENT', 0, IERR, MSG)
+      CALL HMOPT (W, 'OPERATOR', 1, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'LAPLACE: ', MSG)
+      CALL HMDISP (W, DP, GX, GY, 1, IERR, MSG)
+      BIG = 0D0
+      S = 0D0
+      DO 52 K = 1, NP
+         BIG = MAX(BIG, ABS(DX(K) - GX(K)) + ABS(DY(K) - GY(K)))
+         S = MAX(S, ABS(X(K) + GX(K) - XN(K)))
+   52 CONTINUE
+      CALL CHECK (BIG .LT. 1D-12 .AND. S .GT. 1D-4,
+     &            'NO WEIGHT: LAPLACE', ' ')
+      CALL HMGETP (W, 40, P, N, IERR, MSG)
+      DO 53 K = 1, NCP
+         TURN(1,K) = -0.5D0*P(1,K) - SQRT(0.75D0)*P(2,K)
+         TURN(2,K) = SQRT(0.75D0)*P(1,K) - 0.5D0*P(2,K)
+   53 CONTINUE
+      CALL COPY (NP, X, Y, GX, GY)
+      CALL HMMORF (W, TURN, GX, GY, 1, IERR, MSG)
+      CALL HMQUAL (W, GX, GY, 1, NINV, AMIN, QMIN, IERR, MSG)
+      CALL CHECK (NINV .GT. 0, '60 DEGREES: CELLS INVERT', ' ')
+      CALL HMSAFE (W, TURN, GX, GY, 1, S, K, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. K .GE. 2 .AND. S .GE. 1D0,
+     &            '60 DEGREES, SAFELY: ', MSG)
+      CALL HMQUAL (W, GX, GY, 1, NINV, AMIN, QMIN, IERR, MSG)
+      CALL CHECK (NINV .EQ. 0 .AND. AMIN .GT. 0D0, 'NONE DOES', ' ')
+      BIG = 0D0
+      DO 54 K = 1, NA
+         BIG = MAX(BIG, ABS(0.5D0*X(K) - SQRT(0.75D0)*Y(K) - GX(K)),
+     &             ABS(SQRT(0.75D0)*X(K) + 0.5D0*Y(K) - GY(K)))
+   54 CONTINUE
+      CALL CHECK (BIG .LT. 2D-3, 'THE WALL IS TURNED', ' ')
+      X(NP) = X(NP) + 1D-3
+      CALL HMSAFE (W, TURN, GX, GY, 1, S, K, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'X HAS CHANGED: ', MSG)
+      CALL MAKE (NA, NR, X, Y, CELLS, FACES, MARKS)
+
+C     A RIGID BODY INSTEAD OF THE CURVE: MOVED, AND TURNED BY 10 DEGREES
+C     ABOUT ITS QUARTER CHORD.
+      CALL HMMESH (W, NP, X, Y, 1, NC, 4, CELLS, NF, FACES, MARKS, IERR,
+     &             MSG)
+      CALL HMOPT (W, 'OPERATOR', 0, IERR, MSG)
+      CALL HMRIGD (W, 7, 1, -0.25D0, 0D0, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'A RIGID BODY: ', MSG)
+      CALL HMGETP (W, 40, P, N, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. N .EQ. 0, 'NO POINTS: ', MSG)
+      TURN(1,1) = 0.1D0
+      TURN(2,1) = -0.05D0
+      TURN(1,2) = COS(0.17453292519943295D0) - 1D0
+      TURN(2,2) = SIN(0.17453292519943295D0)
+      CALL HMDISP (W, TURN, DX, DY, 1, IERR, MSG)
+      BIG = 0D0
+      DO 55 K = 1, NA
+         S = TURN(1,1) + TURN(1,2)*(X(K) + 0.25D0) - TURN(2,2)*Y(K)
+         BIG = MAX(BIG, ABS(DX(K) - S))
+         S = TURN(2,1) + TURN(2,2)*(X(K) + 0.25D0) + TURN(1,2)*Y(K)
+         BIG = MAX(BIG, ABS(DY(K) - S))
+   55 CONTINUE
+      CALL CHECK (BIG .LT. 1D-15, 'IT MOVES RIGIDLY', ' ')
+      CALL HMFIT (W, 7, NCP, 3, 0, DMAX, IERR, MSG)
+      CALL HMCOND (W, 7, 0, 1, 1, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+
 C     INTERLEAVED: V(1,*) = X, V(2,*) = Y.
       DO 60 K = 1, NP
          V(1,K) = X(K)
@@ -148,6 +232,8 @@ C     SAVE, CLOSE, LOAD.
       CALL CHECK (J .EQ. NP, 'LOADED: THE SAME BITS', ' ')
       CALL HMGETP (W, 40, P, N, IERR, MSG)
       CALL CHECK (N .EQ. NCP, 'LOADED: ITS POINTS', MSG)
+      CALL HMSAFE (W, DP, DX, DY, 1, S, K, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'SAFELY AFTER HMLOAD: ', MSG)
       CALL HMLOAD (W, 11, IERR, MSG)
       CALL CHECK (IERR .LT. 0, 'NOTHING LEFT: ', MSG)
       CLOSE (11)
@@ -185,7 +271,7 @@ C     FROM IT, THE OFFSET IS KEPT.
       CALL HMCURV (W, 1, 5, IDX, U, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'CURVE: ', MSG)
       CALL HMCOND (W, 7, 0, 1, 1, IERR, MSG)
-      CALL HMCOND (W, 9, 1, 1, 1, IERR, MSG)
+      CALL HMCOND (W, 9, 2, 1, 1, IERR, MSG)
       CALL HMSOLV (W, RESID, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'BLOCK SOLVED: ', MSG)
       DO 110 K = 1, 4
@@ -217,9 +303,37 @@ C     A RECTANGLE OF 20 BY 10 POINTS, A MARKER FOR EACH SIDE.
       CALL HMFIT (W, 1, 6, 2, 1, DMAX, IERR, MSG)
       CALL CHECK (IERR .EQ. 0, 'AN OPEN FIT OF SIDE 1: ', MSG)
       CALL HMCOND (W, 1, 0, 1, 1, IERR, MSG)
-      CALL HMCOND (W, 3, 2, 1, 1, IERR, MSG)
+      CALL HMCOND (W, 3, 4, 1, 1, IERR, MSG)
       CALL HMSOLV (W, RESID, IERR, MSG)
-      CALL CHECK (IERR .EQ. 0, 'SOLVED WITH A FREE SIDE: ', MSG)
+      CALL CHECK (IERR .EQ. -9, 'CONFORMAL WITH A FREE SIDE: ', MSG)
+      CALL HMOPT (W, 'OPERATOR', 1, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'LAPLACE WITH A FREE SIDE: ', MSG)
+
+C     SIDE 1 MOVES, SIDE 3 SLIPS: IT STAYS ON ITS LINE, Y = 0, AND DOES
+C     NOT STAY WHERE IT IS.
+      DO 136 K = 1, NCP
+         DP(1,K) = 0.1D0*K
+         DP(2,K) = 0.05D0*K
+  136 CONTINUE
+      CALL HMFIT (W, 1, 6, 2, 1, DMAX, IERR, MSG)
+      CALL HMCOND (W, 1, 0, 1, 1, IERR, MSG)
+      CALL HMCOND (W, 3, 3, 0, 0, IERR, MSG)
+      CALL HMOPT (W, 'OPERATOR', 0, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'A SIDE THAT SLIPS: ', MSG)
+      CALL HMDISP (W, DP, DX, DY, 1, IERR, MSG)
+      M = 0
+      BIG = 0D0
+      DO 137 K = 2, 19
+         IF (ABS(DY(K)) .LE. 0D0) M = M + 1
+         BIG = MAX(BIG, ABS(DX(K)))
+  137 CONTINUE
+      CALL CHECK (M .EQ. 18 .AND. BIG .GT. 1D-3, 'IT SLIPS', ' ')
+      CALL HMCOND (W, 3, 5, 0, 0, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'A PAIR BY HMCOND: ', MSG)
+      CALL HMCOND (W, 3, 1, 0, 0, IERR, MSG)
+      CALL CHECK (IERR .EQ. -2, 'A BODY BY HMCOND: ', MSG)
       DO 140 K = 1, 20
          CALL HMCURV (W, 1, 2, IDX, U(2), IERR, MSG)
          IF (K .EQ. 15) CALL CHECK (IERR .EQ. 0, '16 CURVES: ', MSG)
@@ -232,6 +346,29 @@ C     A RECTANGLE OF 20 BY 10 POINTS, A MARKER FOR EACH SIDE.
       MB(3) = 0
       CALL HMBLOK (W, 1, NR, XB, YB, MB, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'NO BLOCK: ', MSG)
+
+C     A CASCADE: THE RECTANGLE WITH A RIGID HOLE IN IT; ITS LOWER AND
+C     UPPER SIDES ARE A PAIR AND MOVE ALIKE, BIT BY BIT.
+      CALL HOLE (N, CELLS, M, FACES, MARKS)
+      CALL HMMESH (W, 200, XN, YN, 1, N, 4, CELLS, M, FACES, MARKS,
+     &             IERR, MSG)
+      CALL HMRIGD (W, 5, 1, 9D0, 4D0, IERR, MSG)
+      CALL HMPAIR (W, 1, 3, IERR, MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'A PAIR: ', MSG)
+      TURN(1,1) = 0.1D0
+      TURN(2,1) = 0.2D0
+      TURN(1,2) = 0D0
+      TURN(2,2) = 0.1D0
+      CALL HMDISP (W, TURN, DX, DY, 1, IERR, MSG)
+      M = 0
+      BIG = 0D0
+      DO 160 K = 1, 20
+         IF (ABS(DX(K) - DX(K + 180)) + ABS(DY(K) - DY(K + 180))
+     &       .LE. 0D0) M = M + 1
+         BIG = MAX(BIG, ABS(DX(K)))
+  160 CONTINUE
+      CALL CHECK (M .EQ. 20 .AND. BIG .GT. 1D-3, 'BIT BY BIT', ' ')
 
       WRITE (*, '(I0, A, I0, A)') NPASS, ' passed, ', NFAIL, ' failed'
       IF (NFAIL .GT. 0) STOP 1
@@ -293,6 +430,50 @@ C     RINGS ROUND A BODY THAT JOUKOWSKI'S MAPPING MAKES OF A CIRCLE.
    10    CONTINUE
          R = 1.12D0*R
    20 CONTINUE
+      END
+
+C     QUADS AND FACES OF THE RECTANGLE OF 20 BY 10 POINTS WITHOUT THE
+C     CELLS IN ITS MIDDLE. MARKERS 1 TO 4: BELOW, RIGHT, ABOVE, LEFT;
+C     5: THE HOLE.
+      SUBROUTINE HOLE (NC, CELLS, NF, FACES, MARKS)
+      INTEGER NC, CELLS(4,*), NF, FACES(2,*), MARKS(*), I, J, K
+      LOGICAL IN
+      NC = 0
+      NF = 0
+      DO 20 J = 1, 9
+         DO 10 I = 1, 19
+            IF (IN(I, J)) GO TO 10
+            K = I + 20*(J - 1)
+            NC = NC + 1
+            CELLS(1,NC) = K
+            CELLS(2,NC) = K + 1
+            CELLS(3,NC) = K + 21
+            CELLS(4,NC) = K + 20
+            IF (J .EQ. 1) CALL FACE (NF, FACES, MARKS, K, K + 1, 1)
+            IF (I .EQ. 19) CALL FACE (NF, FACES, MARKS, K+1, K+21, 2)
+            IF (J .EQ. 9) CALL FACE (NF, FACES, MARKS, K+21, K+20, 3)
+            IF (I .EQ. 1) CALL FACE (NF, FACES, MARKS, K + 20, K, 4)
+            IF (IN(I, J - 1)) CALL FACE (NF, FACES, MARKS, K, K+1, 5)
+            IF (IN(I + 1, J)) CALL FACE (NF, FACES, MARKS, K+1, K+21,
+     &                                   5)
+            IF (IN(I, J + 1)) CALL FACE (NF, FACES, MARKS, K+21, K+20,
+     &                                   5)
+            IF (IN(I - 1, J)) CALL FACE (NF, FACES, MARKS, K+20, K, 5)
+   10    CONTINUE
+   20 CONTINUE
+      END
+
+      LOGICAL FUNCTION IN (I, J)
+      INTEGER I, J
+      IN = I .GE. 8 .AND. I .LE. 11 .AND. J .GE. 4 .AND. J .LE. 5
+      END
+
+      SUBROUTINE FACE (NF, FACES, MARKS, K, L, M)
+      INTEGER NF, FACES(2,*), MARKS(*), K, L, M
+      NF = NF + 1
+      FACES(1,NF) = K
+      FACES(2,NF) = L
+      MARKS(NF) = M
       END
 
       BLOCK DATA

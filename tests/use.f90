@@ -69,10 +69,11 @@ contains
         end do
     end function
 
-    subroutine solve(mesh, basis, first)
+    subroutine solve(mesh, basis, first, options)
         type(hm_mesh), intent(in) :: mesh
         type(hm_basis), intent(inout) :: basis
         integer, intent(in), optional :: first                  ! what the mesh counts from
+        type(hm_options), intent(in), optional :: options
         type(hm_curves) :: curves
         type(hm_plan) :: plan
         integer, allocatable :: wall(:)
@@ -83,10 +84,66 @@ contains
         call plan%boundary([body], wall, loop)
         if (present(first)) wall = wall - first + 1
         call curves%fit(x(wall), y(wall), loop, n_control=n_control)
-        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
         call plan%factor()
         call basis%free()
         call plan%solve(basis)
+    end subroutine
+
+    ! The control points' movements that turn them about the origin.
+    function turn(control, degrees) result(move)
+        real(dp), intent(in) :: control(:, :), degrees
+        real(dp) :: move(2, size(control, 2)), c, s
+        c = cos(degrees * 0.017453292519943295_dp)
+        s = sin(degrees * 0.017453292519943295_dp)
+        move(1, :) = (c - 1) * control(1, :) - s * control(2, :)
+        move(2, :) = s * control(1, :) + (c - 1) * control(2, :)
+    end function
+
+    ! Squares in a channel of 20 by 10 with a hole of 4 by 2: markers 1 to 4 below, right, above, left; 5: the hole.
+    subroutine make_channel(x, y, cells, n_cells, faces, markers, n_faces)
+        real(dp), intent(out) :: x(:), y(:)
+        integer(c_int32_t), intent(out) :: cells(:, :), faces(:, :), markers(:)
+        integer, intent(out) :: n_cells, n_faces
+        integer :: i, j, side
+        integer(c_int32_t) :: corner(5)
+        logical :: outside(4)
+        x = [((i, i = 0, 20), j = 0, 10)]
+        y = [((j, i = 0, 20), j = 0, 10)]
+        n_cells = 0
+        n_faces = 0
+        do j = 1, 10
+            do i = 1, 20
+                if (in_hole(i, j)) cycle
+                corner = i + 21 * (j - 1) + [0, 1, 22, 21, 0]
+                n_cells = n_cells + 1
+                cells(:, n_cells) = corner(:4)
+                outside = [j == 1, i == 20, j == 10, i == 1]
+                do side = 1, 4
+                    if (outside(side)) call add_face(side)
+                end do
+                if (in_hole(i, j - 1)) call add_face(1, 5)
+                if (in_hole(i + 1, j)) call add_face(2, 5)
+                if (in_hole(i, j + 1)) call add_face(3, 5)
+                if (in_hole(i - 1, j)) call add_face(4, 5)
+            end do
+        end do
+
+    contains
+
+        logical function in_hole(i, j)
+            integer, intent(in) :: i, j
+            in_hole = i >= 9 .and. i <= 12 .and. j >= 5 .and. j <= 6
+        end function
+
+        subroutine add_face(side, marker)
+            integer, intent(in) :: side
+            integer, intent(in), optional :: marker
+            n_faces = n_faces + 1
+            faces(:, n_faces) = corner(side:side + 1)
+            markers(n_faces) = int(side, c_int32_t)
+            if (present(marker)) markers(n_faces) = int(marker, c_int32_t)
+        end subroutine
     end subroutine
 
     subroutine watch(phase, fraction, cancel)
@@ -146,6 +203,12 @@ program use
     call files()
     call own_memory()
     call threads()
+    call operators()
+    call conditions()
+    call assessments()
+    call safe_morphs()
+    call transfers()
+    call meshes_in_parts()
     call refusals()
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
@@ -756,7 +819,7 @@ contains
             call check(stat == hm_bad_basis, "cut short")
         end if
         call copy%free()
-        call copy%values(1, a, stat)
+        call copy%values(1, a, stat=stat)
         call check(stat == hm_bad_argument, "nothing is left of it")
     end subroutine
 
@@ -836,6 +899,450 @@ contains
         call check(stat == hm_bad_argument, "300 threads")
     end subroutine
 
+    ! Operators, weights, engines and precisions: what they are is seen in the functions.
+    subroutine operators()
+        type(hm_options) :: options
+        type(hm_basis) :: conformal, other
+        type(hm_basis_info) :: info
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        type(hm_solve_report) :: report
+        real(dp), target :: history(40)
+        real(dp), dimension(n_points) :: laplace, a, b
+        real(dp) :: error
+        call solve(mesh, conformal)
+        call conformal%info(info)
+        call check(info%operator_kind == hm_conformal .and. info%exponent_quarters == 6 .and. info%numbers_per_value == 2 &
+            .and. .not. info%offset_correction .and. info%bodies == 0, "the default operator")
+        call conformal%values(3, a, number=2)
+        call check(maxval(abs(a(:around))) <= 0 .and. maxval(abs(a)) > 1e-3_dp, "imaginary parts: 0 on the wall alone")
+        call conformal%values(3, a, number=3, stat=stat)
+        call check(stat == hm_bad_argument, "complex values have two numbers")
+
+        options%operator_kind = hm_laplace
+        call solve(mesh, other, options=options)
+        call other%info(info)
+        call check(info%operator_kind == hm_laplace .and. info%numbers_per_value == 1, "Laplace: real values")
+        call other%values(3, laplace)
+        call check(minval(laplace) > -1e-3_dp .and. maxval(laplace) < 1, "the paper's functions")
+
+        options%operator_kind = hm_conformal
+        options%exponent_quarters = hm_no_weight
+        call solve(mesh, other, options=options)
+        call other%values(3, a)
+        call other%values(3, b, number=2)
+        call check(maxval(abs(a - laplace)) < 1e-12_dp .and. maxval(abs(b)) < 1e-12_dp, "conformal, no weight: Laplace")
+
+        options = hm_options(operator_kind=hm_weighted, exponent_quarters=8)
+        call solve(mesh, other, options=options)
+        call other%values(3, a)
+        options%precision = hm_single
+        call solve(mesh, other, options=options)
+        call other%values(3, b)
+        call check(maxval(abs(a - b)) < 1e-8_dp .and. .not. same(a, b), "a factor in single precision")
+        call check(maxval(abs(a - laplace)) > 1e-2_dp, "weights matter")
+
+        call conformal%curves(curves)
+        options = hm_options(operator_kind=hm_laplace, engine=hm_multigrid, levels=3, block_width=4, &
+            agglomeration=hm_agglomerate_isotropic)
+        history = -1
+        options%history => history
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
+        call other%free()
+        call plan%solve(other, report)
+        call other%values(3, a)
+        call check(maxval(abs(a - laplace)) < 1e-8_dp, "multigrid: the same functions")
+        call check(report%levels == 3 .and. report%iterations > 2 .and. report%iterations < 40, "its report")
+        call check(all(history(:report%iterations) > 1e-10_dp) .and. history(report%iterations + 1) > 0 .and. &
+            history(report%iterations + 1) <= 1e-10_dp, "its history")
+        options%max_iterations = 1
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
+        call other%free()
+        call plan%solve(other, stat=stat)
+        call check(stat == hm_not_converged, "one iteration is too few")
+        options%block_width = 7
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
+        call check(stat == hm_bad_argument, "a block of seven")
+
+        ! With the offset correction a rigid motion of the control points is one of the wall; without, its offset stays.
+        options = hm_options(offset_correction=.true.)
+        call solve(mesh, other, options=options)
+        call other%info(info)
+        call check(info%offset_correction, "offset correction")
+        call turn_wall(other, 5._dp, error)
+        call check(error < 1e-12_dp, "the wall turns rigidly")
+        call turn_wall(conformal, 5._dp, error)
+        call check(error > 1e-6_dp, "without the correction its offset from the curve stays")
+        options = hm_options(scheme=hm_bounded)
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat, err=err)
+        call check(stat == hm_unsupported, "conformal and bounded do not go together: " // err%text)
+        options%operator_kind = hm_laplace
+        call solve(mesh, other, options=options)
+        call other%values(3, a)
+        call check(maxval(abs(a - laplace)) < 1e-2_dp .and. maxval(abs(a - laplace)) > 0, "the bounded scheme")
+    end subroutine
+
+    ! How far the wall is from where a turn about the origin takes it.
+    subroutine turn_wall(its, degrees, error)
+        type(hm_basis), intent(in) :: its
+        real(dp), intent(in) :: degrees
+        real(dp), intent(out) :: error
+        type(hm_curves) :: curves
+        real(dp) :: dx(n_points), dy(n_points), wanted(2, around)
+        call its%curves(curves)
+        call its%displacement(turn(curves%control, degrees), dx, dy)
+        wanted = turn(xy(:, :around), degrees)
+        error = maxval(hypot(dx(:around) - wanted(1, :), dy(:around) - wanted(2, :)))
+    end subroutine
+
+    ! A rigid hole in a channel; left and right are a periodic pair, the ceiling slips, the floor is fixed.
+    subroutine conditions()
+        real(dp), target :: cx(231), cy(231)
+        integer(c_int32_t), target :: its_cells(4, 200), its_faces(2, 100), its_markers(100)
+        type(hm_mesh) :: channel
+        type(hm_plan) :: plan
+        type(hm_basis) :: its, again
+        type(hm_basis_info) :: info
+        type(hm_condition), allocatable :: known(:)
+        type(hm_curves) :: none
+        real(dp) :: move(2, 2), dx(231), dy(231), c, s, value(231)
+        integer :: cell_count, face_count, k
+        integer, allocatable :: hole(:), below(:), above(:), left(:), right(:)
+        call make_channel(cx, cy, its_cells, cell_count, its_faces, its_markers, face_count)
+        call channel%points(cx, cy)
+        call channel%cells(its_cells(:, :cell_count))
+        call channel%faces(its_faces(:, :face_count), its_markers(:face_count))
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=10._dp, y=5._dp), hm_condition(3, hm_slip), &
+            hm_condition(4, hm_periodic_pair, partner=2)])
+        call plan%boundary([5], hole)
+        call plan%boundary([1], below)
+        call plan%boundary([2], right)
+        call plan%boundary([3], above)
+        call plan%boundary([4], left)
+        call plan%factor()
+        call plan%solve(its)
+        call its%info(info)
+        call check(info%bodies == 1 .and. info%functions == 2 .and. info%curves == 0 .and. info%numbers_per_value == 4, &
+            "a rigid body without curves")
+        call check(size(info%curve_point) == 12 .and. all(info%point_curve == 1), "its points")
+        call its%curves(none)
+        call check(size(none%control, 2) == 0 .and. size(none%curve) == 0, "no curves to be had")
+
+        c = cos(0.3_dp) - 1
+        s = sin(0.3_dp)
+        move = reshape([0.4_dp, 0.2_dp, c, s], [2, 2])
+        call its%displacement(move, dx, dy)
+        call check(all(abs(dx(hole) - (0.4_dp + c * (cx(hole) - 10) - s * (cy(hole) - 5))) < 1e-14_dp) .and. &
+            all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), "the body moves rigidly")
+        call check(all(abs(dx(below)) <= 0) .and. all(abs(dy(below)) <= 0), "the floor stays")
+        call check(all(abs(dy(above)) <= 0) .and. maxval(abs(dx(above))) > 1e-3_dp, "the ceiling slips")
+        call check(same(dx(left), dx(right(size(right):1:-1))) .and. same(dy(left), dy(right(size(right):1:-1))) .and. &
+            maxval(abs(dx(left))) > 1e-3_dp, "left and right move alike")
+
+        call its%conditions(known)
+        call check(size(known) == 3, "three conditions are known")
+        call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. abs(known(1)%x - 10) + abs(known(1)%y - 5) <= 0 &
+            .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, "as they were given")
+        call plan%analyse(channel, conditions=known)
+        call plan%factor()
+        call plan%solve(again)
+        do k = 1, 4
+            call its%values(2, dx, number=k)
+            call again%values(2, value, number=k)
+            call check(same(dx, value), "the same conditions, the same functions")
+        end do
+        call again%free()
+        call again%conditions(known, stat)
+        call check(stat == hm_bad_argument, "an empty basis has no conditions")
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, body=2)], stat=stat)
+        call check(stat == hm_bad_condition, "bodies count without gaps")
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), hm_condition(1, hm_free)], stat=stat)
+        call check(stat == hm_unsupported, "free sides are not for conformal functions")
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), hm_condition(4, hm_periodic_pair, partner=3)], &
+            stat=stat)
+        call check(stat == hm_bad_condition, "no pair")
+    end subroutine
+
+    ! assess says before the morph what admissible_step and quality say before and after it, in every layout.
+    subroutine assessments()
+        real(dp) :: move(2, n_control), x_new(n_points), y_new(n_points), dx(n_points), dy(n_points)
+        real(dp) :: block_x(around, rings), block_y(around, rings)
+        type(hm_step_report) :: step, its_step
+        type(hm_quality_report) :: quality, its_quality
+        call solve(mesh, basis)
+        move = 5 * some_move()
+        call basis%displacement(move, dx, dy)
+        call basis%morph_to(move, x, y, x_new, y_new)
+        call basis%admissible_step(mesh, dx, dy, step)
+        call basis%quality(mesh, x_new, y_new, quality, x, y)
+        call basis%assess(mesh, dx, dy, its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call check(its_step%cell == step%cell .and. its_quality%min_quality_cell == quality%min_quality_cell, "where")
+        block_x = reshape(dx, shape(block_x))
+        block_y = reshape(dy, shape(block_y))
+        call basis%assess(mesh, block_x, block_y, its_step, its_quality, executor=hm_openmp(2))
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, real(dx, c_float), real(dy, c_float), its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, real(block_x, c_float), real(block_y, c_float), its_step, its_quality)
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%assess(mesh, dx(2:), dy(2:), its_step, its_quality, stat=stat)
+        call check(stat == hm_bad_argument, "a displacement too few")
+    end subroutine
+
+    subroutine compare_assessment(step, its_step, quality, its_quality)
+        type(hm_step_report), intent(in) :: step, its_step
+        type(hm_quality_report), intent(in) :: quality, its_quality
+        call check(abs(its_step%admissible / step%admissible - 1) < 1e-4_dp .and. &
+            abs(its_quality%mean_quality - quality%mean_quality) < 1e-5_dp .and. &
+            its_quality%inverted == quality%inverted, "assessment")
+    end subroutine
+
+    subroutine safe_morphs()
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_basis) :: laplace, weighted, derivative, others(1)
+        type(hm_safe_report) :: report
+        type(hm_quality_report) :: quality
+        real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
+        real(dp) :: move(2, n_control), error, block_x(around, rings), block_y(around, rings)
+        real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
+        real(dp), allocatable, target :: work(:)
+        integer :: top
+        call basis%curves(curves)
+        call solve(mesh, laplace, options=hm_options(operator_kind=hm_laplace))
+        call plan%morph_safe(laplace, some_move(), x_new, y_new, stat=stat)
+        call check(stat == hm_bad_argument, "a plan that is empty")
+
+        ! What is small is the morph.
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_laplace))
+        call plan%prepare()
+        move = 0.1_dp * some_move()
+        call plan%morph_safe(laplace, move, x_new, y_new, report=report)
+        call laplace%morph_to(move, x, y, x_other, y_other)
+        call check(report%rung == hm_rung_linear .and. report%other == 0 .and. report%steps == 1 .and. report%inverted == 0, &
+            "a small movement in one step")
+        call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, "it is the morph")
+
+        ! What is large is too much for the functions, but not in several steps.
+        move = turn(curves%control, 40._dp)
+        call laplace%morph_to(move, x, y, x_other, y_other)
+        call laplace%quality(mesh, x_other, y_other, quality)
+        call check(quality%inverted > 0, "Laplace's functions invert cells at 40 degrees")
+        call plan%morph_safe(laplace, move, x_new, y_new, report=report)
+        call laplace%quality(mesh, x_new, y_new, quality, x, y)
+        call check(quality%inverted == 0 .and. quality%self_crossing == 0 .and. report%rung >= hm_rung_substeps .and. &
+            report%step_fraction >= 1, "a safe morph inverts none")
+        call check(abs(quality%min_quality - report%min_quality) < 1e-12_dp .and. report%min_quality_cell == &
+            quality%min_quality_cell, "its report")
+        call laplace%boundary_error(move, x, y, x_new, y_new, error)
+        call check(error < 1e-12_dp, "its wall is the B-spline's")
+        call solve(mesh, others(1))
+        call plan%morph_safe(laplace, move, x_new, y_new, others=others, report=report)
+        call others(1)%morph_to(move, x, y, x_other, y_other)
+        call check(report%rung == hm_rung_other .and. report%other == 1 .and. maxval(abs(x_new - x_other)) < 1e-14_dp, &
+            "conformal functions do it at once")
+        call plan%morph_safe(laplace, move, x_new, y_new, options=hm_safe_options(max_resolves=-1, &
+            skipped_rungs=2**hm_rung_untangled), report=report, stat=stat, err=err)
+        call check(stat == hm_short .and. report%step_fraction > 0 .and. report%step_fraction < 1, "not all: " // err%text)
+        call laplace%quality(mesh, x_new, y_new, quality)
+        call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, "what was possible is valid")
+
+        ! The derivative of several steps: on straight lines it times the movement is the movement.
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_weighted))
+        call plan%factor()
+        call plan%solve(weighted)
+        move = turn(curves%control, 50._dp)
+        call plan%morph_safe(weighted, move, x_new, y_new, derivative=derivative, report=report)
+        call check(report%rung == hm_rung_substeps .and. report%steps > 1 .and. report%resolves > 0, "several steps")
+        call derivative%displacement(move, x_other, y_other)
+        call check(maxval(abs(x + x_other - x_new)) < 1e-12_dp .and. maxval(abs(y + y_other - y_new)) < 1e-12_dp, &
+            "the derivative is the sum of the steps' functions")
+        call plan%morph_safe(weighted, move, x_new, y_new, derivative=basis, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "a derivative of other functions: " // err%text)
+
+        ! Every layout, in own memory, on the spot.
+        allocate(work(plan%morph_safe_words()))
+        block_x = 0
+        block_y = 0
+        call plan%morph_safe(weighted, move, block_x, block_y, work=work)
+        call check(same(reshape(block_x, [n_points]), x_new) .and. same(reshape(block_y, [n_points]), y_new), "a block")
+        call plan%morph_safe(weighted, move, x_other, y_other, work=work(2:), stat=stat)
+        call check(stat == hm_block_too_small, "work 8 bytes too small")
+        call plan%morph_safe(weighted, real(move, c_float), x4, y4)
+        call check(maxval(abs(x4 - x_new)) < 1e-5_dp, "default reals")
+        call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4)
+        call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), &
+            "a block of default reals")
+        call plan%morph_safe(weighted, move(:, 2:), x_new, y_new, stat=stat)
+        call check(stat == hm_bad_argument, "a movement too few")
+        call plan%morph_safe(weighted, move, x_new(2:), y_new(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a point too few")
+        move = 0
+        top = maxloc(curves%control(2, :), 1)
+        move(2, top) = -4 * curves%control(2, top)
+        x_other = x_new
+        call plan%morph_safe(weighted, move, x_new, y_new, report=report, stat=stat, err=err)
+        call check(stat == hm_crossing .and. same(x_new, x_other) .and. report%crossing_points(4) >= 1, &
+            "a boundary that crosses itself: " // err%text)
+        call make_points(x_other, y_other)
+        call check(same(x, x_other) .and. same(y, y_other), "the mesh is where it was")
+    end subroutine
+
+    ! From every second point in both directions to all of them.
+    subroutine transfers()
+        integer, parameter :: n = around / 2, m = (rings + 1) / 2
+        real(dp), target :: cx(n * m), cy(n * m)
+        integer(c_int32_t), target :: its_cells(4, n * (m - 1)), its_faces(2, 2 * n), its_markers(2 * n)
+        type(hm_mesh) :: coarse_mesh
+        type(hm_basis) :: coarse, fine, again
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_transfer_report) :: report
+        real(dp) :: a(n_points), b(n_points)
+        real(dp), allocatable, target :: work(:)
+        integer :: i, j, next
+        do i = 0, n - 1
+            next = modulo(i + 1, n)
+            do j = 0, m - 1
+                call place(2 * i, 2 * j, cx(1 + i + n * j), cy(1 + i + n * j))
+                if (j < m - 1) its_cells(:, 1 + i + n * j) = 1 + [i + n * j, i + n * (j + 1), next + n * (j + 1), next + n * j]
+            end do
+            its_faces(:, 1 + i) = 1 + [i, next]
+            its_faces(:, 1 + n + i) = 1 + n * (m - 1) + [i, next]
+        end do
+        its_markers(:n) = body
+        its_markers(n + 1:) = far_field
+        call coarse_mesh%points(cx, cy)
+        call coarse_mesh%cells(its_cells)
+        call coarse_mesh%faces(its_faces, its_markers)
+        call basis%curves(curves)
+        call plan%analyse(coarse_mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(coarse)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%transfer(coarse, coarse_mesh, fine, report)
+        call check(report%points == n_points - 2 * around .and. report%boundary_error < 1e-14_dp, "points between the walls")
+        call check(report%outside == 0 .and. report%max_distance_point == -1, "round a convex body none is outside")
+        call check(report%wall_correction > 0 .and. report%wall_correction < 0.1_dp, "the coarse mesh resolves the functions")
+        call fine%values(4, a)
+        call basis%values(4, b)
+        call check(same(a(:around), b(:around)), "on the wall the functions are those of the fine mesh")
+        call check(maxval(abs(a - b)) < report%wall_correction .and. maxval(abs(a - b)) > 0, "elsewhere nearly")
+        allocate(work(plan%transfer_words(coarse_mesh)))
+        call plan%transfer(coarse, coarse_mesh, again, work=work)
+        call again%values(4, b)
+        call check(same(a, b), "the same in own memory")
+        call plan%transfer(coarse, coarse_mesh, again, work=work(2:), stat=stat)
+        call check(stat == hm_block_too_small, "work 8 bytes too small")
+        call plan%transfer(coarse, mesh, again, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "another mesh's functions: " // err%text)
+        call plan%free()
+        call plan%transfer(coarse, coarse_mesh, again, stat=stat)
+        call check(stat == hm_bad_argument, "no analysis")
+    end subroutine
+
+    ! Three processes in turn: each solves a share of the functions, gets the rows of its points, and gives its part of the
+    ! gradient. The same bits as all at once.
+    subroutine meshes_in_parts()
+        integer, parameter :: parts = 3, length = 1056
+        type(hm_plan) :: plan
+        type(hm_curves) :: curves
+        type(hm_basis) :: shares(parts), rows, some
+        real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
+        real(dp), dimension(n_points) :: dx, dy, its_dx, its_dy
+        real(c_float) :: gradient4(2, n_control)
+        real(dp), allocatable, target :: parcel(:), work(:)
+        integer(c_int64_t) :: sums(4 * 2 * n_control), its_sums(4 * 2 * n_control)
+        integer, allocatable :: points(:)
+        integer :: part, k, first, n, done, scale, its_scale
+        call basis%curves(curves)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        done = 0
+        do part = 1, parts
+            call plan%share_of(part, parts, first, n)
+            call check(first == done + 1 .and. n >= 4, "shares follow one another")
+            if (part == 2) then
+                allocate(work(plan%share_words(first, n)))
+                call shares(part)%init_share(plan, first, n, work(2:), stat)
+                call check(stat == hm_block_too_small, "work of a share 8 bytes too small")
+                call shares(part)%init_share(plan, first, n, work)
+            else
+                call shares(part)%init_share(plan, first, n)
+            end if
+            call plan%solve(shares(part))
+            done = done + n
+        end do
+        call check(done == n_control, "all functions")
+        call plan%share_of(4, parts, first, n, stat)
+        call check(stat == hm_bad_argument, "there is no fourth part")
+        call shares(1)%displacement(some_move(), dx, dy, stat=stat)
+        call check(stat == hm_bad_basis, "a share does not move the mesh")
+
+        move = some_move()
+        call basis%displacement(move, dx, dy)
+        call basis%adjoint(dx, dy, expected)
+        call basis%adjoint_scale(dx, dy, scale)
+        sums = 0
+        allocate(points(0), parcel(0))
+        do part = 1, parts
+            points = [(k, k = min(part * length, n_points), (part - 1) * length + 1, -1)]
+            call shares(1)%extract(points, rows)
+            do k = 1, parts
+                parcel = [(0._dp, n = 1, int(shares(k)%parcel_words(size(points))))]
+                call shares(k)%pack(points, parcel(2:), stat)
+                call check(stat == hm_bad_argument, "a parcel that is too short")
+                call shares(k)%pack(points, parcel)
+                call rows%unpack(parcel)
+            end do
+            call rows%displacement(move, its_dx(:size(points)), its_dy(:size(points)))
+            call check(same(its_dx(:size(points)), dx(points)) .and. same(its_dy(:size(points)), dy(points)), &
+                "rows of a part move its points as the whole basis does")
+            call rows%adjoint_scale(dx(points), dy(points), its_scale)
+            call check(its_scale <= scale, "the largest scale is that of all points")
+            call rows%adjoint_sums(dx(points), dy(points), scale, its_sums)
+            sums = sums + its_sums
+        end do
+        call rows%adjoint_finish(scale, sums, gradient)
+        call check(maxval(abs(gradient - expected)) <= 0, "the gradient of all parts: the same bits")
+        call rows%adjoint_finish(scale, sums, gradient4)
+        call check(maxval(abs(gradient4 - real(expected, c_float))) <= 0, "in default reals")
+        call rows%unpack(parcel, stat)
+        call check(stat < 0, "a parcel too many")
+        call rows%adjoint_sums(dx(points), dy(points), scale, its_sums(2:), stat=stat)
+        call check(stat == hm_bad_argument, "sums that are too short")
+        call rows%adjoint_sums(dx(points), dy(points), its_scale - 1, its_sums, stat=stat)
+        call check(stat == hm_bad_argument, "a scale that is too small")
+
+        ! Any layout; from the whole basis in one step.
+        deallocate(work)
+        allocate(work(basis%extract_words(size(points))))
+        call basis%extract(points, some, work)
+        call some%displacement(move, its_dx(:size(points)), its_dy(:size(points)))
+        call check(same(its_dx(:size(points)), dx(points)), "rows of the whole basis")
+        call basis%extract(points, some, work(2:), stat)
+        call check(stat == hm_block_too_small, "work of rows 8 bytes too small")
+        call basis%extract([n_points + 1], some, stat=stat)
+        call check(stat == hm_bad_argument, "a point that does not exist")
+        call basis%adjoint_sums(dx, dy, scale, sums)
+        call basis%adjoint_scale(reshape(dx, [around, rings]), reshape(dy, [around, rings]), its_scale)
+        call basis%adjoint_sums(reshape(dx, [around, rings]), reshape(dy, [around, rings]), scale, its_sums, &
+            executor=hm_openmp(2))
+        call check(its_scale == scale .and. all(sums == its_sums), "sums of a block, on threads")
+        call basis%adjoint_scale(real(dx, c_float), real(dy, c_float), its_scale)
+        call basis%adjoint_sums(real(dx, c_float), real(dy, c_float), its_scale, sums)
+        call basis%adjoint_scale(reshape(real(dx, c_float), [around, rings]), reshape(real(dy, c_float), [around, rings]), &
+            its_scale)
+        call basis%adjoint_sums(reshape(real(dx, c_float), [around, rings]), reshape(real(dy, c_float), [around, rings]), &
+            its_scale, its_sums)
+        call basis%adjoint_finish(its_scale, its_sums, gradient)
+        call check(all(sums == its_sums) .and. maxval(abs(gradient - expected)) < 1e-5_dp * maxval(abs(expected)), &
+            "sums in default reals")
+    end subroutine
+
     subroutine refusals()
         type(hm_basis) :: empty
         type(hm_plan) :: plan
@@ -865,9 +1372,9 @@ contains
         call check(stat == hm_bad_argument, "another length")
         call basis%quality(mesh, x, y, quality, x(2:), y(2:), stat=stat)
         call check(stat == hm_bad_argument, "a reference of another length")
-        call basis%values(0, a, stat)
+        call basis%values(0, a, stat=stat)
         call check(stat == hm_bad_argument, "there is no function 0")
-        call basis%values(1, a(2:), stat)
+        call basis%values(1, a(2:), stat=stat)
         call check(stat == hm_bad_argument, "too little room for values")
         call plan%solve(empty, report, stat)
         call check(stat == hm_bad_argument, "an empty plan")
