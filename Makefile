@@ -31,6 +31,7 @@ FC = gfortran
 FFLAGS = -O2
 LDFLAGS =
 AR = ar
+JOBS = 2
 MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
@@ -39,12 +40,13 @@ CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-trapping-math -
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
 CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api
-UNIT = -std=c++17 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
+# Tests are compiled for one run: what the optimiser would take is not given back.
+UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
 LIBRARY = $(BUILD)/libharmorph.a
 PROGRAM = $(BUILD)/harmorph
 # Silent, as the rules say in few words what they do; $(BUILD)/flags holds the whole commands.
-WITH_RULES = -s -f Makefile -f $(BUILD)/rules.mk
+WITH_RULES = -s -j $(JOBS) -f Makefile -f $(BUILD)/rules.mk
 
 all: rules
 	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM)
