@@ -158,7 +158,8 @@ contains
                 passed = passed + 1
             else
                 failed = failed + 1
-                print "(3a, i0, a, i0, a, i0)", "layout: ", what, ", number ", k, ": ", theirs(k), " in C, here ", ours(k)
+                print "(3a, i0, a, i0, a, i0)", "layout: ", what, ", number ", k, ": ", theirs(k), " in C, here ", &
+                    ours(k)
             end if
         end do
     end subroutine
