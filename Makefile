@@ -3,9 +3,11 @@
 #   make                  library and program
 #   make test             all tests; the last line counts them
 #   make unit             the C++ tests alone
+#   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
+#   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
 #   make paper            the paper's cases: figures, and a table of engines
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
@@ -16,7 +18,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules unit test check-link bench deform paper demo install uninstall clean
+.PHONY: all rules unit test mpi check-link bench bench-mpi deform paper demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -29,6 +31,7 @@ FC = gfortran
 FFLAGS = -O2
 LDFLAGS =
 AR = ar
+MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, no traps, so that only mem* stay undefined; no contraction, so that compilers agree on bits.
@@ -81,6 +84,11 @@ unit: all
 	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
 	$(BUILD)/tests
 
+mpi: all
+	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/harmorph_mpi.c
+	rm -f $(BUILD)/libharmorph_mpi.a
+	$(AR) rcs $(BUILD)/libharmorph_mpi.a $(BUILD)/objects/harmorph_mpi.o
+
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)
 
@@ -99,15 +107,18 @@ deform: all
 paper: all
 	@BUILD='$(BUILD)' sh tests/paper/run.sh
 
+bench-mpi: all
+	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/mpi.sh
+
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo
 	@ls $(BUILD)/demo/*.svg
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h \
+INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
-	share/harmorph/naca0012.su2
+	share/harmorph/harmorph_mpi.c share/harmorph/naca0012.su2
 
 install: all
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
@@ -119,7 +130,7 @@ install: all
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp fortran/*.f90 tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp fortran/*.f90 c_api/harmorph_mpi.c tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 uninstall:

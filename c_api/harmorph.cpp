@@ -384,4 +384,15 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
     return tell(err, fault, {p.mesh.index_base, 0});
 }
 
+hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int32_t* n_cells, hm_error* err) {
+    Fault fault;
+    if (plan == nullptr || cells == nullptr || n_cells == nullptr) {
+        fault.refuse(Status::bad_argument, "an argument is NULL");
+        return tell(err, fault);
+    }
+    const Plan& p = *reinterpret_cast<const Plan*>(plan);
+    p.level_cells(level, {cells, static_cast<Size>(p.mesh.n_points)}, *n_cells, fault);
+    return tell(err, fault);
+}
+
 }  // extern "C"

@@ -34,7 +34,8 @@
  * Threads          No hidden state. One thread at a time may write an object (plan, basis) or make others of it
  *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
  *                  it uses those of an hm_executor where one is given.
- * Repeatability    Same input and same kernel, same bits: from run to run, and for any number of threads.
+ * Repeatability    Same input and same kernel, same bits: from run to run, for any number of threads, and of
+ *                  processes (harmorph_mpi.h).
  */
 #ifndef HARMORPH_H
 #define HARMORPH_H
@@ -242,6 +243,8 @@ typedef struct hm_problem {
  *   HM_WEIGHTED   HM_BOUNDED  HM_DIRECT      all but slip                      real
  *   HM_LAPLACE    HM_COMPACT  HM_MULTIGRID   all but slip                      real
  *   HM_WEIGHTED   HM_COMPACT  HM_MULTIGRID   all but slip                      real
+ *   HM_LAPLACE    HM_COMPACT  HM_FAS         all but slip                      real
+ *   HM_WEIGHTED   HM_COMPACT  HM_FAS         all but slip                      real
  *
  * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
  * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
@@ -263,11 +266,14 @@ enum {                             /* scheme; both reproduce linear fields, and 
 };
 enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
-    HM_MULTIGRID = 1               /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
+    HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
                                       20 to 35 iterations, whatever the size. A residual tells little of the error where
                                       weights vary strongly */
+    HM_FAS = 2                     /* the paper's iteration: pseudo-time, explicit four-stage Runge-Kutta with local steps, full
+                                      approximation scheme on agglomerated levels, started from the coarsest (FMG-FAS); one
+                                      level: Runge-Kutta alone. The slowest: for comparison with the paper */
 };
-enum {                             /* agglomeration: which cells the levels of HM_MULTIGRID merge */
+enum {                             /* agglomeration: which cells are merged */
     HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where cells are stretched more than 2 to 1, else any */
     HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with most mesh edges between them, however stretched */
     HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
@@ -305,11 +311,12 @@ typedef struct hm_options {
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
                                       and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
-    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: as many as there are */
+    int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: HM_FAS 5, otherwise all */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
     int32_t  block_width;          /* functions solved at a time: 4, 8 or 16; 0 means 8. Plan space for each thread's vectors
                                       grows with it: 56 bytes per unknown and function */
-    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200 */
+    int32_t  max_iterations;       /* HM_NOT_CONVERGED at the latest after these; 0 means 200; HM_FAS: 2000 cycles, or with
+                                      one level 200000 steps */
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
@@ -375,13 +382,19 @@ typedef struct hm_solve_report {
     int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
     int32_t  iterations;           /* engines that iterate: largest over the functions; 0: HM_DIRECT */
     int32_t  levels;               /* of agglomeration */
-    int32_t  fine_sweeps;          /* of the smoother over the finest level, largest over the functions */
+    int32_t  fine_sweeps;          /* over the finest level, largest over the functions: symmetric Gauss-Seidel, or
+                                      Runge-Kutta steps */
     int32_t  reserved_too;         /* 0 */
 } hm_solve_report;
 
 /* Solves all functions in the basis, with the plan's factor. Both must come from one analysis. report may be NULL.
  * Cancelled: the basis counts as not solved, the factor stays. */
 HM_API hm_status hm_plan_solve(hm_plan *plan, hm_basis *basis, hm_solve_report *report, hm_error *err);
+
+/* Where agglomeration merged the mesh, after hm_plan_factor with an engine that has levels: cells [n_points] receives the
+ * merged cell, from 0, in which each point's control volume is on a level (0: the finest), -1 for points whose value is
+ * known; *n_cells how many there are. Refused where there is no such level. */
+HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cells, int32_t *n_cells, hm_error *err);
 
 /* A basis is one block without pointers: write it to a file as it is (hm_basis_info.bytes), read or map it back, attach.
  * block aligned to 8 bytes. Refused with the reason: not a basis, another format version or byte order, truncated,
@@ -449,7 +462,8 @@ HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const h
  * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
 HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
                           double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
-/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. */
+/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. The
+ * order in which the mesh numbers its points does not matter; see hm_adjoint_scale. All NaN if a number is not finite. */
 HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                             double *gradient, const hm_executor *executor, hm_error *err);
 /* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
@@ -475,7 +489,7 @@ HM_API hm_status hm_share_of(const hm_analysis *analysis, int32_t part, int32_t 
                              hm_error *err);
 /* A share: a basis with a place for functions first .. first+n-1 only, from 0, n >= 0. hm_plan_solve solves these, with the
  * same bits as all of them together; the report is of the share, its partition_defect 0. Calls that need all functions
- * (morph, adjoint) refuse it. */
+ * (morph, adjoint) refuse it; functions keep their numbers, and hm_basis_info.functions counts all. */
 HM_API hm_status hm_share_size(const hm_analysis *analysis, int32_t first, int32_t n, size_t *bytes, hm_error *err);
 HM_API hm_status hm_share_init(hm_basis **share, void *block, size_t bytes, const hm_analysis *analysis, int32_t first,
                                int32_t n, hm_error *err);
@@ -489,7 +503,7 @@ HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t 
 /* hm_adjoint in parts, with the same bits for any parts: the largest of all parts' scales; the sums [4 * functions *
  * numbers_per_value] of each part at that scale, added up elementwise; the gradient of these. Each point of the mesh counts
  * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-64 of the scale (a
- * power of two below 4 max|F| max|dj|): the error is at most 2^-53 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
+ * power of two below 4 max|F| max|dj|): the error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
  * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
 HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                                   int32_t *scale, const hm_executor *executor, hm_error *err);
@@ -554,6 +568,10 @@ typedef struct hm_safe_options {
     int32_t  reserved;             /* 0 */
     const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset correction; for a
                                       derivative only those with the basis's numbers_per_value are tried */
+    double   heights;              /* [0..1] 0: off. Brings distances from walls that move back to what they were, near them:
+                                      angle-preserving functions scale them with the wall's stretch. A closed form at the end,
+                                      along the normals, fading out where the wall's curvature or another wall begins to
+                                      matter; as much of it as no cell inverts for. Not part of the derivative */
 } hm_safe_options;
 
 typedef struct hm_safe_report {
@@ -572,6 +590,7 @@ typedef struct hm_safe_report {
     double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
     double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
     double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
+    double   heights;              /* [0..1] how much of them was brought back */
     int32_t  angle_point;          /* where the angle changed most; -1: no point of the wall has such an edge */
     int32_t  min_height_point, max_height_point;
     int32_t  reserved;             /* 0 */

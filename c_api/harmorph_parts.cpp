@@ -15,7 +15,8 @@ Status view_list(Basis const& basis, Index n, const Index* points, PointList& li
     return list.check(basis.n_points(), fault);
 }
 
-Status extract(Basis const& from, PointList const& list, void* block, Size bytes, hm_basis** out, Fault& fault) noexcept {
+Status extract(Basis const& from, PointList const& list, void* block, Size bytes, hm_basis** out,
+               Fault& fault) noexcept {
     Arena arena(block, bytes);
     Extract made;
     made.lay_out(arena, from, list);
@@ -28,7 +29,8 @@ Status extract(Basis const& from, PointList const& list, void* block, Size bytes
 
 Status check_scale(Index scale, Fault& fault) noexcept {
     if (BinaryScale{scale}.valid()) return Status::ok;
-    return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says", Counts::from_zero, scale);
+    return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says", Counts::from_zero,
+                        scale);
 }
 
 // All that calls with a gradient by mesh points have in common.
@@ -57,7 +59,7 @@ extern "C" {
 hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err) {
     Fault fault;
     Basis from;
-    if (bytes == nullptr || n < 0) fault.refuse(Status::bad_argument, "bytes is NULL, or the number of points is negative");
+    if (bytes == nullptr || n < 0) fault.refuse(Status::bad_argument, "bytes is NULL, or n is negative");
     if (!failed(fault.status) && !failed(open_solved(basis, from, fault))) {
         Arena counting;
         Extract::count(counting, from, n);
@@ -66,13 +68,14 @@ hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_er
     return tell(err, fault);
 }
 
-hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis, int32_t n, const int32_t* points,
-                          hm_error* err) {
+hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis, int32_t n,
+                          const int32_t* points, hm_error* err) {
     Fault fault;
     Basis from;
     PointList list;
     if (rows == nullptr || block == nullptr) fault.refuse(Status::bad_argument, "rows or block is NULL");
-    if (!failed(fault.status) && !failed(open_solved(basis, from, fault)) && !failed(view_list(from, n, points, list, fault))) {
+    if (!failed(fault.status) && !failed(open_solved(basis, from, fault)) &&
+        !failed(view_list(from, n, points, list, fault))) {
         extract(from, list, block, bytes, rows, fault);
     }
     return tell(err, fault);
@@ -81,7 +84,7 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
 hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_error* err) {
     Fault fault;
     Basis from;
-    if (doubles == nullptr || n < 0) fault.refuse(Status::bad_argument, "doubles is NULL, or the number of points is negative");
+    if (doubles == nullptr || n < 0) fault.refuse(Status::bad_argument, "doubles is NULL, or n is negative");
     if (!failed(fault.status) && !failed(open_solved(share, from, fault))) *doubles = parcel_words(from, n);
     return tell(err, fault);
 }
@@ -91,7 +94,8 @@ hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points
     Basis from;
     PointList list;
     if (parcel == nullptr) fault.refuse(Status::bad_argument, "parcel is NULL");
-    if (!failed(fault.status) && !failed(open_solved(share, from, fault)) && !failed(view_list(from, n, points, list, fault))) {
+    if (!failed(fault.status) && !failed(open_solved(share, from, fault)) &&
+        !failed(view_list(from, n, points, list, fault))) {
         pack_parcel(from, list, parcel);
     }
     return tell(err, fault);
@@ -105,8 +109,8 @@ hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles
     return tell(err, fault);
 }
 
-hm_status hm_adjoint_scale(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride, int32_t* scale,
-                           const hm_executor* executor, hm_error* err) {
+hm_status hm_adjoint_scale(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride,
+                           int32_t* scale, const hm_executor* executor, hm_error* err) {
     Fault fault;
     GradientCall call;
     if (!failed(call.open(basis, dj_dx, dj_dy, stride, scale, executor, fault))) {
@@ -115,14 +119,15 @@ hm_status hm_adjoint_scale(const hm_basis* basis, const double* dj_dx, const dou
     return tell(err, fault);
 }
 
-hm_status hm_adjoint_sums(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride, int32_t scale,
-                          int64_t* sums, const hm_executor* executor, hm_error* err) {
+hm_status hm_adjoint_sums(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride,
+                          int32_t scale, int64_t* sums, const hm_executor* executor, hm_error* err) {
     Fault fault;
     GradientCall call;
     if (!failed(call.open(basis, dj_dx, dj_dy, stride, sums, executor, fault)) && !failed(check_scale(scale, fault))) {
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
-            fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale, least);
+            fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale,
+                         least);
         } else {
             adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
         }
@@ -130,7 +135,8 @@ hm_status hm_adjoint_sums(const hm_basis* basis, const double* dj_dx, const doub
     return tell(err, fault);
 }
 
-hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums, double* gradient, hm_error* err) {
+hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums, double* gradient,
+                            hm_error* err) {
     Fault fault;
     Basis its;
     if (sums == nullptr || gradient == nullptr) fault.refuse(Status::bad_argument, "sums or gradient is NULL");

@@ -21,6 +21,11 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             Counts::from_zero, o.n_others, others.count());
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, 0);
+    if (!(o.heights >= 0 && o.heights <= 1)) {
+        return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~", Counts::from_zero,
+                            none, none, o.heights);
+    }
+    options.heights = o.heights;
     options.skipped = static_cast<std::uint32_t>(o.skipped_rungs);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) return fault.refuse(Status::bad_argument, "basis # of others is NULL", Counts::from_zero, i);
@@ -68,6 +73,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Basis const& 
     filled.max_height_ratio = safe.first_layer.max_ratio;
     filled.min_height_point = numbered(safe.first_layer.min_ratio_point, base);
     filled.max_height_point = numbered(safe.first_layer.max_ratio_point, base);
+    filled.heights = safe.heights;
     filled.inverted = quality.inverted;
     filled.min_quality_cell = numbered(quality.min_quality_cell, base);
     filled.min_quality = quality.min_quality;

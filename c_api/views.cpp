@@ -11,7 +11,7 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     bool const known = o.operator_kind >= HM_CONFORMAL && o.operator_kind <= HM_WEIGHTED;
     bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
     bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
-    bool const iterative = real && o.scheme == HM_COMPACT && o.engine == HM_MULTIGRID;
+    bool const iterative = real && o.scheme == HM_COMPACT && (o.engine == HM_MULTIGRID || o.engine == HM_FAS);
     if (!known || !(plain || bounded || iterative)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }

@@ -414,6 +414,7 @@ module harmorph
     contains
         procedure :: init => basis_init
         procedure :: init_share => basis_init_share
+        procedure :: address => basis_address
         procedure :: attach => basis_attach
         procedure :: write => basis_write
         procedure :: read => basis_read
@@ -869,6 +870,10 @@ module harmorph
     interface put_back
         procedure :: put_back_b8, put_back_v4, put_back_b4
     end interface
+    interface hm_finish   ! harmorph_mpi.f90 ends its calls like those here
+        procedure :: finish
+    end interface
+    public :: hm_finish
     interface as_double
         procedure :: as_double_8, as_double_4
     end interface
@@ -2531,6 +2536,12 @@ contains
         call know_basis(self, status)
         call finish(status, e, stat, err)
     end subroutine
+
+    ! The library's object, for its other bindings; null: none.
+    type(c_ptr) function basis_address(self)
+        class(hm_basis), intent(in) :: self
+        basis_address = self%handle
+    end function
 
     ! The counts that the lengths of arrays are compared with; nothing stays of a basis that failed.
     subroutine know_basis(self, status)

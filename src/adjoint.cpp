@@ -6,14 +6,17 @@ namespace harmorph {
 namespace {
 
 constexpr Index block_points = 256;
-constexpr Index ranges = 16;
+constexpr Index most_ranges = 16;    // their sums are on the stack
+constexpr Index least_range = 2048;  // points that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(begin, end, i) for ranges of points.
+// body(begin, end, i) for ranges of points; returns how many there are. Sums do not depend on that.
 template <class Body>
-void for_point_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
+Index for_point_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
+    Index const ranges = executor.is_serial() ? 1 : clamp(n_points / least_range, Index{1}, most_ranges);
     auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
+    return ranges;
 }
 
 // Of points begin .. end-1 and numbers first .. first+width-1 of their rows.
@@ -37,22 +40,23 @@ struct SumsBlock {
     SumsBlock(Basis const& basis, Points gradient_by_points, BinaryScale scale, Index first, Index width,
               Executor const& executor) noexcept {
         Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
-        FixedSums part[ranges];
-        for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+        FixedSums part[most_ranges];
+        Index const ranges = for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
             part[i] = {};
             add_range(kernel, basis, gradient_by_points, scale, begin, end, first, width, part[i]);
         });
         for (Index k = 0; k < width; ++k) {
-            for (FixedSums const& its : part) {
-                x[k] += its.x(k);
-                y[k] += its.y(k);
+            for (Index i = 0; i < ranges; ++i) {
+                x[k] += part[i].x(k);
+                y[k] += part[i].y(k);
             }
         }
     }
 };
 
 // Adds what the sums of one number of all functions' values mean for the movement of its function.
-void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y, Real* gradient) noexcept {
+void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y,
+                     Real* gradient) noexcept {
     Index const n = basis.n_functions(), plane = number / n;
     Real* const to = gradient + 2 * (number % n);
     Vec2 const total{scale.up(x.value()), scale.up(y.value())};
@@ -74,7 +78,7 @@ void for_each_block(Index row_length, Body const& body) noexcept {
 }  // namespace
 
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
-    LargestMagnitude largest[ranges];
+    LargestMagnitude largest[most_ranges];
     for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
         LargestMagnitude its;
         for (Index p = begin; p < end; ++p) {

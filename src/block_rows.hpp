@@ -90,6 +90,23 @@ Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
     return product;
 }
 
+// rest = f - A u
+template <Index W>
+void residual(SymmetricRows const& rows, const Real* f, const Real* u, Real* rest) noexcept {
+    copy<W>(f, rest, rows.n);
+    for (Index i = 0; i < rows.n; ++i) {
+        Lanes<W> const own = load<W>(u + Offset{i} * W);
+        Lanes<W> sum = load<W>(rest + Offset{i} * W);
+        add<W>(-rows.diagonal[i], own.at, sum.at);
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            Offset const j = Offset{rows.column[e]} * W;
+            add<W>(-rows.value[e], u + j, sum.at);
+            add<W>(-rows.value[e], own.at, rest + j);
+        }
+        store<W>(sum, rest + Offset{i} * W);
+    }
+}
+
 // x.A x
 template <Index W>
 Lanes<W> energy(SymmetricRows const& rows, const Real* x) noexcept {

@@ -35,6 +35,12 @@ namespace harmorph::dense {
                     UpdateMatrix<Number> const& update) noexcept;                                                         \
     template <class Number>                                                                                               \
     void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept;                 \
+    /* positions null: begin, begin + 1, ... */                                                                           \
+    template <class Number>                                                                                               \
+    void gather(Rows const& from, const Index* positions, Index begin, Index n, Number* y, Index row,                     \
+                Index planes) noexcept;                                                                                   \
+    template <class Number>                                                                                               \
+    void scatter(const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept;                \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
@@ -186,6 +192,21 @@ void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets
     HARMORPH_CALL(kernel, add_rows<Number>(n, from, targets, y, length))
 }
 
+template <class Number>
+void gather(Kernel kernel, Rows const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
+    HARMORPH_CALL(kernel, gather<Number>(from, nullptr, begin, n, y, row, planes))
+}
+
+template <class Number>
+void gather(Kernel kernel, Rows const& from, Span<const Index> positions, Number* y, Index row, Index planes) noexcept {
+    HARMORPH_CALL(kernel, gather<Number>(from, positions.data(), 0, positions.count(), y, row, planes))
+}
+
+template <class Number>
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept {
+    HARMORPH_CALL(kernel, scatter<Number>(y, row, planes, to, begin, n))
+}
+
 #define HARMORPH_MAKE(Number)                                                                                            \
     template Index factor(Kernel, Panel<Number> const&, Number, Workers<Number> const&) noexcept;                        \
     template void update_border(Kernel, Panel<Number> const&, UpdateMatrix<Number> const&, Workers<Number> const&) noexcept; \
@@ -193,7 +214,10 @@ void add_rows(Kernel kernel, Index n, const Number* from, Targets const& targets
     template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
     template void extend_add(Kernel, UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                  \
                              UpdateMatrix<Number> const&) noexcept;                                                      \
-    template void add_rows(Kernel, Index, const Number*, Targets const&, Number*, Index) noexcept;
+    template void add_rows(Kernel, Index, const Number*, Targets const&, Number*, Index) noexcept;                       \
+    template void gather(Kernel, Rows const&, Index, Index, Number*, Index, Index) noexcept;                             \
+    template void gather(Kernel, Rows const&, Span<const Index>, Number*, Index, Index) noexcept;                        \
+    template void scatter(Kernel, const Number*, Index, Index, Rows const&, Index, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)
 

@@ -32,13 +32,13 @@ HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept {
     *reinterpret_cast<Vector<Number>*>(to) = v;
 }
 
-// Rows of a matrix: from one row to the next, and from a row's real parts to its imaginary parts.
+// A block of a matrix: from one row to the next, and from a row's real parts to its imaginary parts.
 template <class Number>
-struct Rows {
+struct Block {
     Number* data;
     Offset length, plane;
 
-    HARMORPH_INLINE Rows at(Index row, Index column) const noexcept { return {data + row * length + column, length, plane}; }
+    HARMORPH_INLINE Block at(Index row, Index column) const noexcept { return {data + row * length + column, length, plane}; }
 };
 
 struct Shape {
@@ -79,7 +79,7 @@ HARMORPH_INLINE void multiply_add(const Number* a, Offset next_row, Offset a_pla
 
 // The summation index goes from `begin` to `end`; `columns` of D are wanted, the rest is computed and thrown away.
 template <Op op, Store how, Index planes, Index rows, Index vectors, class Number>
-HARMORPH_INLINE void tile(Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d, Index columns) noexcept {
+HARMORPH_INLINE void tile(Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d, Index columns) noexcept {
     Offset const next_row = op == Op::plain ? a.length : 1, next_k = op == Op::plain ? 1 : a.length;
     Vector<Number> sum[planes][rows][vectors] = {};
     for (Index k = begin; k < end; ++k) {
@@ -108,7 +108,7 @@ HARMORPH_INLINE void tile(Rows<Number> a, Rows<Number> b, Index begin, Index end
 }
 
 template <Op op, Store how, Index planes, Index rows, class Number>
-void tile_of_rows(Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d, Index columns) noexcept {
+void tile_of_rows(Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d, Index columns) noexcept {
     static_assert(tile_vectors == 3, "one case for each number of vectors");
     if (columns > 2 * lanes<Number>) return tile<op, how, planes, rows, 3>(a, b, begin, end, d, columns);
     if (columns > lanes<Number>) return tile<op, how, planes, rows, 2>(a, b, begin, end, d, columns);
@@ -116,7 +116,7 @@ void tile_of_rows(Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<N
 }
 
 template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number>
-HARMORPH_INLINE void any_tile(Index rows, Rows<Number> a, Rows<Number> b, Index begin, Index end, Rows<Number> d,
+HARMORPH_INLINE void any_tile(Index rows, Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d,
                               Index columns) noexcept {
     if constexpr (most_rows > 1) {
         if (rows < most_rows) return any_tile<op, how, planes, most_rows - 1>(rows, a, b, begin, end, d, columns);
@@ -126,10 +126,10 @@ HARMORPH_INLINE void any_tile(Index rows, Rows<Number> a, Rows<Number> b, Index 
 
 // D [rows x columns] -= op(A) B, read where they are. upper: D begins on the diagonal, and what is below it is not wanted.
 template <Op op, Index planes, class Number>
-void subtract_product(Shape shape, Rows<Number> a, Rows<Number> b, Rows<Number> d, bool upper = false) noexcept {
+void subtract_product(Shape shape, Block<Number> a, Block<Number> b, Block<Number> d, bool upper = false) noexcept {
     for (Index r = 0; r < shape.rows; r += tile_rows<planes>) {
         Index const rows = smaller(tile_rows<planes>, shape.rows - r);
-        Rows<Number> const its = op == Op::plain ? a.at(r, 0) : a.at(0, r);
+        Block<Number> const its = op == Op::plain ? a.at(r, 0) : a.at(0, r);
         for (Index c = upper ? r : 0; c < shape.columns; c += tile_columns<Number>) {
             any_tile<op, Store::subtract, planes>(rows, its, b.at(0, c), 0, shape.depth, d.at(r, c),
                                                   smaller(tile_columns<Number>, shape.columns - c));
@@ -139,7 +139,7 @@ void subtract_product(Shape shape, Rows<Number> a, Rows<Number> b, Rows<Number> 
 
 // Copies `width` columns next to each other; whole vectors are written.
 template <Index planes, Index width, class Number>
-HARMORPH_INLINE Rows<Number> pack(Rows<Number> from, Index depth, Number* to) noexcept {
+HARMORPH_INLINE Block<Number> pack(Block<Number> from, Index depth, Number* to) noexcept {
     for (Index k = 0; k < depth; ++k) {
 #pragma GCC unroll 2
         for (Index plane = 0; plane < planes; ++plane) {
@@ -154,27 +154,29 @@ HARMORPH_INLINE Rows<Number> pack(Rows<Number> from, Index depth, Number* to) no
 // D [rows x columns] -= A^H B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
 // memory. depth, rows <= strip.
 template <Index planes, class Number>
-void subtract_packed(Shape shape, Rows<Number> a, Rows<Number> b, Rows<Number> d, Number* packing, bool upper) noexcept {
+void subtract_packed(Shape shape, Block<Number> a, Block<Number> b, Block<Number> d, Number* packing, bool upper) noexcept {
     constexpr Index height = tile_rows<planes>, width = tile_columns<Number>;
     Number* const packed_b = packing + planes * strip * strip;
     Index const whole_rows = shape.rows / height * height;
     auto const packed_a = [&](Index r) { return packing + Offset{planes} * r * shape.depth; };
     for (Index r = 0; r < whole_rows; r += height) pack<planes, height>(a.at(0, r), shape.depth, packed_a(r));
     for (Index c = 0; c < shape.columns; c += width) {
-        Rows<Number> const factor = pack<planes, width>(b.at(0, c), shape.depth, packed_b);
+        Block<Number> const factor = pack<planes, width>(b.at(0, c), shape.depth, packed_b);
         Index const wanted = upper ? smaller(shape.rows, c + width) : shape.rows;
         for (Index r = 0; r < wanted; r += height) {
-            Rows<Number> const its = r < whole_rows ? Rows<Number>{packed_a(r), planes * height, height} : a.at(0, r);
-            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(height, shape.rows - r), its, factor, 0,
-                                                                        shape.depth, d.at(r, c),
-                                                                        smaller(width, shape.columns - c));
+            Block<Number> const its = r < whole_rows ? Block<Number>{packed_a(r), planes * height, height} : a.at(0, r);
+            Index const below = upper && r > c ? (r - c) / lanes<Number> * lanes<Number> : 0;  // the diagonal: not wanted
+            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(height, shape.rows - r), its,
+                                                                        factor.at(0, below), 0, shape.depth,
+                                                                        d.at(r, c + below),
+                                                                        smaller(width, shape.columns - c) - below);
         }
     }
 }
 
 // b [n x columns] = E b, E lower triangular: row r needs rows <= r, so the last rows go first.
 template <Index planes, class Number>
-void apply_inverse(Index n, Index columns, Rows<Number> inverse, Rows<Number> b) noexcept {
+void apply_inverse(Index n, Index columns, Block<Number> inverse, Block<Number> b) noexcept {
     for (Index c = 0; c < columns; c += tile_columns<Number>) {
         for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0; r -= tile_rows<planes>) {
             Index const rows = smaller(tile_rows<planes>, n - r);
@@ -186,7 +188,7 @@ void apply_inverse(Index n, Index columns, Rows<Number> inverse, Rows<Number> b)
 
 // b [n x columns] = E^H b: row r needs rows >= r, so the first rows go first.
 template <Index planes, class Number>
-void apply_inverse_transposed(Index n, Index columns, Rows<Number> inverse, Rows<Number> b) noexcept {
+void apply_inverse_transposed(Index n, Index columns, Block<Number> inverse, Block<Number> b) noexcept {
     for (Index c = 0; c < columns; c += tile_columns<Number>) {
         for (Index r = 0; r < n; r += tile_rows<planes>) {
             any_tile<Op::conjugate_transposed, Store::set, planes>(smaller(tile_rows<planes>, n - r), inverse.at(0, r),
@@ -215,7 +217,7 @@ struct BlockBesideUnit {
     static constexpr Index width = 2 * block;
     Number at[block][planes][width + lanes<Number>];
 
-    BlockBesideUnit(Rows<Number> a, Index n) noexcept {
+    BlockBesideUnit(Block<Number> a, Index n) noexcept {
         for (Index r = 0; r < n; ++r) {
             for (Index plane = 0; plane < planes; ++plane) {
                 Number* const row = at[r][plane];
@@ -243,7 +245,7 @@ struct BlockBesideUnit {
 
 // Cholesky of a diagonal block, whose place the inverse of U^H takes. Returns a pivot that is not above `least`, or none.
 template <Index planes, class Number>
-Index factor_block(Rows<Number> a, Index n, const Number* least) noexcept {
+Index factor_block(Block<Number> a, Index n, const Number* least) noexcept {
     BlockBesideUnit<planes, Number> both(a, n);
     Number pivot[block];
     for (Index k = 0; k < n; ++k) {
@@ -264,7 +266,7 @@ Index factor_block(Rows<Number> a, Index n, const Number* least) noexcept {
 }
 
 template <class Number>
-struct Strip : Rows<Number> {  // its first pivot's column is number 0
+struct Strip : Block<Number> {  // its first pivot's column is number 0
     Index n;
 };
 
@@ -277,7 +279,7 @@ HARMORPH_INLINE Strip<Number> strip_of(Panel<Number> const& panel, Index first) 
 
 // Right-hand sides from a pivot's row on.
 template <Index planes, class Number>
-HARMORPH_INLINE Rows<Number> sides(Number* y, Index row, Index pivot) noexcept {
+HARMORPH_INLINE Block<Number> sides(Number* y, Index row, Index pivot) noexcept {
     return {y + Offset{planes} * row * pivot, Offset{planes} * row, row};
 }
 
@@ -295,7 +297,29 @@ HARMORPH_INLINE void add_row(Number* to, const Number* from, Index begin, Index 
     for (Index c = begin; c < end; c = targets.ends[c]) add_run(to + targets.at[c], from + c, targets.ends[c] - c);
 }
 
-constexpr Index packing_pays = 96;  // rows longer than this are copied before they are multiplied
+// to [n] = from, converted, as many at a time as doubles fill a register.
+template <class From, class To>
+HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
+    typedef From Froms __attribute__((vector_size(lanes<double> * sizeof(From)), aligned(sizeof(From)), may_alias));
+    typedef To Tos __attribute__((vector_size(lanes<double> * sizeof(To)), aligned(sizeof(To)), may_alias));
+    Index i = 0;
+    for (; i + lanes<double> <= n; i += lanes<double>) {
+        *reinterpret_cast<Tos*>(to + i) = __builtin_convertvector(*reinterpret_cast<const Froms*>(from + i), Tos);
+    }
+    for (; i < n; ++i) to[i] = static_cast<To>(from[i]);
+}
+
+HARMORPH_INLINE Real* row_at(Real* data, const Index* row_of, Offset length, Index position) noexcept {
+    return data + (row_of != nullptr ? row_of[position] : position) * length;
+}
+
+constexpr Index rows_ahead = 4;  // rows of values lie anywhere: those are on their way while one is copied
+
+HARMORPH_INLINE void prefetch_row(const Real* row, Offset numbers) noexcept {
+    for (Offset i = 0; i < numbers; i += 8) __builtin_prefetch(row + i);
+}
+
+constexpr Index packing_pays = 224;  // rows longer than this are copied before they are multiplied
 
 }  // namespace
 
@@ -314,7 +338,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* lea
     Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        Rows<Number> const above = own.at(0, k), its = own.at(k, k);
+        Block<Number> const above = own.at(0, k), its = own.at(k, k);
         if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, own.n - k, k}, above, above, its);
         Index const bad = factor_block<planes>(its, n, least + k);
         if (bad != none) return first + k + bad;
@@ -326,10 +350,10 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* lea
 template <class Number, Index planes>
 void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number*) noexcept {
     Strip<Number> const own = strip_of<planes>(panel, first);
-    Rows<Number> const columns = own.at(0, from - first);
+    Block<Number> const columns = own.at(0, from - first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        Rows<Number> const its = columns.at(k, 0);
+        Block<Number> const its = columns.at(k, 0);
         if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, to - from, k}, own.at(0, k), columns, its);
         apply_inverse<planes>(n, to - from, own.at(k, k), its);
     }
@@ -338,11 +362,11 @@ void finish_columns(Panel<Number> const& panel, Index first, Index from, Index t
 template <class Number, Index planes>
 void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin, Number* packing) noexcept {
     Offset const plane = padded(update.n - begin);  // padding may be written
-    Rows<Number> const d{update.data + planes * band_start(update.n, begin), planes * plane, plane};
+    Block<Number> const d{update.data + planes * band_start(update.n, begin), planes * plane, plane};
     Index const rows = smaller(strip, update.n - begin);
     for (Index first = 0; first < panel.pivots; first += strip) {
         Strip<Number> const own = strip_of<planes>(panel, first);
-        Rows<Number> const columns = own.at(0, panel.pivots - first + begin);
+        Block<Number> const columns = own.at(0, panel.pivots - first + begin);
         Shape const shape{rows, static_cast<Index>(plane), own.n};
         if (own.plane > packing_pays) {
             subtract_packed<planes>(shape, columns, columns, d, packing, true);
@@ -355,10 +379,10 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
 template <class Number, Index planes>
 void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept {
     Strip<Number> const own = strip_of<planes>(panel, first);
-    Rows<Number> const done = sides<planes>(y, row, first);
+    Block<Number> const done = sides<planes>(y, row, first);
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k);
-        Rows<Number> const its = done.at(k, 0);
+        Block<Number> const its = done.at(k, 0);
         if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, row, k}, own.at(0, k), done, its);
         apply_inverse<planes>(n, row, own.at(k, k), its);
     }
@@ -384,7 +408,7 @@ void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, In
     Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
         Index const n = smaller(block, own.n - k);
-        Rows<Number> const its = sides<planes>(y, row, first + k);
+        Block<Number> const its = sides<planes>(y, row, first + k);
         subtract_product<Op::plain, planes>({n, row, own.n - k - n}, own.at(k, k + n), its.at(n, 0), its);
         apply_inverse_transposed<planes>(n, row, own.at(k, k), its);
     }
@@ -416,6 +440,30 @@ void add_rows(Index n, const Number* from, Targets const& targets, Number* y, In
     for (Index r = 0; r < n; ++r) add_run(y + Offset{targets.at[r]} * length, from + Offset{r} * length, length);
 }
 
+template <class Number>
+void gather(harmorph::Rows const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
+            Index planes) noexcept {
+    auto const position = [&](Index k) { return positions != nullptr ? positions[k] : begin + k; };
+    auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, position(k)); };
+    Offset const numbers = (planes - 1) * from.plane + from.width;
+    for (Index k = 0; k < n; ++k) {
+        if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
+        const Real* its = values(k);
+        for (Index plane = 0; plane < planes; ++plane, its += from.plane, y += row) {
+            convert_run(its, from.width, y);
+            for (Index i = from.width; i < row; ++i) y[i] = 0;
+        }
+    }
+}
+
+template <class Number>
+void scatter(const Number* y, Index row, Index planes, harmorph::Rows const& to, Index begin, Index n) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        Real* its = row_at(to.data, to.row_of, to.row_length, begin + k);
+        for (Index plane = 0; plane < planes; ++plane, its += to.plane, y += row) convert_run(y, to.width, its);
+    }
+}
+
 #define HARMORPH_MAKE(Number, planes)                                                                                      \
     template void take_off_earlier<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;           \
     template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, const Number*) noexcept;                   \
@@ -428,7 +476,9 @@ void add_rows(Index n, const Number* from, Targets const& targets, Number* y, In
 #define HARMORPH_MAKE_MOVES(Number)                                                                                       \
     template void extend_add<Number>(UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                    \
                                      UpdateMatrix<Number> const&) noexcept;                                                \
-    template void add_rows<Number>(Index, const Number*, Targets const&, Number*, Index) noexcept;
+    template void add_rows<Number>(Index, const Number*, Targets const&, Number*, Index) noexcept;                         \
+    template void gather<Number>(harmorph::Rows const&, const Index*, Index, Index, Number*, Index, Index) noexcept;       \
+    template void scatter<Number>(const Number*, Index, Index, harmorph::Rows const&, Index, Index) noexcept;
 HARMORPH_MAKE_MOVES(double)
 HARMORPH_MAKE_MOVES(float)
 HARMORPH_MAKE(double, 1)

@@ -19,8 +19,8 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
     for (Index k = 0; k < count(); ++k) {
         Offset const its = Offset{point[k]} - index_base;
         if (its >= 0 && its < n_points) continue;
-        return fault.refuse(Status::bad_argument, "entry # (from 0) of the list is no point of the mesh: @", Counts::from_zero, k,
-                            point[k]);
+        return fault.refuse(Status::bad_argument, "entry # (from 0) of the list is no point of the mesh: @",
+                            Counts::from_zero, k, point[k]);
     }
     return Status::ok;
 }

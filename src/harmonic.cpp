@@ -52,16 +52,19 @@ void Plan::lay_out_engine(Arena& arena, Analysis const& analysis, Index columns)
         engine.lay_out_stack(arena);
         return arena.release(shared);
     }
-    Index const n = analysis.graph.n;
-    arena.take(faces, analysis.matrix.entries);
-    Iteration iteration = analysis.problem.iteration;
-    if (iteration.max_iterations == 0) iteration.max_iterations = Multigrid::default_iterations;
-    multigrid.lay_out(arena, n, columns, iteration, analysis.problem.executor);
-    Size const shared = arena.mark();
-    multigrid.lay_out_work(arena, n, analysis.matrix.entries);
-    arena.release(shared);
-    multigrid.lay_out_vectors(arena, n);
-    arena.release(shared);
+    Offset const entries = analysis.matrix.entries;
+    arena.take(faces, entries);
+    auto const lay_out = [&](auto& its) {
+        Index const n = analysis.graph.n;
+        its.lay_out(arena, n, columns, analysis.problem.iteration, analysis.problem.executor);
+        Size const shared = arena.mark();
+        its.lay_out_work(arena, n, entries);
+        arena.release(shared);
+        its.lay_out_vectors(arena, n);
+        arena.release(shared);
+    };
+    if (analysis.problem.method.engine == Engine::fas) return lay_out(fas);
+    lay_out(multigrid);
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
@@ -106,7 +109,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(assemble(points, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));
     HARMORPH_TRY(progress.report(Phase::factor, 0, fault));
-    Status const status = factor_engine(fault);
+    Status const status = factor_engine(points, fault);
     if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
     coordinates = coordinates_print(points, mesh.n_points);
@@ -131,7 +134,8 @@ Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
 
 Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
     if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
-        return fault.refuse(Status::unsupported, "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+        return fault.refuse(Status::unsupported,
+                            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }
     if (!conductivity.empty()) {
         wall.build(points);
@@ -143,13 +147,18 @@ Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
                         Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
 }
 
-Status Plan::factor_engine(Fault& fault) noexcept {
+Status Plan::factor_engine(Points points, Fault& fault) noexcept {
     if (method.engine == Engine::direct) return engine.factorise(matrix, progress, fault);
+    if (method.engine == Engine::fas) {
+        fas.volumes.measure(mesh, points, reversed, matrix.place);
+        return fas.set_up(matrix.rows(faces), fault);
+    }
     return multigrid.set_up(matrix.rows(faces), fault);
 }
 
 Status Plan::solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept {
     if (method.engine == Engine::direct) return engine.solve(values, progress, fault);
+    if (method.engine == Engine::fas) return fas.solve(values, progress, report, fault);
     return multigrid.solve(values, progress, report, fault);
 }
 
@@ -177,6 +186,24 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     if (report.residual <= method.tolerance) return Status::ok;
     return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
                         Counts::from_zero, report.residual_function, none, report.residual);
+}
+
+Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {
+    if (!factored || method.engine == Engine::direct) {
+        return fault.refuse(Status::bad_argument, "the plan has no levels: they are made by hm_plan_factor of other engines");
+    }
+    Agglomeration const& levels = method.engine == Engine::fas ? fas.levels : multigrid.levels;
+    if (level < 0 || level >= levels.count) {
+        return fault.refuse(Status::bad_argument, "there is no level #: levels 0 to @ there are", Counts::from_zero, level,
+                            levels.count - 1);
+    }
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Index cell = matrix.place[point] >= 0 ? matrix.place[point] : none;
+        for (Index l = 0; l < level && cell != none; ++l) cell = levels.cell_of[l][cell];
+        cell_of[point] = cell;
+    }
+    n_cells = levels.level[level].n;
+    return Status::ok;
 }
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {

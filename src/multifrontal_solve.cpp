@@ -24,7 +24,7 @@ public:
     Status forward(Index node, Number* front, Number* free, Lane const& lane, Told const& told) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        for (Index k = 0; k < panel.pivots; ++k) gather(its.begin + k, front + Offset{k} * row_);
+        dense::gather(engine_.kernel, values_, its.begin, panel.pivots, front, width_, engine_.planes);
         Number* const border = front + Offset{panel.pivots} * row_;
         fill(Span<Number>(border, static_cast<Size>(Offset{panel.border()} * row_)), Number{0});
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
@@ -37,7 +37,7 @@ public:
         }
         prefetch_panel(node + 1);
         dense::solve_forward(engine_.kernel, panel, front, width_, lane.executor);
-        for (Index k = 0; k < panel.pivots; ++k) scatter(front + Offset{k} * row_, its.begin + k);
+        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, its.begin, panel.pivots);
         return told(node);
     }
 
@@ -45,15 +45,12 @@ public:
     void backward(Index node, Lane const& lane) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        Number* to = lane.rows;
-        for (Index k = its.begin; k < its.end; ++k, to += row_) gather(k, to);
-        for (Index const position : engine_.border_of(node)) {
-            gather(position, to);
-            to += row_;
-        }
+        Number* const border = lane.rows + Offset{panel.pivots} * row_;
+        dense::gather(engine_.kernel, values_, its.begin, panel.pivots, lane.rows, width_, engine_.planes);
+        dense::gather(engine_.kernel, values_, engine_.border_of(node), border, width_, engine_.planes);
         prefetch_panel(node - 1);
         dense::solve_backward(engine_.kernel, panel, lane.rows, width_, lane.executor);
-        for (Index k = 0; k < panel.pivots; ++k) scatter(lane.rows + Offset{k} * row_, its.begin + k);
+        dense::scatter(engine_.kernel, lane.rows, width_, engine_.planes, values_, its.begin, panel.pivots);
     }
 
 private:
@@ -64,20 +61,6 @@ private:
         Offset const entries = smaller(engine_.panel_start[node + 1] - engine_.panel_start[node], most_prefetched);
         constexpr Offset line = 64 / sizeof(Number);
         for (Offset k = 0; k < entries; k += line) __builtin_prefetch(begin + k, 0, 2);
-    }
-
-    void gather(Index position, Number* to) const noexcept {
-        const Real* from = values_[position];
-        for (Index plane = 0; plane < engine_.planes; ++plane, from += values_.plane, to += width_) {
-            for (Index i = 0; i < values_.width; ++i) to[i] = static_cast<Number>(from[i]);
-            for (Index i = values_.width; i < width_; ++i) to[i] = 0;
-        }
-    }
-    void scatter(const Number* from, Index position) const noexcept {
-        Real* to = values_[position];
-        for (Index plane = 0; plane < engine_.planes; ++plane, from += width_, to += values_.plane) {
-            for (Index i = 0; i < values_.width; ++i) to[i] = from[i];
-        }
     }
 
     Multifrontal const& engine_;

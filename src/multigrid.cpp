@@ -7,7 +7,9 @@ namespace harmorph {
 
 void Multigrid::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
                         Executor const& its_executor) noexcept {
-    BlockIteration::lay_out(arena, n, functions, its_iteration, its_executor);
+    Iteration chosen = its_iteration;
+    if (chosen.max_iterations == 0) chosen.max_iterations = default_iterations;
+    BlockIteration::lay_out(arena, n, functions, chosen, its_executor);
     bottom.lay_out(arena, Agglomeration::coarsest, Agglomeration::coarsest - 1, false);
 }
 

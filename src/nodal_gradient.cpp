@@ -23,8 +23,9 @@ void NodalGradient::lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) n
     dual.lay_out(arena, n_edges, its_mesh.n_points);
 }
 
-void NodalGradient::build(Mesh const& its_mesh, Points its_points, Edges const& edges, Span<const Index> its_representative,
-                          Span<const std::uint8_t> its_reversed, bool with_correction) noexcept {
+void NodalGradient::build(Mesh const& its_mesh, Points its_points, Edges const& edges,
+                          Span<const Index> its_representative, Span<const std::uint8_t> its_reversed,
+                          bool with_correction) noexcept {
     mesh = its_mesh;
     points = its_points;
     corrected = with_correction;
@@ -39,8 +40,8 @@ void NodalGradient::build(Mesh const& its_mesh, Points its_points, Edges const& 
     for (Real& area : inverse_area) area = area > 0 ? 1 / area : 0;
 }
 
-// The integral of the gradient over a cell, sides by the trapezoidal rule, goes to all its corners. What two cells round a
-// corner say of their common side cancels: the sum is the integral along the line round all of them.
+// The integral of the gradient over a cell, sides by the trapezoidal rule, goes to all its corners. What two cells
+// round a corner say of their common side cancels: the sum is the integral along the line round all of them.
 void NodalGradient::add_cells(Span<const Real> value, Index n, Span<Real> gradient) const noexcept {
     for_each_cell(*this, [&](Cell const& cell) {
         Real weight_x[4], weight_y[4];  // half the sum of the normals of a corner's sides
@@ -81,8 +82,7 @@ void NodalGradient::apply(Span<const Real> value, Index n, Span<Real> gradient, 
         Real const from_weight = 0.5 * inverse_area[face.begin], to_weight = 0.5 * inverse_area[face.end];
         Real* const into = row(balance, face.begin);
         Real* const out_of = row(balance, face.end);
-        // The correction puts the difference of the end points' values in the place of the mean gradient along the edge:
-        // along = shift * normal + ..., so that it changes the direction in which the mean is taken.
+        // g . n, where the component of g along the edge is (F_Q - F_P) / |e|: the rest of g sees the rest of n.
         Real const share = corrected ? dot(along, face.normal) / square(along) : 0;
         Vec2 const direction = face.normal - share * along;
         for (Index f = 0; f < n; ++f) {

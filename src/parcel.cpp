@@ -5,20 +5,21 @@ namespace {
 
 ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
     BasisHeader const& header = *share.header;
-    return {ParcelLabel::mark, header.topology,   header.coordinates, header.conditions,        header.largest,
-            n_points,          header.counts.first_held, header.counts.held, numbers_of(header.counts.kind)};
+    BasisCounts const& counts = header.counts;
+    return {ParcelLabel::mark, header.topology, header.coordinates, header.conditions, header.largest,
+            n_points, counts.first_held, counts.held, numbers_of(counts.kind)};
 }
 
 // Does the parcel have what the rows wait for?
 Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) noexcept {
     BasisHeader const& header = *rows.header;
-    if (header.topology != label.topology || header.conditions != label.conditions || header.coordinates != label.coordinates ||
-        label.numbers != numbers_of(header.counts.kind)) {
+    if (header.topology != label.topology || header.conditions != label.conditions ||
+        header.coordinates != label.coordinates || label.numbers != numbers_of(header.counts.kind)) {
         return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
     }
     if (label.points != rows.n_points()) {
-        return fault.refuse(Status::bad_basis, "the parcel has the rows of # points, the basis has @", Counts::from_zero,
-                            label.points, rows.n_points());
+        return fault.refuse(Status::bad_basis, "the parcel has the rows of # points, the basis has @",
+                            Counts::from_zero, label.points, rows.n_points());
     }
     if (label.first != header.filled || label.n > rows.n_functions() - label.first) {
         return fault.refuse(Status::bad_basis, "the parcel begins with function # (from 0), the next one to come is @",

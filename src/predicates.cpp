@@ -5,8 +5,8 @@
 namespace harmorph {
 namespace {
 
-// Largest size of differences for which products of four of them cannot overflow, and what their underflows may add up to:
-// a few times 2^-1074 times the square of that size.
+// Largest size of differences for which products of four of them cannot overflow, and what their underflows may add up
+// to: a few times 2^-1074 times the square of that size.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
 constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -93,7 +93,8 @@ Whole<degree> operator-(Whole<degree> const& a, Whole<degree> const& b) noexcept
     return out;
 }
 
-// Of the limbs as if there were no signs; then, for a negative factor, which counts 2^bits too much, the other is taken off.
+// Of the limbs as if there were no signs; then, for a negative factor, which counts 2^bits too much, the other is taken
+// off.
 template <Index p, Index q>
 Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     Whole<p + q> out;
@@ -113,7 +114,8 @@ Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     return out;
 }
 
-// A common power of two in which all coordinates are whole, and the limbs they need then: few, unless sizes differ widely.
+// A common power of two in which all coordinates are whole, and the limbs they need then: few, unless sizes differ
+// widely.
 struct Grid {
     Index shift = INT_MAX, end = INT_MIN;
 
@@ -173,7 +175,8 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
 
 }  // namespace
 
-// Every product has gone through 4 roundings: of its two differences, its own, and that of the sum. 5 cover their squares.
+// Every product has gone through 4 roundings: of its two differences, its own, and that of the sum. 5 cover their
+// squares.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     Vec2 const p = a - c, q = b - c;
     Real const left = p.x * q.y, right = p.y * q.x;
@@ -183,8 +186,8 @@ int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     return exact_orientation_sign(a, b, c);
 }
 
-// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Its products go through 11 roundings: 4 in each of their two
-// factors, one of their own, two of the sums. 12 cover their squares.
+// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Its products go through 11 roundings: 4 in each of
+// their two factors, one of their own, two of the sums. 12 cover their squares.
 int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
     Vec2 const from[] = {a - d, b - d, c - d};
     Real sum = 0, magnitude = 0, size = 0;

@@ -54,18 +54,23 @@ HARMORPH_INLINE void multiply_row(const Real* values, Index n, Movements const& 
     sum_y += total_of(y);
 }
 
-HARMORPH_INLINE Integers load(const std::uint64_t* from) noexcept { return *reinterpret_cast<const Integers*>(from); }
+HARMORPH_INLINE Integers load(const std::uint64_t* from) noexcept {
+    return *reinterpret_cast<const Integers*>(from);
+}
 HARMORPH_INLINE void store(std::uint64_t* to, Integers v) noexcept { *reinterpret_cast<Integers*>(to) = v; }
 
 // The bits of numbers rounded to FixedSum's grids: multiples of the unit, above the grid's own bits.
-HARMORPH_INLINE Integers coarse_bits(Vector t) noexcept { return reinterpret_cast<Integers>(t + FixedSum::coarse_grid); }
+HARMORPH_INLINE Integers coarse_bits(Vector t) noexcept {
+    return reinterpret_cast<Integers>(t + FixedSum::coarse_grid);
+}
 HARMORPH_INLINE Integers fine_bits(Vector t) noexcept {
     Vector const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
     return reinterpret_cast<Integers>((t - coarse) + FixedSum::fine_grid);
 }
 
 template <Index points>
-HARMORPH_INLINE void multiply_transposed(const Real* values, Offset row, Index n, const Vec2* by, FixedSums& total) noexcept {
+HARMORPH_INLINE void multiply_transposed(const Real* values, Offset row, Index n, const Vec2* by,
+                                         FixedSums& total) noexcept {
     for (Index k = 0; k < n; k += lanes) {
         Integers coarse_x = load(total.coarse_x + k), coarse_y = load(total.coarse_y + k);
         Integers fine_x = load(total.fine_x + k), fine_y = load(total.fine_y + k);
@@ -88,7 +93,8 @@ HARMORPH_INLINE void multiply_transposed(const Real* values, Offset row, Index n
 // The grids' bits of all points, in whole vectors as they were added.
 HARMORPH_INLINE void take_off_grids(Index n_points, Index n, FixedSums& total) noexcept {
     std::uint64_t const times = static_cast<std::uint64_t>(n_points);
-    std::uint64_t const coarse = times * bits_of(FixedSum::coarse_grid), fine = times * bits_of(FixedSum::fine_grid);
+    std::uint64_t const coarse = times * bits_of(FixedSum::coarse_grid);
+    std::uint64_t const fine = times * bits_of(FixedSum::fine_grid);
     for (Index k = 0; k < (n + lanes - 1) / lanes * lanes; ++k) {
         total.coarse_x[k] -= coarse;
         total.coarse_y[k] -= coarse;

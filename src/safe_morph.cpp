@@ -62,6 +62,8 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(held, n);
     untangling.lay_out(arena, plan.region_counts);
     first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
+    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
+    arena.take(kinds, n);
 }
 
 // The two ends of a cut move as one; all of the boundary is held.
@@ -82,6 +84,9 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
                       const Basis* derivative, SafeReport& report, Fault& fault) noexcept {
     Work work{plan, basis, options, derivative, report, fault};
     HARMORPH_TRY(plan.check_fit(basis, fault));
+    if (!basis.header->counts.complete() || (derivative != nullptr && !derivative->header->counts.complete())) {
+        return fault.refuse(Status::bad_basis, "a share of the functions cannot move the mesh: all of them are needed");
+    }
     if (derivative != nullptr) HARMORPH_TRY(plan.check_fit(*derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
     path.init(basis, move);
@@ -117,8 +122,9 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         if (report.fraction < 1) HARMORPH_TRY(substeps(work));
     }
     if (derivative != nullptr) finish_derivative(work);
+    if (options.heights > 0) restore_heights(work);
     measure_first_layer(work);
-    if (report.fraction >= 1) return Status::ok;
+    if (report.fraction >= 1) return fault.status;
     return fault.refuse(Status::short_of_target, "the mesh could follow ~ of the movement; then cell # stands in the way",
                         Counts::mesh, report.limit.cell, none, report.fraction);
 }
@@ -154,11 +160,9 @@ Status SafeMorph::substeps(Work& work) noexcept {
         }
         Fault why;
         Status const status = solve_here(work, scratch, why);
-        if (status == Status::cancelled) {
-            work.fault = why;
-            return status;
-        }
-        if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
+        if (failed(status) && status != Status::cancelled) break;  // a scheme that cannot, or a mesh too poor
+        if (status != Status::ok) work.fault = why;                // not converged: a warning, and on
+        HARMORPH_TRY(status);
         ++report.resolves;
     }
     if (!work.options.tries(Rung::untangled)) return Status::ok;
@@ -236,6 +240,32 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
     take_step(work, by, from, 1);
     work.report.rung = Rung::untangled;
     return Status::ok;
+}
+
+// As much as no cell inverts for: all that is asked for, or a half, or a quarter, ...
+void SafeMorph::restore_heights(Work& work) noexcept {
+    constexpr Index most_halvings = 4;
+    Points const before = work.mesh().points;
+    for (Index k = 0; k < x.count(); ++k) kinds[k] = held[k] != 0 ? PointKind::fixed : PointKind::inside;
+    work.plan.wall.build(before);
+    wall_heights.find(work.mesh(), before, kinds, representative, work.plan.wall, work.executor());
+    Real amount = work.options.heights;
+    for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
+        copy(dx, Span<const Real>(x));
+        copy(dy, Span<const Real>(y));
+        wall_heights.restore(work.plan.wall, before, {dx.data(), dy.data(), 1}, representative, amount, work.executor());
+        for (Index k = 0; k < x.count(); ++k) {
+            dx[k] -= x[k];
+            dy[k] -= y[k];
+        }
+        if (!(admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor()).step > 1)) continue;
+        for (Index k = 0; k < x.count(); ++k) {
+            if (dx[k] != 0) x[k] += dx[k];
+            if (dy[k] != 0) y[k] += dy[k];
+        }
+        work.report.heights = amount;
+        return;
+    }
 }
 
 void SafeMorph::measure_first_layer(Work& work) noexcept {

@@ -125,8 +125,24 @@ has_keys "fit: keys" points degree max_error rms_error
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes
+    iterations levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes
 check "solve: functions" says '"functions": 12'
+for engine in multigrid fas; do
+    runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $engine --levels 3 \
+        --agglomeration directional --history "$tmp/$engine.csv" -o "$tmp/$engine.basis" --json
+    check "solve: $engine: its levels" says '"levels": 3'
+    check "solve: $engine: history from 1 to the tolerance" awk -F, 'NR == 1 { ok = $0 == "cycle,residual" }
+        NR > 1 { ok = ok && $1 == NR - 2 && (NR > 2 || ($2 > .999 && $2 < 1.001)); last = $2 } END { exit !(ok && last <= 1e-10) }' \
+        "$tmp/$engine.csv"
+done
+runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/level.svg"
+check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
+refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 --svg "$tmp/none.svg"
+refuses "an engine that does not go with the operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+    --engine multigrid -o "$tmp/none.basis"
+refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast -o "$tmp/none.basis"
+refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --curve body="$curve" --levels 3 -o "$tmp/none.basis"
+leaves_nothing "refused engines leave no file" "$tmp/none.basis"
 runs "morph" 0 morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/small.su2" --vtu "$tmp/small.vtu" \
     --svg "$tmp/small.svg" --repeat 3 --json
 has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds

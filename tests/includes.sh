@@ -5,15 +5,15 @@ rooms='
 types
 span scalar arena progress processor executor cell_ranges
 vec2 predicates angle value_kind sort hash monotone kernel_call fixed_sum
-product product_kernel product_baseline product_avx2 product_avx512
+product product_kernel product_baseline product_avx2 product_avx512 rows
 dense dense_kernel dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 box_tree locate
 corners closure knots least_squares projection chain fit
 edges median_dual nodal_gradient orientation boundary delaunay distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
 graph layers places dissection fronts subtrees
-rows symmetric_rows block_rows agglomeration
+symmetric_rows block_rows agglomeration
 matrix stiffness bounded basis extract parcel residual right_hand_sides path
-multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle analysis newton_system untangle harmonic
+multifrontal multifrontal_factor multifrontal_solve iteration block_iteration multigrid multigrid_cycle control_volumes runge_kutta full_approximation approximation_cycle analysis newton_system untangle harmonic
 morph adjoint weighted_sum quality admissible_step assessment crossing transfer
 safe_morph
 '

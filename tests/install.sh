@@ -28,6 +28,7 @@ listing() { (cd "$1" && find . -type f | sort); }
 cat >"$dir/expected" <<END
 ./bin/harmorph
 ./include/harmorph.h
+./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pthreads.h
 ./lib/cmake/harmorph/harmorphConfig.cmake
@@ -35,7 +36,9 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 naca0012.su2; do echo "./share/harmorph/$(basename "$file")" >>"$dir/expected"; done
+for file in fortran/*.f90 harmorph_mpi.c naca0012.su2; do
+    echo "./share/harmorph/$(basename "$file")"
+done | sort >>"$dir/expected"
 
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)

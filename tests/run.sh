@@ -18,6 +18,7 @@ need "the C compiler $CC" gcc $CC --version
 need "the Fortran compiler $FC" gfortran $FC --version
 need doctest/doctest.h doctest-dev has_doctest
 need ld,\ nm,\ objdump binutils objdump --version
+need "mpicc, mpifort and mpirun" "openmpi-bin and libopenmpi-dev" command -v mpifort
 need pkg-config pkg-config pkg-config --version
 need cmake cmake cmake --version
 if [ $missing -gt 0 ]; then echo "0 passed, $missing failed"; exit 1; fi
@@ -49,6 +50,7 @@ step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/
 step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
 step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c "$BUILD/libharmorph.a"
 step "Fortran" sh tests/fortran.sh "$BUILD"
+step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"

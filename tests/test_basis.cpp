@@ -161,9 +161,9 @@ TEST_CASE("each reason has its own sentence") {
     copy.set(bad);
     CHECK((copy.attach() == HM_BAD_BASIS && copy.says("byte order")));
     bad = good;
-    bad.format = 2;
+    bad.format = 1;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("format version 2")));
+    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("format version 1")));
     bad = good;
     bad.bytes += 8;
     copy.set(bad);

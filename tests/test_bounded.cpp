@@ -37,7 +37,8 @@ struct Bounded : Attempt {
     }
     harmorph::Analysis const& core() const { return inside(analysis); }
     void assemble(std::vector<double> const& conductivity = {}) const {
-        REQUIRE(assemble_bounded(span(edges), core().problem.mesh.points, span(conductivity), sparse->matrix) == harmorph::none);
+        harmorph::Points const points = core().problem.mesh.points;
+        REQUIRE(assemble_bounded(span(edges), points, span(conductivity), sparse->matrix) == harmorph::none);
     }
     // Known values on the wall, 0 at fixed points; result by rows.
     template <class Value>
@@ -50,8 +51,8 @@ struct Bounded : Attempt {
     }
 };
 
-// A function of the angle that is on the first circle of an annulus, as an amount of each control point: one of these is at
-// each point there, and the curve is of degree 1.
+// A function of the angle that is on the first circle of an annulus, as an amount of each control point: one of these
+// is at each point there, and the curve is of degree 1.
 void put_on_polygon(Case& its, int n_points, bool closed) {
     Spline polygon;
     polygon.degree = 1;
@@ -89,14 +90,16 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
     for (Cells const kind : kinds)
         for (bool const on_circles : {false, true}) {
             Case its = on_circles ? square_on_curve(12, kind, 0, 0) : stretched_bodies(kind, 0.1);
-            // Cells at an angle are on circles up to rounding only, which then says on which side of 0 a conductance is.
+            // Cells at an angle are on circles up to rounding only, which then says on which side of 0 a conductance
+            // is.
             auto const turn = [](double& x, double& y) {
                 double const old = x;
                 x = 0.8 * old - 0.6 * y;
                 y = 0.6 * old + 0.8 * y;
             };
             for (std::size_t k = 0; k < its.mesh.x.size(); ++k) turn(its.mesh.x[k], its.mesh.y[k]);
-            for (std::size_t k = 0; k < its.curves.control.size(); k += 2) turn(its.curves.control[k], its.curves.control[k + 1]);
+            std::vector<double>& control = its.curves.control;
+            for (std::size_t k = 0; k < control.size(); k += 2) turn(control[k], control[k + 1]);
             Analysed const seen(its);
             AssembledMatrix compact(*seen.operator->());
             compact.assemble();
@@ -105,11 +108,14 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
             std::mt19937 random(3);
             for (bool const weighted : {false, true}) {
                 std::vector<double> conductivity;
-                for (std::size_t k = 0; weighted && k < scheme.edges.size(); ++k) conductivity.push_back(std::exp(20 * uniform(random)));
+                for (std::size_t k = 0; weighted && k < scheme.edges.size(); ++k) {
+                    conductivity.push_back(std::exp(20 * uniform(random)));
+                }
                 scheme.assemble(conductivity);
                 CHECK(positive_entries(scheme.sparse->matrix) == 0);
                 for (Index const slot : {0, 20}) {   // functions stay within their boundary values therefore
-                    for (double const f : scheme.solve([&](Index s) { return s == slot ? 1.0 : 0.0; })) CHECK((f >= 0 && f <= 1));
+                    auto const one = [&](Index s) { return s == slot ? 1.0 : 0.0; };
+                    for (double const f : scheme.solve(one)) CHECK((f >= 0 && f <= 1));
                 }
             }
         }
@@ -126,7 +132,8 @@ TEST_CASE("every edge is weighted by itself") {
     DenseMatrix const weighted = scheme.sparse->unknowns();
     std::vector<double> rows = scheme.sparse->couplings_times([](Index) { return 1.0; });
     for (std::size_t k = 0; k < scheme.edges.size(); ++k) {
-        Index const i = scheme.sparse->matrix.place[scheme.edges[k].begin], j = scheme.sparse->matrix.place[scheme.edges[k].end];
+        harmorph::Span<Index> const place = scheme.sparse->matrix.place;
+        Index const i = place[scheme.edges[k].begin], j = place[scheme.edges[k].end];
         if (i < 0 || j < 0) continue;
         std::size_t const row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
         CHECK(weighted.at(row, column) == doctest::Approx(conductivity[k] * plain.at(row, column)).epsilon(1e-15));
@@ -147,10 +154,13 @@ TEST_CASE("linear fields are reproduced, at an aspect ratio of 10^4 as well") {
             scheme.assemble();
             auto const defect = [&](auto field) {
                 auto const at = [&](Index point) { return field(its.mesh.point(point)); };
-                std::vector<double> const found = scheme.solve([&](Index slot) { return at(scheme.core().wall.point[slot]); });
+                std::vector<double> const found =
+                    scheme.solve([&](Index slot) { return at(scheme.core().wall.point[slot]); });
                 double worst = 0;
-                for (std::size_t row = 0; row < found.size(); ++row)
-                    worst = std::fmax(worst, std::fabs(found[row] - at(scheme.sparse->point_at(static_cast<Index>(row)))));
+                for (std::size_t row = 0; row < found.size(); ++row) {
+                    Index const point = scheme.sparse->point_at(static_cast<Index>(row));
+                    worst = std::fmax(worst, std::fabs(found[row] - at(point)));
+                }
                 return worst;
             };
             CHECK(defect([](Point) { return 1.0; }) < 1e-13);
@@ -224,7 +234,8 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line,
                     put_on_polygon(its, half ? n_t + 1 : n_t, !half);
                     if (half) its.set_free(symmetry_line);
                     std::vector<double> cosines;
-                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k) cosines.push_back(std::cos((half ? 2 : 4) * pi * k / n_t));
+                    double const step = (half ? 2 : 4) * pi / n_t;   // of twice the angle
+                    for (int k = 0; k < (half ? n_t + 1 : n_t); ++k) cosines.push_back(std::cos(k * step));
                     std::vector<double> const found = Solved(its, &options).combined(cosines);
                     error.push_back(0);
                     for (std::size_t k = 0; k < found.size(); ++k) {
@@ -232,7 +243,8 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line,
                         double const squared = p.x * p.x + p.y * p.y, q0 = r0 * r0, q1 = r1 * r1;
                         double const cosine = (p.x * p.x - p.y * p.y) / squared;   // of twice the angle
                         double const exact = cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0);
-                        error.back() = std::hypot(error.back(), (found[k] - exact) / std::sqrt(1.0 * its.mesh.n_points()));
+                        double const share = 1 / std::sqrt(1.0 * its.mesh.n_points());
+                        error.back() = std::hypot(error.back(), share * (found[k] - exact));
                     }
                 }
                 INFO("errors " << error[0] << " " << error[1] << " " << error[2] << ", amplitude " << amplitude);

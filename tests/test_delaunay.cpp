@@ -114,8 +114,10 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
             std::vector<std::int32_t> const corner = found.triangles();
             int inside = 0;
             for (std::size_t k = 0; k < corner.size(); k += 3)
-                for (Index point = 0; point < mesh.n_points(); ++point)
-                    inside += in_circle_sign(found.at(corner[k]), found.at(corner[k + 1]), found.at(corner[k + 2]), found.at(point)) > 0;
+                for (Index point = 0; point < mesh.n_points(); ++point) {
+                    harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]), c = found.at(corner[k + 2]);
+                    inside += in_circle_sign(a, b, c, found.at(point)) > 0;
+                }
             CHECK(inside == 0);
         }
 }
@@ -164,12 +166,13 @@ TEST_CASE("coordinates of any size") {
     }
 }
 
-TEST_CASE("neither the numbering, nor the sense of cells, nor faces given as triangles matter where no four points are on a circle") {
+TEST_CASE("neither the numbering of points, nor order and sense of cells matter where no four points are on a circle") {
     auto const edges_of = [](Mesh const& mesh, std::vector<std::int32_t> const& old_of) {
         std::set<Edge> out;
         Flipped const found(mesh);
         found.triangulation.for_each_edge([&](DelaunayEdge const& edge) {
-            Index const a = old_of[static_cast<std::size_t>(edge.begin)], b = old_of[static_cast<std::size_t>(edge.end)];
+            std::int32_t const a = old_of[static_cast<std::size_t>(edge.begin)];
+            std::int32_t const b = old_of[static_cast<std::size_t>(edge.end)];
             out.insert({std::min(a, b), std::max(a, b)});
         });
         return out;
@@ -187,7 +190,9 @@ TEST_CASE("neither the numbering, nor the sense of cells, nor faces given as tri
     CHECK(edges_of(other, same) == expected);
     std::vector<std::int32_t> const new_of = renumber_points(other, 5);
     std::vector<std::int32_t> old_of(new_of.size());
-    for (std::size_t k = 0; k < new_of.size(); ++k) old_of[static_cast<std::size_t>(new_of[k])] = static_cast<std::int32_t>(k);
+    for (std::int32_t k = 0; k < mesh.n_points(); ++k) {
+        old_of[static_cast<std::size_t>(new_of[static_cast<std::size_t>(k)])] = k;
+    }
     CHECK(edges_of(other, old_of) == expected);
 }
 

@@ -72,11 +72,11 @@ TEST_CASE("values, morph, curves and points of the wall are those of the whole, 
             std::int32_t worst = -1;
             Moved wrong = there;
             wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, there.x.data(), there.y.data(),
-                                      1, &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, there.x.data(),
+                                      there.y.data(), 1, &error, &worst, nullptr) == HM_OK);
             CHECK(error < 1e-14);
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, wrong.x.data(), wrong.y.data(),
-                                      1, &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, wrong.x.data(),
+                                      wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
             CHECK(error == doctest::Approx(0.01).epsilon(1e-9));
             CHECK(worst == info.curve_point[5] + base);
         }

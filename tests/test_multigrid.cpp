@@ -208,6 +208,40 @@ TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {
     }
 }
 
+TEST_CASE("the levels can be seen: merged cells of points, the coarser ones unions of the finer ones") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    hm_options options = multigrid();
+    Solved const solved(its, &options);
+    std::size_t const n = its.mesh.x.size();
+    std::vector<std::int32_t> finer(n), cells(n);
+    std::int32_t n_cells = 0, last = 0;
+    for (std::int32_t level = 0; level < solved.report.levels; ++level, last = n_cells, finer = cells) {
+        REQUIRE(hm_plan_level(solved.plan, level, cells.data(), &n_cells, nullptr) == HM_OK);
+        CHECK(*std::max_element(cells.begin(), cells.end()) == n_cells - 1);
+        if (level == 0) {
+            CHECK(n_cells == solved.report.unknowns);
+            CHECK(std::count(cells.begin(), cells.end(), -1) == static_cast<std::ptrdiff_t>(n) - n_cells);
+            continue;
+        }
+        CHECK(3 * n_cells <= last);
+        std::vector<std::int32_t> coarse_of(static_cast<std::size_t>(last), -2);
+        for (std::size_t k = 0; k < n; ++k) {
+            CHECK((cells[k] == -1) == (finer[k] == -1));
+            if (finer[k] < 0) continue;
+            std::int32_t& its_coarse = coarse_of[static_cast<std::size_t>(finer[k])];
+            CHECK((its_coarse == -2 || its_coarse == cells[k]));
+            its_coarse = cells[k];
+        }
+    }
+    hm_error error{};
+    CHECK(hm_plan_level(solved.plan, solved.report.levels, cells.data(), &n_cells, &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_plan_level(solved.plan, -1, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
+    hm_options exact = direct();
+    Solved const by_factor(its, &exact);
+    CHECK(hm_plan_level(by_factor.plan, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_plan_level(nullptr, 0, cells.data(), &n_cells, nullptr) == HM_BAD_ARGUMENT);
+}
+
 TEST_CASE("what does not go together, and numbers out of range, are refused") {
     Case its = tiny_case();
     auto const status = [&](auto change) {

@@ -114,7 +114,7 @@ TEST_CASE("a share's memory is proportional to it") {
 }
 
 TEST_CASE("refinement of a function does not depend on those solved with it") {
-    // Very thin cells beside a free boundary on the right: rounding is felt by the functions that reach there, by no others.
+    // Very thin cells beside a free boundary on the right: rounding is felt by the functions that reach there only.
     int const n = 24, n_control = 9;
     KindOfProblem problem;
     problem.its.mesh = square(n);

@@ -61,7 +61,7 @@ TEST_CASE("r^t by square roots is r^t, along the shorter way round 0") {
                 Complex const r = std::polar(size, angle), expected = std::polar(std::pow(size, t), t * angle);
                 CHECK(std::abs(number(complex_power(vec(r), t)) - expected) < 1e-10 * std::abs(expected));
             }
-    CHECK(std::abs(number(harmorph::complex_power({-1, 0}, 0.5)) - Complex(0, 1)) < 1e-15);   // either way is the shorter one
+    CHECK(std::abs(number(harmorph::complex_power({-1, 0}, 0.5)) - Complex(0, 1)) < 1e-15);   // both ways are as short
     CHECK(std::abs(number(harmorph::complex_power({-1, -0.0}, 0.25)) - std::polar(1.0, pi / 4)) < 1e-14);
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("functions with real values cannot turn: the way is straight, whatever
     }
 }
 
-TEST_CASE("each body has its own similarity; curves that share control points are one body; rigid ones turn by themselves") {
+TEST_CASE("each body has its own similarity, and curves that share control points are one body") {
     Case its = two_body_case(Cells::quads, 4, 3);
     Solved const solved(its, &conformal);
     Complex const a = std::polar(1.0, 2.0), b = std::polar(0.7, -1.0), middle_a(0.5, 0.5), middle_b(1.5, 0.5);

@@ -205,6 +205,24 @@ TEST_CASE("a pair whose ends lie on slip lines and on free boundaries") {
     CHECK((freely[corner[0]] == freely[corner[1]] && std::fabs(freely[corner[0]].imag()) > 1e-4));
 }
 
+TEST_CASE("slip lines of two directions at the ends of a pair: the point that is on both cannot slide") {
+    for (double const slope : {0.3, 0.0}) {
+        Case its = cascade(Cells::hybrid, 0, 0);   // the top is a roof
+        for (std::size_t k = 0; k < its.mesh.x.size(); ++k)
+            its.mesh.y[k] += slope * (0.5 - std::fabs(its.mesh.x[k] - 0.5)) * std::fmax(its.mesh.y[k] - 0.75, 0.0) * 4;
+        its.set_slip(top);
+        hm_options const options = options_of(HM_CONFORMAL);
+        Solved const solved(its, &options);
+        Field const moved = displacement(solved, some_move(4, 0.2, 14));
+        std::vector<std::int32_t> const roof = points_on(its.mesh, top);
+        Complex const a = moved[static_cast<std::size_t>(roof.front())], b = moved[static_cast<std::size_t>(roof.back())];
+        CHECK(a == b);
+        CHECK((slope == 0 ? std::abs(a) > 1e-4 : a == 0.0));
+        Complex const beside = moved[static_cast<std::size_t>(roof[1])];
+        CHECK((std::abs(beside) > 1e-4 && std::fabs(beside.imag() - slope * beside.real()) < 1e-15));
+    }
+}
+
 TEST_CASE("what is no pair is refused, with the place") {
     Case const good = cascade(Cells::quads);
     Case its = good;
@@ -219,7 +237,8 @@ TEST_CASE("what is no pair is refused, with the place") {
         CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.2));
     }
     its = good;   // coordinates rounded as in a file
-    for (std::int32_t const point : points_on(its.mesh, right)) its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
+    for (std::int32_t const point : points_on(its.mesh, right))
+        its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
     CHECK(Attempt(its.problem(), &options).status == HM_OK);
 
     its = good;   // a side of another number of points

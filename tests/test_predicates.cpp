@@ -88,7 +88,8 @@ TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
         CHECK(in_circle_sign(a, b, c, Vec2{0, -std::nextafter(r, 2 * r)}) == -1);
         CHECK(in_circle_sign(a, b, c, Vec2{tiny, -r}) == -1);
         CHECK(in_circle_sign(a, b, c, Vec2{tiny, 0}) == 1);
-        // Through (r, h), (0, r), (-r, 0) the centre is (t, -t), t = h^2 / (4 r - 2 h): a larger circle for either sign of h.
+        // Through (r, h), (0, r), (-r, 0) the centre is (t, -t), t = h^2 / (4 r - 2 h): a larger circle for either sign
+        // of h.
         CHECK(in_circle_sign(Vec2{r, tiny}, b, c, Vec2{0, -r}) == 1);
         CHECK(in_circle_sign(Vec2{r, -tiny}, b, c, Vec2{0, -r}) == 1);
     }

@@ -60,7 +60,8 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
             Solved const solved(its, &options);
             hm_basis_info const info = solved.info();
             CHECK((info.bodies == 1 && info.functions == 11 + 2 && info.numbers_per_value >= 2));
-            for (Complex const s : {Complex(1, 0), std::polar(1.0, 0.5), std::polar(1.0, 3.0), Complex(2, 0), std::polar(0.3, -1.0)}) {
+            Complex const all[] = {1, std::polar(1.0, 0.5), std::polar(1.0, 3.0), 2, std::polar(0.3, -1.0)};
+            for (Complex const s : all) {
                 std::vector<double> move(26, 0.0);
                 move[22] = 0.3;
                 move[23] = -0.1;
@@ -74,8 +75,8 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
                 std::vector<double> xy;
                 for (std::size_t k = 0; k < moved.size(); ++k)
                     xy.insert(xy.end(), {its.mesh.x[k] + moved[k].real(), its.mesh.y[k] + moved[k].imag()});
-                REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, &xy[0], &xy[1],
-                                          2, &error, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, &xy[0],
+                                          &xy[1], 2, &error, nullptr, nullptr) == HM_OK);
                 CHECK(error < 1e-14);
             }
             CHECK(solved.report.boundary_error < 1e-15);

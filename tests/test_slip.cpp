@@ -60,7 +60,8 @@ Case mirrored(Case const& half) {
     out.mesh.faces.clear();
     out.mesh.face_markers.clear();
     for (std::size_t face = 0; face < half.mesh.face_markers.size(); ++face) {
-        std::int32_t const marker = half.mesh.face_markers[face], a = half.mesh.faces[2 * face], b = half.mesh.faces[2 * face + 1];
+        std::int32_t const marker = half.mesh.face_markers[face];
+        std::int32_t const a = half.mesh.faces[2 * face], b = half.mesh.faces[2 * face + 1];
         if (marker == line) continue;
         out.mesh.add_face(a, b, marker);
         out.mesh.add_face(at(b), at(a), marker);
@@ -142,8 +143,8 @@ TEST_CASE("many small steps later they are still on it") {
     Mesh mesh = its.mesh;
     for (unsigned step = 0; step < 100; ++step) {
         std::vector<double> const move = some_move(8, 0.01, step);
-        REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1, nullptr,
-                         nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1,
+                         nullptr, nullptr) == HM_OK);
     }
     for (std::int32_t const point : points_on(its.mesh, line))
         if (point != 0 && point != 16) CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);

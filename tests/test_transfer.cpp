@@ -228,6 +228,34 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
     }
 }
 
+TEST_CASE("what is restored on a wall that meets a slip line at an angle does not push points off the line") {
+    auto const slanting = [](int n) {
+        Case out;
+        out.mesh = square(n);
+        for (std::size_t k = 0; k < out.mesh.x.size(); ++k) out.mesh.x[k] += 0.5 * out.mesh.y[k];
+        Spline wall;
+        wall.degree = 3;
+        for (double const t : {0.0, 0.1, 0.3, 0.6, 0.85, 1.0}) {
+            wall.control.push_back(0.5 * t);
+            wall.control.push_back(t);
+        }
+        wall.knots = clamped_knots(3, 6);
+        out.curves = wall;
+        out.put_on_curves(left);
+        out.set_slip(bottom);
+        out.set_slip(top);
+        return out;
+    };
+    Case coarse = slanting(5), fine = slanting(17);
+    Transferred const transferred(fine, coarse);
+    REQUIRE(transferred.transfer.wall_correction > 0.01);
+    std::vector<double> const by = moved(transferred.basis, some_move(6, 1, 5), fine.mesh.x.size());
+    for (std::size_t k = 1; k < 17; ++k) {
+        CHECK(by[k] != 0);
+        CHECK(by[fine.mesh.x.size() + k] == 0);
+    }
+}
+
 TEST_CASE("rigid bodies: points on them move rigidly") {
     auto const its_case = [](int m, int n_r) {
         Case out = two_body_case(Cells::quads, m, n_r);

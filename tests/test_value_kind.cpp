@@ -57,7 +57,8 @@ TEST_CASE("the numbers of a value are the linear map that a morph applies") {
         CHECK(info.bodies == (kind.rigid ? 1 : 0));
         for (std::int32_t i = 0; i < info.functions; ++i) {
             std::vector<std::vector<double>> value;
-            for (std::int32_t p = 0; p < info.numbers_per_value; ++p) value.push_back(numbers(solved.basis, i, p, info.points));
+            for (std::int32_t p = 0; p < info.numbers_per_value; ++p)
+                value.push_back(numbers(solved.basis, i, p, info.points));
             Field const by_x = displacement_by(solved, i, 1), by_y = displacement_by(solved, i, {0, 1});
             for (std::size_t k = 0; k < by_x.size(); ++k) {
                 double xx = value[0][k], xy = 0, yx = 0, yy = value[0][k];
@@ -136,10 +137,12 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
         Case its = case_of(kind);
         hm_options const options = options_of(kind.operator_kind);
         Solved const solved(its, &options);
-        std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0), x = its.mesh.x, y = its.mesh.y;
+        std::vector<double> move(2 * static_cast<std::size_t>(solved.info().functions), -0.0);
+        std::vector<double> x = its.mesh.x, y = its.mesh.y;
         x[3] = -0.0;
         std::vector<double> const before = x;
-        REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) ==
+                HM_OK);
         CHECK((same_bits(x, before) && same_bits(y, its.mesh.y)));
         move.back() = std::nan("");
         CHECK(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) ==
@@ -263,7 +266,7 @@ TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one 
         Case its = case_of(kind);
         hm_options const options = options_of(kind.operator_kind);
         hm_problem const problem = its.problem();
-        for (std::size_t const shift : {0, 1, 13}) {
+        for (std::size_t const shift : {std::size_t{0}, std::size_t{1}, std::size_t{13}}) {
             Attempt attempt;
             REQUIRE(attempt.analyse(problem, &options, shift));
             REQUIRE(attempt.prepare(shift));

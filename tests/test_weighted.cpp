@@ -89,7 +89,7 @@ TEST_CASE("nor does the unit of length, though k has one") {
     }
 }
 
-TEST_CASE("without a weight: Laplace's functions, bit by bit; with more of it, more of the body's movement reaches its surroundings") {
+TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the more moves along") {
     Case its = airfoil_case();
     hm_options const none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT), usual = options_of(HM_WEIGHTED);
     Solved const plain(its), unweighted(its, &none_at_all), by_default(its, &usual);

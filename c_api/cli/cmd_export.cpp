@@ -2,8 +2,11 @@
 #include "basis_file.hpp"
 #include "commands.hpp"
 #include "csv.hpp"
+#include "draw_curves.hpp"
+#include "engine.hpp"
 #include "output_file.hpp"
 #include "pictures.hpp"
+#include "solver.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
@@ -34,7 +37,35 @@ PointData point_data(const std::vector<Column>& columns) {
     return data;
 }
 
+// The levels are made once more, as the basis does not keep them.
+Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
+    Task task = task_of(basis);
+    if (task.options.engine == HM_DIRECT) arguments.refuse("--level: the basis was solved by the direct engine, without levels");
+    set_agglomeration(arguments, task.options);
+    task.options.levels = 20;
+    const Threads threads(1);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    call(mesh, hm_plan_factor, solver.plan(), nullptr, nullptr, std::int64_t{0});
+    Level level;
+    level.number = arguments.whole("--level", 1, 0, 19);
+    level.cells.resize(mesh.x.size());
+    call(mesh, hm_plan_level, solver.plan(), level.number, level.cells.data(), &level.n_cells);
+    return level;
+}
+
+void export_level(const Arguments& arguments) {
+    const std::string path = arguments.text("--svg");
+    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Basis basis(arguments.operand(1), mesh);
+    OutputFiles files;
+    const Box window = has_window(arguments) ? window_of(arguments) : window_round({&basis.curves()}, .4);
+    files.add(path) << level_picture(mesh, basis.curves(), level_of(arguments, mesh, basis), window);
+    files.commit();
+}
+
 void run(const Arguments& arguments) {
+    if (arguments.has("--level")) return export_level(arguments);
     arguments.text("--function"); // there is no default
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg")) {
         arguments.refuse("nothing to write: name a file after --csv, --vtu or --svg");
@@ -65,14 +96,17 @@ const Command export_command = {
     "export",
     {"MESH", "BASIS"},
     "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are.\n",
-    {{"--function", "I", "which function (required)"},
+    "Functions are numbered from 1 as their control points are. With --level: the cells that agglomeration merges instead,\n"
+    "for a basis solved with --engine multigrid or fas.\n",
+    {{"--function", "I", "which function (required without --level)"},
      {"--csv", "FILE", "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
                        "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
      {"--svg", "FILE", "picture of one number: filled cells with a colour bar"},
      window_option,
-     {"--number", "K", "which number the picture shows, in the order of the table (default 1)"}},
+     {"--number", "K", "which number the picture shows, in the order of the table (default 1)"},
+     {"--level", "L", "picture of a level of agglomeration; 0: the mesh's own control volumes"},
+     agglomeration_option},
     "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n",
     run};
 

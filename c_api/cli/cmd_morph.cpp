@@ -109,7 +109,11 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         others.push_back(std::make_unique<Basis>(path, mesh));
         views.push_back(others.back()->get());
     }
-    return Morph(basis, mesh, moves, views, threads);
+    auto options = sized<hm_safe_options>();
+    options.n_others = static_cast<std::int32_t>(views.size());
+    options.others = views.data();
+    options.heights = arguments.has("--heights") ? 1 : 0;
+    return Morph(basis, mesh, moves, options, threads);
 }
 
 void run(const Arguments& arguments) {
@@ -149,6 +153,7 @@ const Command morph_command = {
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another exponent (may be repeated)"},
+     {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
      threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"

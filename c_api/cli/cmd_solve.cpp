@@ -1,6 +1,7 @@
 // harmorph solve: from mesh and curves to the basis, the harmonic functions of all control points.
 #include "basis_file.hpp"
 #include "commands.hpp"
+#include "engine.hpp"
 #include "json.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
@@ -14,6 +15,8 @@
 namespace cli {
 
 namespace {
+
+constexpr std::size_t longest_history = 200001; // steps of Runge-Kutta on one level, and the start
 
 // Points a few percent of the curves' extent away are hardly meant to lie on them.
 void warn_if_far(const Task& task, const hm_solve_report& report) {
@@ -43,6 +46,7 @@ void print_json(const Solver& solver, const Mesh& mesh, const SolveTimes& times)
     object.add("points", mesh.points()).add("cells", mesh.cells()).add("functions", report.functions);
     object.add("boundary_error", report.boundary_error).add("partition_defect", report.partition_defect);
     object.add("min_value", report.min_value).add("max_value", report.max_value).add("residual", report.residual);
+    object.add("iterations", report.iterations).add("levels", report.levels);
     object.add("setup_seconds", times.setup).add("factor_seconds", times.factor).add("solve_seconds", times.solve);
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
     object.add("basis_bytes", static_cast<std::int64_t>(solver.basis_bytes()));
@@ -55,6 +59,10 @@ void print_for_people(const Solver& solver, const Mesh& mesh, const SolveTimes& 
                 plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
                 plural(report.unknowns, "unknown").c_str());
     std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(), report.residual_function + 1);
+    if (report.iterations > 0) {
+        std::printf("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
+                    plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
+    }
     std::printf("boundary error   %s; sum of the functions there: 1 to %s\n", brief(report.boundary_error).c_str(),
                 brief(report.partition_defect).c_str());
     std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
@@ -71,17 +79,19 @@ void run(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     if (!arguments.has("--curve") && !arguments.has("--rigid")) arguments.refuse("--curve or --rigid is missing");
     const Mesh mesh = read_mesh(arguments.operand(0));
-    const Task task = task_of(arguments, mesh);
+    Task task = task_of(arguments, mesh);
+    std::vector<double> history(arguments.has("--history") ? longest_history : 0);
+    task.options.history = history.data();
+    task.options.history_length = static_cast<std::int32_t>(history.size());
     const Threads threads(threads_of(arguments));
     Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
     warn_if_far(task, solver.report());
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
-    if (converged || arguments.has("--force")) {
-        OutputFiles files;
-        write_basis(files.add(path), solver.basis());
-        files.commit();
-    }
+    OutputFiles files;
+    if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
+    if (converged || arguments.has("--force")) write_basis(files.add(path), solver.basis());
+    files.commit();
     if (arguments.has("--json")) {
         print_json(solver, mesh, times);
     } else {
@@ -107,17 +117,17 @@ const Command solve_command = {
     "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, open N);\n"
     "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, and\n"
     "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
-    task_options() +
+    task_options() + engine_options() +
     std::vector<Option>{
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
      threads_option,
      {"-o", "BASIS", "file to write (required)"},
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
-                         "max_value, residual, setup_seconds, factor_seconds, solve_seconds,\n"
-                         "plan_bytes, basis_bytes"}},
+                         "max_value, residual, iterations, levels, setup_seconds, factor_seconds,\n"
+                         "solve_seconds, plan_bytes, basis_bytes"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
-    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --free symmetry -o wing.basis\n",
+    "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};
 
 } // namespace cli

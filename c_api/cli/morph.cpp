@@ -51,8 +51,8 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
     judge(basis, mesh, moves, threads);
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves,
-             const std::vector<const hm_basis *>& others, const Threads& threads)
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const hm_safe_options& options,
+             const Threads& threads)
     : displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
       quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
@@ -62,9 +62,6 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
     std::size_t bytes = 0;
     call(mesh, hm_morph_safe_size, solver.plan(), &bytes);
     Block work(bytes);
-    auto options = sized<hm_safe_options>();
-    options.n_others = static_cast<std::int32_t>(others.size());
-    options.others = others.data();
     moved.x = mesh.x;
     moved.y = mesh.y;
     hm_error error = {};

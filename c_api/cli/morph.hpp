@@ -32,7 +32,7 @@ struct Morph {
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
           const Threads& threads);
     // Solves again where it must.
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const std::vector<const hm_basis *>& others,
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const hm_safe_options& options,
           const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
 

@@ -24,4 +24,11 @@ std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,
                              const Box& window);
 
+// The cells that agglomeration has merged on one level, round the curves.
+struct Level {
+    std::int32_t number = 0, n_cells = 0;
+    std::vector<std::int32_t> cells; // of each point; -1: its value is known
+};
+std::string level_picture(const Mesh& mesh, const hm_curves& curves, const Level& level, const Box& window);
+
 } // namespace cli

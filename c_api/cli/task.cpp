@@ -1,6 +1,7 @@
 #include "task.hpp"
 
 #include "curve_file.hpp"
+#include "engine.hpp"
 #include "numbers.hpp"
 
 #include <algorithm>
@@ -155,6 +156,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     task.options.exponent_quarters = quarters_of(arguments);
     task.options.scheme = scheme_of(arguments);
     task.options.offset_correction = arguments.has("--offset-correction") ? 1 : 0;
+    set_engine(arguments, task.options);
     for (const std::string& binding : arguments.all("--curve")) put_on_curves(arguments, mesh, task, binding);
     std::int32_t body = 0;
     for (const std::string& binding : arguments.all("--rigid")) make_rigid(arguments, mesh, task, binding, body++);

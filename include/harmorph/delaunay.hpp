@@ -12,11 +12,11 @@ struct DelaunayEdge {
     Index begin, end, left, right;
 };
 
-// Lawson flips (Software for C1 surface interpolation, in: Mathematical Software III, 1977): an inner edge whose opposite
-// point lies strictly inside the circle through its other triangle is replaced by the other diagonal of the two. Boundary
-// edges stay, so the domain does. No flip can fail: such two triangles form a strictly convex quad. It ends: each flip
-// lowers the surface of (x, y, x^2 + y^2) over the mesh, so that no triangulation comes twice, and there are finitely many;
-// all that needs decisions that are exact, see predicates.hpp. Points joined by a cut are one.
+// Lawson flips (Software for C1 surface interpolation, in: Mathematical Software III, 1977): an inner edge whose
+// opposite point lies strictly inside the circle through its other triangle is replaced by the other diagonal of the
+// two. Boundary edges stay, so the domain does. No flip can fail: such two triangles form a strictly convex quad. It
+// ends: each flip lowers the surface of (x, y, x^2 + y^2) over the mesh, so that no triangulation comes twice, and
+// there are finitely many; all that needs decisions that are exact, see predicates.hpp. Points joined by a cut are one.
 struct Triangulation {
     Mesh mesh;     // triangles counter-clockwise, over the same points (representatives), without boundary faces
     Edges edges;   // of these triangles
@@ -25,7 +25,8 @@ struct Triangulation {
     // Sizes from the counts alone.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
     // `reversed` of the mesh's cells. Refuses a cell that has a corner without positive area.
-    Status build(Mesh const& mesh, Span<const Index> representative, Span<const std::uint8_t> reversed, Fault& fault) noexcept;
+    Status build(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
+                 Fault& fault) noexcept;
 
     // visit(DelaunayEdge), in the order of `edges`.
     template <class Visit>
@@ -33,12 +34,13 @@ struct Triangulation {
 
 private:
     Span<Index> corner_;     // [3 * triangles]
-    Span<Index> across_;     // [3 * triangles] the side of the neighbour that meets the side opposite to a corner, or none
+    Span<Index> across_;     // [3 * triangles] the neighbour's side at the side opposite to a corner, or none
     Span<Index> waiting_;    // [triangles] a stack
     Span<std::uint8_t> is_waiting_;
 
     static Size max_triangles(Mesh const& mesh) noexcept;
-    Status split(Mesh const& mesh, Span<const Index> representative, Span<const std::uint8_t> reversed, Fault& fault) noexcept;
+    Status split(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
+                 Fault& fault) noexcept;
     void add(Index a, Index b, Index c) noexcept;
     void find_neighbours() const noexcept;
     void flip_all() noexcept;

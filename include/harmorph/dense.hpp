@@ -15,6 +15,8 @@
 
 #include "harmorph/executor.hpp"
 #include "harmorph/processor.hpp"
+#include "harmorph/rows.hpp"
+#include "harmorph/span.hpp"
 
 namespace harmorph::dense {
 
@@ -119,6 +121,15 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
 // Solves U y = y for the pivots, the border's rows known.
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
+
+// Rows of y, with zeros in the padding, from the given positions: begin .. begin+n-1, or those of a list. `row` as above.
+template <class Number>
+void gather(Kernel kernel, Rows const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
+template <class Number>
+void gather(Kernel kernel, Rows const& from, Span<const Index> positions, Number* y, Index row, Index planes) noexcept;
+// And back to positions begin .. begin+n-1.
+template <class Number>
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept;
 
 // Adds n rows of `length` numbers, a multiple of row_multiple, to rows of y.
 template <class Number>

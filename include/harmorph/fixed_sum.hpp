@@ -1,11 +1,11 @@
-// Sums of products that do not depend on order or grouping, so that any partition of the points and any number of threads
-// give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as integers.
-// (Idea: rounding to a common grid before adding. J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
+// Sums of products that do not depend on order or grouping, so that any partition of the points and any number of
+// threads give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as
+// integers. (Rounding to a common grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| <= 1 becomes two integers: coarse, the multiple of 2^-32 nearest to it, and fine, the multiple of 2^-64
-// nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the multiple. Ties
-// go to the even multiple of t alone, whatever was added before. A sum of up to 2^30 numbers cannot overflow; its error is at
-// most 2^-65 for each of them.
+// A number t with |t| <= 1 becomes two integers: coarse, the multiple of 2^-32 nearest to it, and fine, the multiple of
+// 2^-64 nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
+// multiple. Ties go to an even multiple by t alone, whatever was added before. A sum of up to 2^30 numbers cannot
+// overflow; its error is at most 2^-65 for each of them.
 #pragma once
 
 #include "harmorph/scalar.hpp"

@@ -3,6 +3,7 @@
 
 #include "harmorph/analysis.hpp"
 #include "harmorph/distance.hpp"
+#include "harmorph/full_approximation.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
 #include "harmorph/region.hpp"
@@ -37,9 +38,10 @@ struct Plan {
     std::uint64_t analysed_coordinates = 0;  // fingerprint of those the edges belong to
     Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;
-    Multifrontal engine;          // this one
-    Span<std::uint8_t> faces;     // [entries] or, with these, which entries are mesh edges,
-    Multigrid multigrid;          // or this one
+    Multifrontal engine;          // of the engines, this one,
+    Span<std::uint8_t> faces;     // [entries] which of them are mesh edges, for
+    Multigrid multigrid;          // this one
+    FullApproximation fas;        // or this one
     Residual residual;            // in the place of the engine's stack or vectors
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
@@ -48,6 +50,8 @@ struct Plan {
     // On Status::bad_mesh (an inverted cell of moved coordinates), not_positive or cancelled there is no factor.
     Status factor(Points points, Fault& fault) noexcept;
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
+    // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
+    Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
     // Is the basis of the same analysis, or of one that is equal?
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
     Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
@@ -58,7 +62,7 @@ private:
     Status assemble_edges(Points points, Fault& fault) noexcept;
     void lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept;
     void init_engine(Analysis const& analysis) noexcept;
-    Status factor_engine(Fault& fault) noexcept;
+    Status factor_engine(Points points, Fault& fault) noexcept;
     Status solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept;
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;

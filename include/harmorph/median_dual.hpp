@@ -6,8 +6,8 @@
 
 namespace harmorph {
 
-// The barycentre is the mean of a cell's corners. What bounds the volume of a point on the boundary is closed by half of
-// each of its two boundary edges.
+// The barycentre is the mean of a cell's corners. What bounds the volume of a point on the boundary is closed by half
+// of each of its two boundary edges.
 struct MedianDual {
     struct Face {
         Index begin, end;  // the points of an edge, the smaller first

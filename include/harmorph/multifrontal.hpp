@@ -6,11 +6,9 @@
 #include "harmorph/matrix.hpp"
 #include "harmorph/method.hpp"
 #include "harmorph/progress.hpp"
-#include "harmorph/rows.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {
-
 
 // The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
 // so that each of them is added and forgotten at once.

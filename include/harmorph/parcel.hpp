@@ -5,7 +5,7 @@
 
 namespace harmorph {
 
-// A parcel is an array of doubles: the label, then the rows of the points in the order of the list, each plane after plane.
+// A parcel is an array of doubles: the label, then the points' rows in the order of the list, each plane by plane.
 struct ParcelLabel {
     static constexpr std::uint64_t mark = 0x6c65637261706d68;  // "hmparcel"
 

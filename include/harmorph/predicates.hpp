@@ -5,7 +5,8 @@
 
 namespace harmorph {
 
-// Both return a sign: -1, 0 or 1. Rounded determinants decide where their error bound allows; whole numbers do elsewhere.
+// Both return a sign: -1, 0 or 1. Rounded determinants decide where their error bound allows; whole numbers do
+// elsewhere.
 
 // 1: a, b, c run counter-clockwise; 0: they lie on one line.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept;

@@ -1,5 +1,5 @@
-// The two products of morphing, for a few rows of function values: rows times movements, and the transpose. Every kernel
-// adds in the same order, or in fixed point, and rounds alike, so that the choice of one never shows in a result.
+// The two products of morphing, for a few rows of function values: rows times movements, and the transpose. Every
+// kernel adds in the same order, or in fixed point, and rounds alike: the choice of one never shows in a result.
 #pragma once
 
 #include "harmorph/fixed_sum.hpp"
@@ -23,7 +23,8 @@ struct ValueRows {
 
 // Sums for a block of functions in fixed point, see FixedSum. Unsigned, because intermediate ones wrap.
 struct FixedSums {
-    std::uint64_t coarse_x[Movements::most], coarse_y[Movements::most], fine_x[Movements::most], fine_y[Movements::most];
+    std::uint64_t coarse_x[Movements::most], coarse_y[Movements::most];
+    std::uint64_t fine_x[Movements::most], fine_y[Movements::most];
 
     FixedSum x(Index k) const noexcept { return {as_signed(coarse_x[k]), as_signed(fine_x[k])}; }
     FixedSum y(Index k) const noexcept { return {as_signed(coarse_y[k]), as_signed(fine_y[k])}; }

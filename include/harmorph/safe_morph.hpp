@@ -7,6 +7,7 @@
 #include "harmorph/harmonic.hpp"
 #include "harmorph/path.hpp"
 #include "harmorph/untangle.hpp"
+#include "harmorph/wall_heights.hpp"
 
 namespace harmorph {
 
@@ -17,6 +18,7 @@ struct SafeOptions {
     std::uint32_t skipped = 0;     // bit r: rung r is not tried
     Span<const Basis> others;      // solved with other operators or exponents
     UntangleOptions untangle;
+    Real heights = 0;              // 0..1: how much of the heights near walls is brought back at the end
 
     bool tries(Rung rung) const noexcept { return (skipped >> static_cast<std::int32_t>(rung) & 1) == 0; }
 };
@@ -29,6 +31,7 @@ struct SafeReport {
     AdmissibleStep limit;         // what stood in the way of the first rung
     UntangleReport untangle;
     FirstLayerChange first_layer;
+    Real heights = 0;             // how much of them could be brought back
     Crossing crossing;            // of the boundary at the target
 };
 
@@ -42,6 +45,8 @@ struct SafeMorph {
     Span<std::uint8_t> held;
     Untangling untangling;
     FirstLayer first_layer;
+    WallHeights wall_heights;
+    Span<PointKind> kinds;                       // [n_points] what wall_heights must know of them
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
 
@@ -65,6 +70,7 @@ private:
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
     Status solve_here(Work& work, Basis const& scratch, Fault& why) noexcept;
     void mark_held(Work const& work) const noexcept;
+    void restore_heights(Work& work) noexcept;
     void measure_first_layer(Work& work) noexcept;
     Status untangle(Work& work, Basis const& by) noexcept;
     void put_wall(Work const& work, MutablePoints points) const noexcept;

@@ -34,7 +34,7 @@ public:
     std::pair<double, double> blas_seconds(Blas const& its) {
         std::vector<double> by_node(m_ * n_), by_function(m_ * n_);
         for (std::size_t k = 0; k < m_; ++k) {
-            done(hm_basis_values(basis_, static_cast<Index>(k), &by_function[k * n_], &error_), "hm_basis_values");
+            done(hm_basis_values(basis_, static_cast<Index>(k), 0, &by_function[k * n_], &error_), "hm_basis_values");
             for (std::size_t i = 0; i < n_; ++i) by_node[i * m_ + k] = by_function[k * n_ + i];
         }
         std::vector<double> columns(2 * m_), pairs(move_);   // moves as [m x 2] and as [2 x m]

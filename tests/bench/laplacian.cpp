@@ -165,7 +165,7 @@ Columns Laplacian::values_of(hm_basis const* basis, Index functions, Index n_poi
     std::vector<double> values(at(n_points));
     hm_error error{};
     for (Index k = 0; k < functions; ++k) {
-        require(hm_basis_values(basis, k, values.data(), &error), error, "hm_basis_values");
+        require(hm_basis_values(basis, k, 0, values.data(), &error), error, "hm_basis_values");
         for (Index i = 0; i < n; ++i) out[at(k)][i] = values[at(point_of[at(i)])];
     }
     return out;

@@ -52,6 +52,7 @@ Phases Ours::run() {
     Clock clock;
     hm_options options{};
     options.struct_size = sizeof options;
+    options.operator_kind = HM_LAPLACE;
     options.executor = executor_;
     options.kernel = kernel_;
     options.progress = Clock::told;

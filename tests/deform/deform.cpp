@@ -49,7 +49,11 @@ public:
     double seconds() const { return seconds_; }
     const cli::Basis& basis() const { return *basis_; }
     cli::Morph linear(const Moves& moves) const { return cli::Morph(*basis_, mesh_, moves, 1, threads_); }
-    cli::Morph safe(const Moves& moves) const { return cli::Morph(*basis_, mesh_, moves, std::vector<const hm_basis *>{}, threads_); }
+    cli::Morph safe(const Moves& moves, double heights = 0) const {
+        auto options = cli::sized<hm_safe_options>();
+        options.heights = heights;
+        return cli::Morph(*basis_, mesh_, moves, options, threads_);
+    }
 
     // The largest amount for which a single linear morph is valid, by bisection.
     double limit(const std::function<Moves(double)>& moves, double most) const {
@@ -143,10 +147,15 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         missed += print_safe("rotation 170", its, movements.rotation(170), stem + "-rotation") ? 0 : 1;
         missed += print_safe("bump 1.5", its, movements.bump(1.5), stem + "-bump") ? 0 : 1;
         missed += print_safe("rotation 30", its, movements.rotation(30), stem + "-rotation30") ? 0 : 1;
-        const hm_safe_report& layer = its.safe(movements.rotation(30)).safe;
-        std::printf("    wall angle at 30 degrees: changed by %.3g degrees on average, %.3g at most; first-layer heights times "
-                    "%.3f .. %.3f\n", layer.mean_angle_change, layer.max_angle_change, layer.min_height_ratio,
-                    layer.max_height_ratio);
+        const hm_safe_report turned = its.safe(movements.rotation(30)).safe;
+        std::printf("    wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at most\n",
+                    turned.mean_angle_change, turned.max_angle_change);
+        for (const double heights : {0., 1.}) {
+            const hm_safe_report bent = its.safe(movements.camber(.08), heights).safe;
+            std::printf("    first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on average\n",
+                        heights > 0 ? "brought back" : "as they are", bent.min_height_ratio, bent.max_height_ratio,
+                        bent.mean_height_ratio);
+        }
         std::printf("  one linear morph  camber rotation     bump thickness  shift  solve time / laplace\n");
     }
     return missed;

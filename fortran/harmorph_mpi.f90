@@ -1,0 +1,165 @@
+! harmorph for Fortran codes with MPI: see harmorph_mpi.h. Compile after harmorph.f90, with mpifort, and link
+! harmorph_mpi.c (compiled with mpicc) and libharmorph.a.
+!
+!     call plan%analyse(mesh, curves, conditions)     on every process, of the whole mesh
+!     call plan%factor()
+!     call hm_mpi_solve(plan, points, basis, comm)    each its share of the functions; then its own points' rows
+!     call plan%free()                                the whole mesh is not needed any more
+!     call basis%morph(move, x, y)                    the process's points, in the order of the list; no messages
+!     call hm_mpi_adjoint(basis, dj_dx, dj_dy, gradient, comm)
+!
+! All calls with comm are collective; comm is a type(MPI_Comm), or an integer of `use mpi` and mpif.h. points counts
+! from 1, in the whole mesh; ghosts are allowed, and have dj_dx = dj_dy = 0. The bits are those of one process.
+module harmorph_mpi
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use mpi_f08, only: mpi_comm, mpi_comm_rank, mpi_comm_size
+    use harmorph
+    implicit none
+    private
+    public :: hm_mpi_solve, hm_mpi_exchange, hm_mpi_adjoint
+
+    interface hm_mpi_solve
+        procedure :: solve, solve_i
+    end interface
+    interface hm_mpi_exchange
+        procedure :: exchange, exchange_i
+    end interface
+    interface hm_mpi_adjoint
+        procedure :: adjoint, adjoint_i
+    end interface
+
+    interface
+        function c_exchange(rows, share, n, points, comm, err) result(status) bind(c, name="hm_mpi_exchange_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: rows, share
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            integer(c_int), value, intent(in) :: comm
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function c_adjoint(rows, dj_dx, dj_dy, stride, gradient, executor, comm, err) result(status) bind(c, &
+            name="hm_mpi_adjoint_f")
+            import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr, hm_c_error
+            implicit none
+            type(c_ptr), value, intent(in) :: rows
+            real(c_double), intent(in) :: dj_dx(*), dj_dy(*)
+            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: gradient, executor
+            integer(c_int), value, intent(in) :: comm
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+    end interface
+
+contains
+    ! The plan has a factor. basis receives the rows of points, with all functions.
+    subroutine solve(plan, points, basis, comm, report, stat, err)
+        type(hm_plan), intent(inout) :: plan
+        integer(c_int32_t), intent(in), contiguous :: points(:)
+        type(hm_basis), intent(inout) :: basis
+        type(mpi_comm), intent(in) :: comm
+        type(hm_solve_report), intent(out), optional :: report
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_basis) :: share
+        type(hm_error) :: reason
+        integer :: rank, n_processes, first, n, solved, done
+        call mpi_comm_rank(comm, rank)
+        call mpi_comm_size(comm, n_processes)
+        ! What fails on one process leaves an empty basis there, which all then refuse together.
+        call plan%share_of(rank + 1, n_processes, first, n, solved, reason)
+        if (solved >= 0) call share%init_share(plan, first, n, stat=solved, err=reason)
+        if (solved >= 0) call plan%solve(share, report, solved, reason)
+        if (solved < 0) call share%free()
+        call basis%free()
+        if (solved >= 0) call share%extract(points, basis, stat=done, err=reason)
+        if (solved >= 0 .and. done < 0) solved = done
+        if (solved >= 0) then
+            call exchange(basis, share, points, comm, done, reason)
+        else
+            call exchange(basis, share, points, comm, done)   ! keeps the first reason
+        end if
+        if (done >= 0) done = solved
+        if (done < 0) call basis%free()
+        if (present(err)) err = reason
+        if (present(stat)) then
+            stat = done
+        else if (done < 0) then
+            error stop "harmorph: hm_mpi_solve: " // trim(reason%text)
+        end if
+    end subroutine
+
+    ! rows: made of this process's share by share%extract(points, rows).
+    subroutine exchange(rows, share, points, comm, stat, err)
+        type(hm_basis), intent(inout) :: rows
+        type(hm_basis), intent(in) :: share
+        integer(c_int32_t), intent(in), contiguous :: points(:)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status
+        status = c_exchange(rows%address(), share%address(), int(size(points), c_int32_t), points, &
+            int(comm%mpi_val, c_int), e)
+        call hm_finish(status, e, stat, err)
+    end subroutine
+
+    ! gradient(2, functions): the same on all processes.
+    subroutine adjoint(basis, dj_dx, dj_dy, gradient, comm, stat, err)
+        type(hm_basis), intent(in) :: basis
+        real(c_double), intent(in), contiguous :: dj_dx(:), dj_dy(:)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_basis_info) :: info
+        type(hm_c_error) :: e
+        type(c_ptr) :: room
+        integer(c_int32_t) :: status
+        integer :: known
+        ! A NULL of one process is refused by all together.
+        room = c_null_ptr
+        call basis%info(info, known)
+        if (known >= 0) then
+            if (size(dj_dx) == info%points .and. size(dj_dy) == info%points .and. size(gradient, 1) == 2 .and. &
+                size(gradient, 2) == info%functions) room = c_loc(gradient)
+        end if
+        status = c_adjoint(basis%address(), dj_dx, dj_dy, 1_c_int64_t, room, c_null_ptr, int(comm%mpi_val, c_int), e)
+        call hm_finish(status, e, stat, err)
+    end subroutine
+
+    ! ---- The same with the integers of older interfaces
+
+    subroutine solve_i(plan, points, basis, comm, report, stat, err)
+        type(hm_plan), intent(inout) :: plan
+        integer(c_int32_t), intent(in), contiguous :: points(:)
+        type(hm_basis), intent(inout) :: basis
+        integer, intent(in) :: comm
+        type(hm_solve_report), intent(out), optional :: report
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call solve(plan, points, basis, mpi_comm(comm), report, stat, err)
+    end subroutine
+
+    subroutine exchange_i(rows, share, points, comm, stat, err)
+        type(hm_basis), intent(inout) :: rows
+        type(hm_basis), intent(in) :: share
+        integer(c_int32_t), intent(in), contiguous :: points(:)
+        integer, intent(in) :: comm
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call exchange(rows, share, points, mpi_comm(comm), stat, err)
+    end subroutine
+
+    subroutine adjoint_i(basis, dj_dx, dj_dy, gradient, comm, stat, err)
+        type(hm_basis), intent(in) :: basis
+        real(c_double), intent(in), contiguous :: dj_dx(:), dj_dy(:)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :)
+        integer, intent(in) :: comm
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call adjoint(basis, dj_dx, dj_dy, gradient, mpi_comm(comm), stat, err)
+    end subroutine
+end module

@@ -1,0 +1,43 @@
+// The paper's iteration: pseudo-time dF/dt = R(F) by explicit Runge-Kutta steps with local time steps, accelerated by the
+// full approximation scheme on agglomerated levels, and started from the coarsest of them (FMG-FAS).
+//
+// R(F)_P is the flux balance of P's control volume over its area, with the sign that diffuses: R(F)_P = (sum over the
+// neighbours Q of c_PQ (F_Q - F_P)) / area_P. Equations 8 and 11 of the paper, as printed, have the opposite sign; F would
+// grow without bound.
+#pragma once
+
+#include "harmorph/control_volumes.hpp"
+#include "harmorph/iteration.hpp"
+#include "harmorph/runge_kutta.hpp"
+
+namespace harmorph {
+
+struct FullApproximation : BlockIteration {
+    static constexpr Index default_levels = 5;
+    static constexpr Index default_cycles = 2000, default_steps = 200000;  // the latter where there is one level
+    static constexpr Index finest_vectors = 4, coarse_vectors = 5;         // of a lane, each block_width numbers for each cell
+    // dt_P = cfl (0.5 shortest edge)^2, but no longer than what damps all waves of the scheme.
+    static constexpr Real cfl = 4;
+
+    ControlVolumes volumes;                    // of the finest level
+    Span<Real> rate_pool, area_pool;           // of all levels, one behind the other
+    Span<Real> rate[Agglomeration::most_levels];  // [n] dt / area of each cell of a level
+    Span<Real> area[Agglomeration::most_levels];  // [n]
+
+    void lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration, Executor const& its_executor) noexcept;
+    // What set_up() needs, and what solve() needs: they may be in one place.
+    void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
+    void lay_out_vectors(Arena& arena, Index n) noexcept;
+
+    // `volumes` must have been measured.
+    Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
+    Status solve(Rows const& values, Progress const& progress, IterationReport& report, Fault& fault) const noexcept;
+
+private:
+    static Offset lane_rows(Index n) noexcept {
+        return Offset{finest_vectors} * n + coarse_vectors * Agglomeration::coarse_cells(n);
+    }
+    void choose_steps() noexcept;
+};
+
+}  // namespace harmorph

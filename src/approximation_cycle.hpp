@@ -1,0 +1,191 @@
+// Full-approximation V-cycles for a block of W functions.
+#pragma once
+
+#include "block_rows.hpp"
+#include "harmorph/full_approximation.hpp"
+
+namespace harmorph::block {
+
+template <Index W>
+class ApproximationCycles {
+public:
+    ApproximationCycles(FullApproximation const& engine, Real* vectors, Rows const& values, Index first) noexcept
+        : engine_(engine), a_(engine.levels), values_(values), first_(first), width_(smaller(W, values.width - first)) {
+        for (Index l = 0; l < a_.count; ++l) {
+            Offset const numbers = Offset{a_.level[l].n} * W;
+            Vectors& its = at_[l];
+            its = {vectors, vectors + numbers, vectors + 2 * numbers, vectors + 3 * numbers, nullptr};
+            vectors += 4 * numbers;
+            if (l == 0) continue;
+            its.restricted = vectors;
+            vectors += numbers;
+        }
+    }
+
+    // after(cycle, largest relative residual of all functions); not ok ends it.
+    template <class After>
+    Status run(IterationReport& report, After const& after) noexcept {
+        Index const n = a_.level[0].n;
+        for (Index i = 0; i < n; ++i) {
+            const Real* const given = values_[i] + first_;
+            for (Index k = 0; k < W; ++k) at_[0].f[Offset{i} * W + k] = k < width_ ? given[k] : 0;
+        }
+        Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
+        HARMORPH_TRY(after(0, relative(given, given)));
+        start_from_coarsest();
+        while (true) {
+            take_rest(0);
+            Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
+            if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
+            if (larger(residual, left_per_gain * gain()) <= engine_.iteration.tolerance) break;
+            if (report.iterations >= engine_.iteration.max_iterations || !is_finite(residual)) break;
+            cycle(0, true);
+            ++report.iterations;
+        }
+        report.fine_sweeps = fine_steps_;
+        for (Index i = 0; i < n; ++i) {
+            Real* const to = values_[i] + first_;
+            for (Index k = 0; k < width_; ++k) to[k] = at_[0].u[Offset{i} * W + k];
+        }
+        return Status::ok;
+    }
+
+private:
+    // Before and after the coarse correction; they are cheap below the finest level.
+    static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
+    static constexpr Index starting_cycles = 2;  // on each level on the way up
+    static constexpr Real left_per_gain = 10;    // cycles are slow: more is left than one of them takes off
+
+    struct Vectors {
+        Real* f;           // right-hand side: sums of flux balances
+        Real* u;           // values
+        Real* start;       // values at the start of a step
+        Real* rest;        // f - A u
+        Real* restricted;  // values from the finer level
+    };
+
+    // Square root of the share of the solution's energy that the last cycle's correction and a step from here take off the
+    // error. Far from thin cells a small residual may hide a larger error, as their balances dwarf all others.
+    Real gain() const noexcept {
+        Lanes<W> taken = corrected_;
+        for (Index i = 0; i < a_.level[0].n; ++i) {
+            const Real* const rest = at_[0].rest + Offset{i} * W;
+            for (Index k = 0; k < W; ++k) taken[k] += engine_.rate[0][i] * rest[k] * rest[k];
+        }
+        return relative(taken, dot<W>(at_[0].f, at_[0].u, a_.level[0].n));
+    }
+
+    Real relative(Lanes<W> const& squares, Lanes<W> const& size) const noexcept {
+        Real largest = 0;
+        for (Index k = 0; k < width_; ++k) {
+            Real const share = square_root(squares[k]) / (size[k] > 0 ? square_root(size[k]) : 1);
+            if (!(share <= largest)) largest = share;  // once NaN, it stays
+        }
+        return largest;
+    }
+
+    void take_rest(Index level) noexcept { residual<W>(a_.level[level], at_[level].f, at_[level].u, at_[level].rest); }
+
+    // One Runge-Kutta step in pseudo-time; known_rest: the residual of u has been taken.
+    void step(Index level, bool known_rest) noexcept {
+        Vectors const& its = at_[level];
+        Index const n = a_.level[level].n;
+        copy<W>(its.u, its.start, n);
+        for (Index stage = 0; stage < stages; ++stage) {
+            if (stage > 0 || !known_rest) take_rest(level);
+            for (Index i = 0; i < n; ++i) {
+                Real const by = stage_coefficient[stage] * engine_.rate[level][i];
+                Offset const row = Offset{i} * W;
+                for (Index k = 0; k < W; ++k) its.u[row + k] = its.start[row + k] + by * its.rest[row + k];
+            }
+        }
+        if (level == 0) ++fine_steps_;
+    }
+    void steps(Index level, Index n, bool known_rest) noexcept {
+        for (Index k = 0; k < n; ++k) step(level, known_rest && k == 0);
+    }
+
+    void cycle(Index level, bool known_rest) noexcept {
+        if (a_.count == 1) return step(level, known_rest);
+        if (level + 1 == a_.count) return steps(level, coarsest_steps, known_rest);
+        Index const n = level == 0 ? finest_steps : coarse_steps;
+        steps(level, n, known_rest);
+        go_down(level);
+        cycle(level + 1, false);
+        correct(level);
+        steps(level, n, false);
+    }
+
+    // Values go down as means over areas, flux balances as sums; the coarse equations are those that the restricted values
+    // solve, plus the balances.
+    void go_down(Index level) noexcept {
+        Index const below = level + 1, n = a_.level[below].n;
+        Vectors const& coarse = at_[below];
+        Span<const Index> const cell_of = a_.cell_of[level];
+        take_rest(level);
+        clear<W>(coarse.u, n);
+        clear<W>(coarse.rest, n);
+        for (Index i = 0; i < cell_of.count(); ++i) {
+            Offset const cell = Offset{cell_of[i]} * W;
+            add<W>(engine_.area[level][i], at_[level].u + Offset{i} * W, coarse.u + cell);
+            add<W>(1, at_[level].rest + Offset{i} * W, coarse.rest + cell);
+        }
+        for (Index i = 0; i < n; ++i) {
+            for (Index k = 0; k < W; ++k) coarse.u[Offset{i} * W + k] /= engine_.area[below][i];
+        }
+        copy<W>(coarse.u, coarse.restricted, n);
+        multiply<W>(a_.level[below], coarse.u, coarse.f);
+        for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
+    }
+
+    // u += length * P (change of the coarse values). The length minimises the energy of the error on this level (A. Reusken,
+    // Numer. Math. 58 (1991) 819): what piecewise constant changes are short of in smooth regions they overshoot elsewhere.
+    void correct(Index level) noexcept {
+        Vectors const& its = at_[level];
+        Vectors const& coarse = at_[level + 1];
+        Span<const Index> const cell_of = a_.cell_of[level];
+        Index const n = cell_of.count();
+        Real* const change = its.start;
+        for (Index i = 0; i < n; ++i) {
+            Offset const cell = Offset{cell_of[i]} * W;
+            for (Index k = 0; k < W; ++k) change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
+        }
+        Lanes<W> length = dot<W>(change, its.rest, n);
+        Lanes<W> const along = energy<W>(a_.level[level], change);
+        for (Index k = 0; k < W; ++k) {
+            Real const share = along[k] > 0 ? length[k] / along[k] : 0;
+            if (level == 0) corrected_[k] = share * length[k];
+            length[k] = share;
+        }
+        add_multiple<W>(length, change, its.u, n);
+    }
+
+    // FMG-FAS: the problem itself on the coarsest level, its solution as the start on the next finer one, and so on.
+    void start_from_coarsest() noexcept {
+        for (Index l = 0; l + 1 < a_.count; ++l) {
+            Index const n = a_.level[l + 1].n;
+            clear<W>(at_[l + 1].f, n);
+            for (Index i = 0; i < a_.level[l].n; ++i) {
+                add<W>(1, at_[l].f + Offset{i} * W, at_[l + 1].f + Offset{a_.cell_of[l][i]} * W);
+            }
+        }
+        Index const last = a_.count - 1;
+        clear<W>(at_[last].u, a_.level[last].n);
+        for (Index l = last; l > 0; --l) {
+            for (Index k = 0; k < starting_cycles; ++k) cycle(l, false);
+            for (Index i = 0; i < a_.level[l - 1].n; ++i) {
+                store<W>(load<W>(at_[l].u + Offset{a_.cell_of[l - 1][i]} * W), at_[l - 1].u + Offset{i} * W);
+            }
+        }
+    }
+
+    FullApproximation const& engine_;
+    Agglomeration const& a_;
+    Rows const& values_;
+    Index first_, width_;
+    Index fine_steps_ = 0;
+    Lanes<W> corrected_;  // energy that the last correction on the finest level took off
+    Vectors at_[Agglomeration::most_levels];
+};
+
+}  // namespace harmorph::block

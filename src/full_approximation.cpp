@@ -1,0 +1,85 @@
+#include "harmorph/full_approximation.hpp"
+
+#include "approximation_cycle.hpp"
+#include "block_iteration.hpp"
+
+namespace harmorph {
+
+void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
+                                Executor const& its_executor) noexcept {
+    Iteration chosen = its_iteration;
+    if (chosen.merging.max_levels == 0) chosen.merging.max_levels = default_levels;
+    if (chosen.max_iterations == 0) chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
+    BlockIteration::lay_out(arena, n, functions, chosen, its_executor);
+    Offset const cells = n + Agglomeration::coarse_cells(n);
+    arena.take(rate_pool, cells);
+    arena.take(area_pool, cells);
+}
+
+void FullApproximation::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
+    volumes.lay_out(arena, n);
+    levels.lay_out_work(arena, n, entries);
+}
+
+void FullApproximation::lay_out_vectors(Arena& arena, Index n) noexcept {
+    arena.take(vectors, lanes * lane_rows(n) * iteration.block_width);
+}
+
+Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
+    for (Index i = 0; i < finest.n; ++i) {
+        if (finest.diagonal[i] > 0) continue;
+        return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, i);
+    }
+    levels.build(finest, iteration.merging);
+    Offset used = 0;
+    for (Index l = 0; l < levels.count; ++l) {
+        rate[l] = rate_pool.from(used, levels.level[l].n);
+        area[l] = area_pool.from(used, levels.level[l].n);
+        used += levels.level[l].n;
+    }
+    copy(area[0], Span<const Real>(volumes.area));
+    for (Index l = 0; l + 1 < levels.count; ++l) {
+        fill(area[l + 1], 0.0);
+        for (Index i = 0; i < levels.level[l].n; ++i) area[l + 1][levels.cell_of[l][i]] += area[l][i];
+    }
+    choose_steps();
+    return Status::ok;
+}
+
+// No eigenvalue of a row's equation is larger than its diagonal and the size of the rest together (Gershgorin). Coarser
+// levels have no edges, and so this limit alone.
+void FullApproximation::choose_steps() noexcept {
+    for (Index l = 0; l < levels.count; ++l) {
+        SymmetricRows const& rows = levels.level[l];
+        copy(rate[l], Span<const Real>(rows.diagonal));
+        rows.for_each([&](Index i, Index j, Offset e) {
+            rate[l][i] += absolute(rows.value[e]);
+            rate[l][j] += absolute(rows.value[e]);
+        });
+        for (Real& its : rate[l]) its = damping_limit / its;
+    }
+    for (Index i = 0; i < rate[0].count(); ++i) {
+        Real const half = 0.5 * volumes.shortest_edge[i];
+        rate[0][i] = smaller(rate[0][i], cfl * half * half / area[0][i]);
+    }
+}
+
+Status FullApproximation::solve(Rows const& values, Progress const& progress, IterationReport& report,
+                                Fault& fault) const noexcept {
+    Index const n = levels.level[0].n;
+    auto const run = [&](auto width) {
+        constexpr Index w = decltype(width)::value;
+        return solve_in_blocks(*this, values.width, progress, report, fault,
+                               [&](Index lane, Index first, IterationReport& its, auto const& after) {
+                                   Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
+                                   return block::ApproximationCycles<w>(*this, its_vectors, values, first).run(its, after);
+                               });
+    };
+    switch (iteration.block_width) {
+        case 4: return run(std::integral_constant<Index, 4>{});
+        case 8: return run(std::integral_constant<Index, 8>{});
+        default: return run(std::integral_constant<Index, 16>{});
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,49 @@
+#!/bin/sh
+# usage: mpi.sh BUILD   (FC, FFLAGS, CC, CFLAGS from the environment; MPICC, MPIFC, MPIRUN: openmpi's)
+# harmorph_mpi.c and harmorph_mpi.f90, compiled without a warning, on 1 to 4 processes of this machine.
+: "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
+: "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
+build=$(cd "$1" && pwd)
+dir=$build/mpi
+rm -rf "$dir"
+mkdir -p "$dir"
+for tool in $MPICC $MPIFC $MPIRUN; do
+    command -v "$tool" >/dev/null && continue
+    echo "$tool not found: install Debian's openmpi-bin and libopenmpi-dev"
+    echo "0 passed, 1 failed"
+    exit 1
+done
+# The compilers behind mpicc and mpifort; more processes than processors, which are to yield to each other.
+export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
+strict=-std=f2018 checks=
+if $FC --version 2>/dev/null | grep -q '^GNU'; then
+    strict="-std=f2018 -Wall -Wextra -Werror -Wno-compare-reals" checks=-fcheck=all,no-array-temps
+fi
+case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
+
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "MPI: $what failed:"
+        sed 's/^/    /' "$dir/log"
+    fi
+}
+fortran() { $MPIFC $strict $FFLAGS $checks -J"$dir" -I"$dir" -c "$1" -o "$dir/$(basename "$1" .f90)_f.o"; }
+c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS "$@"; }
+
+check "harmorph_mpi.c" c -Ic_api -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
+check "mpi.c" c -pthread -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
+for source in fortran/harmorph.f90 fortran/harmorph_mpi.f90 tests/mpi.f90; do check "$source" fortran "$source"; done
+check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
+    "$dir/harmorph_mpi.o" "$build/libharmorph.a"
+for n in 1 2 3 4; do
+    for program in mpi_c mpi_f; do $MPIRUN $local -np $n "$dir/$program" 2>&1 || failed=$((failed + 1)); done
+done
+
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]

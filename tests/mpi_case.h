@@ -1,0 +1,146 @@
+/* A problem that every process makes for itself: an O-mesh round an ellipse, its wall on a periodic cubic; and the way
+ * to a basis. Whatever is refused ends all processes with the reason. */
+#ifndef MPI_CASE_H
+#define MPI_CASE_H
+
+#include <harmorph_mpi.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WALL = 1, FAR_FIELD = 2 };
+
+typedef struct problem_case {
+    int32_t n_points, n_functions;
+    double *x, *y;
+    int32_t *lists, start[3], markers[2];
+    hm_mesh mesh;
+    hm_fit_options fit;
+    const hm_curves *curves;
+    hm_condition on_curve;
+    hm_problem problem;
+    hm_options options;
+} problem_case;
+
+static void need(hm_status status, const hm_error *error) {
+    if (status >= 0) return;
+    fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text);
+    MPI_Abort(MPI_COMM_WORLD, 1);
+}
+
+static void *room(size_t bytes) {
+    void *block = malloc(bytes > 0 ? bytes : 1);
+    if (block == NULL) MPI_Abort(MPI_COMM_WORLD, 1);
+    return block;
+}
+
+static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_functions, int32_t operator_kind) {
+    hm_mesh mesh = {sizeof mesh};
+    hm_fit_options fit = {sizeof fit};
+    hm_condition on_curve = {sizeof on_curve};
+    hm_problem problem = {sizeof problem};
+    hm_options options = {sizeof options};
+    hm_error error;
+    size_t bytes;
+    int32_t i, j;
+    its->n_points = ni * nj;
+    its->n_functions = n_functions;
+    its->x = room(sizeof *its->x * (size_t)its->n_points);
+    its->y = room(sizeof *its->y * (size_t)its->n_points);
+    its->lists = room(sizeof *its->lists * 2 * (size_t)ni);
+    for (j = 0; j < nj; ++j) {
+        for (i = 0; i < ni; ++i) {
+            const double angle = 6.283185307179586 * (i % (ni - 1)) / (ni - 1), r = exp(3.0 * j / (nj - 1));
+            its->x[i + ni * j] = (r + 0.6 / r) * cos(angle);
+            its->y[i + ni * j] = (r - 0.6 / r) * sin(angle);
+        }
+    }
+    for (i = 0; i < ni; ++i) {
+        its->lists[i] = i;
+        its->lists[ni + i] = i + ni * (nj - 1);
+    }
+    its->start[0] = 0;
+    its->start[1] = ni;
+    its->start[2] = 2 * ni;
+    its->markers[0] = WALL;
+    its->markers[1] = FAR_FIELD;
+    mesh.n_points = its->n_points;
+    mesh.x = its->x;
+    mesh.y = its->y;
+    mesh.cell_layout = HM_CELLS_STRUCTURED;
+    mesh.ni = ni;
+    mesh.nj = nj;
+    mesh.n_lists = 2;
+    mesh.list_start = its->start;
+    mesh.list_points = its->lists;
+    mesh.list_markers = its->markers;
+    its->mesh = mesh;
+    fit.n_control = n_functions;
+    fit.closed = HM_PERIODIC;
+    its->fit = fit;
+    need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
+    need(hm_fit(&its->curves, room(bytes), bytes, its->x, its->y, 1, ni - 1, 1, &fit, NULL, &error), &error);
+    on_curve.marker = WALL;
+    on_curve.kind = HM_ON_CURVE;
+    on_curve.n_curves = 1;
+    its->on_curve = on_curve;
+    problem.mesh = &its->mesh;
+    problem.curves = its->curves;
+    problem.n_conditions = 1;
+    problem.conditions = &its->on_curve;
+    its->problem = problem;
+    options.operator_kind = operator_kind;
+    its->options = options;
+}
+
+/* The stages before the solution, and their blocks. */
+typedef struct solver {
+    void *analysis_block, *plan_block;
+    hm_analysis *analysis;
+    hm_plan *plan;
+    size_t bytes; /* of both */
+} solver;
+
+static void make_solver(solver *its, const problem_case *of) {
+    hm_error error;
+    size_t bytes;
+    need(hm_analysis_size(&of->problem, &of->options, &bytes, &error), &error);
+    its->bytes = bytes;
+    its->analysis_block = room(bytes);
+    need(hm_analysis_init(&its->analysis, its->analysis_block, bytes, &of->problem, &of->options, &error), &error);
+    need(hm_plan_size(its->analysis, &bytes, &error), &error);
+    its->bytes += bytes;
+    its->plan_block = room(bytes);
+    need(hm_plan_init(&its->plan, its->plan_block, bytes, its->analysis, &error), &error);
+    need(hm_plan_factor(its->plan, NULL, NULL, 0, &error), &error);
+}
+
+static void free_solver(solver *its) {
+    free(its->analysis_block);
+    free(its->plan_block);
+}
+
+/* Functions first .. first+n-1, solved, in a block of their own. */
+static hm_basis *solve_share(solver *with, int32_t first, int32_t n, void **block) {
+    hm_error error;
+    hm_basis *share = NULL;
+    size_t bytes;
+    need(hm_share_size(with->analysis, first, n, &bytes, &error), &error);
+    *block = room(bytes);
+    need(hm_share_init(&share, *block, bytes, with->analysis, first, n, &error), &error);
+    need(hm_plan_solve(with->plan, share, NULL, &error), &error);
+    return share;
+}
+
+static hm_basis *extract(const hm_basis *from, int32_t n, const int32_t *points, void **block) {
+    hm_error error;
+    hm_basis *rows = NULL;
+    size_t bytes;
+    need(hm_extract_size(from, n, &bytes, &error), &error);
+    *block = room(bytes);
+    need(hm_extract_init(&rows, *block, bytes, from, n, points, &error), &error);
+    return rows;
+}
+
+#endif

@@ -1,0 +1,74 @@
+// Areas of the median dual and shortest edges, where they are known.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+
+#include <harmorph/control_volumes.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+struct Measured {
+    Analysed seen;
+    std::vector<Index> place;
+    std::vector<double> area, shortest;
+
+    explicit Measured(Case& its) : seen(its) {
+        std::size_t const n = its.mesh.x.size();   // of all points, not of unknowns alone
+        place.resize(n);
+        std::iota(place.begin(), place.end(), 0);
+        area.resize(n);
+        shortest.resize(n);
+        harmorph::Mesh const& mesh = seen->problem.mesh;
+        harmorph::ControlVolumes volumes{span(area), span(shortest)};
+        volumes.measure(mesh, mesh.points, seen->reversed, span(place));
+    }
+};
+
+}  // namespace
+
+TEST_CASE("control volumes fill the mesh without gaps, whatever the sense of its cells") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Case its = square_on_curve(9, kind, 0.4, 3);
+        Measured const one(its);
+        reverse_some(its.mesh, 5);
+        Measured const other(its);
+        double sum = 0, worst = 0;
+        for (std::size_t k = 0; k < one.area.size(); ++k) {
+            CHECK(one.area[k] > 0);
+            sum += one.area[k];
+            worst = std::max(worst, std::fabs(one.area[k] - other.area[k]));
+        }
+        CHECK(sum == doctest::Approx(1).epsilon(1e-13));
+        CHECK(worst < 1e-16);
+    }
+}
+
+TEST_CASE("on a grid of rectangles: the rectangle inside, half of it on sides, and the shorter side") {
+    Case its = square_on_curve(8, Cells::quads, 0, 0);
+    for (double& y : its.mesh.y) y *= 0.25;
+    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.25;
+    Measured const found(its);
+    for (std::size_t k = 0; k < found.area.size(); ++k) {
+        Point const p = its.mesh.point(static_cast<Index>(k));
+        double expected = 1.0 / 64 * 0.25;
+        if (p.x < 1e-9 || p.x > 1 - 1e-9) expected /= 2;
+        if (p.y < 1e-9 || p.y > 0.25 - 1e-9) expected /= 2;
+        CHECK(found.area[k] == doctest::Approx(expected).epsilon(1e-12));
+        CHECK(found.shortest[k] == doctest::Approx(0.25 / 8).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a point without an unknown is left out") {
+    Case its = square_on_curve(4, Cells::triangles, 0, 0);
+    Analysed const seen(its);
+    FrontMatrix const front(*seen.operator->());
+    std::vector<double> area(static_cast<std::size_t>(front.rows.n)), shortest(area.size());
+    harmorph::ControlVolumes volumes{span(area), span(shortest)};
+    harmorph::Mesh const& mesh = seen->problem.mesh;
+    volumes.measure(mesh, mesh.points, seen->reversed, front.matrix.place);
+    for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));   // hexagons of six halves of squares
+    CHECK(area.size() == 9);
+}

@@ -1,0 +1,218 @@
+// The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is that scheme alone, and
+// that coarser levels save most of the work without changing what it converges to.
+#include <doctest/doctest.h>
+
+#include <fixtures/agglomerated.hpp>
+#include <fixtures/executors.hpp>
+
+#include <harmorph/full_approximation.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+hm_options fas() {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = HM_LAPLACE;
+    out.engine = HM_FAS;
+    return out;
+}
+hm_options direct() {
+    hm_options out = fas();
+    out.engine = HM_DIRECT;
+    return out;
+}
+double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+
+// dF/dt = R(F) from F = start over the given time.
+template <class R>
+double integrate(R const& r, double start, double time, int steps) {
+    double f = start;
+    for (int k = 0; k < steps; ++k) {
+        double const old = f;
+        for (double const alpha : harmorph::stage_coefficient) f = old + alpha * time / steps * r(f);
+    }
+    return f;
+}
+
+Case viscous_case(Cells kind) {
+    Case its = airfoil_case(40, 12, Cells::quads);
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-5, 8, 36), kind);
+    return its;
+}
+
+// The finest level's rows, volumes and rates, with the memory of an engine of one level.
+struct Explicit {
+    Analysed seen;
+    FrontMatrix front;
+    harmorph::FullApproximation engine;
+    std::unique_ptr<Guarded> block;
+
+    explicit Explicit(Case& its) : seen(its), front(*seen.operator->()) {
+        harmorph::Iteration iteration;
+        iteration.merging.max_levels = 1;
+        auto const lay_out = [&](harmorph::Arena& arena) {
+            engine.lay_out(arena, front.rows.n, 8, iteration, {});
+            engine.lay_out_work(arena, front.rows.n, front.rows.entries());
+        };
+        harmorph::Arena counting;
+        lay_out(counting);
+        block = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block->data(), block->size());
+        lay_out(placing);
+        harmorph::Mesh const& mesh = seen->problem.mesh;
+        engine.volumes.measure(mesh, mesh.points, seen->reversed, front.matrix.place);
+        harmorph::Fault fault;
+        REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the scheme is of second order, and not of third") {
+    auto const decay = [](double f) { return -f * f; };   // f = 1 / (1 + t)
+    double last = 0;
+    for (int const steps : {8, 16, 32, 64}) {
+        double const error = std::fabs(integrate(decay, 1, 1, steps) - 0.5);
+        if (last > 0) CHECK(last / error == doctest::Approx(4).epsilon(0.15));
+        last = error;
+    }
+}
+
+TEST_CASE("one step damps what decays, up to the limit, and short waves by half") {
+    auto const factor = [](double x) { return integrate([&](double f) { return -x * f; }, 1, 1, 1); };
+    for (double x = 0.01; x < 5.2; x += 0.01) CHECK(std::fabs(factor(x)) < 1);
+    for (double x = 0.7; x <= harmorph::damping_limit; x += 0.01) CHECK(std::fabs(factor(x)) <= 0.51);
+    CHECK(std::fabs(factor(5.3)) > 1);
+}
+
+TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balances") {
+    Case its = two_body_case(Cells::hybrid, 8, 5);
+    Explicit const parts(its);
+    harmorph::SymmetricRows const& rows = parts.front.rows;
+    DenseMatrix const a = dense_of(rows);
+    std::size_t const n = a.n;
+    Index const function = 3;
+    std::vector<double> b(n, 0.0), f(n, 0.0);
+    harmorph::Analysis const& analysis = *parts.seen.operator->();
+    harmorph::Matrix const& matrix = parts.front.matrix;
+    for (Index slot = 0; slot < analysis.wall.count; ++slot) {
+        harmorph::CurveBasis const its_basis =
+            curve_basis(analysis.curves[analysis.wall.curve[slot]], analysis.wall.u[slot], 0);
+        for (Index k = 0; k < its_basis.order; ++k)
+            for (Index c = matrix.coupling_start[slot]; its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
+                b[static_cast<std::size_t>(matrix.coupling_row[c])] -= matrix.coupling_value[c] * its_basis.value[0][k];
+    }
+    constexpr int steps = 4;
+    for (int k = 0; k < steps; ++k) {
+        std::vector<double> const old = f;
+        for (double const alpha : harmorph::stage_coefficient) {
+            std::vector<double> const now = f;
+            for (std::size_t i = 0; i < n; ++i) {
+                double balance = b[i];
+                for (std::size_t j = 0; j < n; ++j) balance -= a.at(i, j) * now[j];
+                f[i] = old[i] + alpha * parts.engine.rate[0][i] * balance;
+            }
+        }
+    }
+    hm_options options = fas();
+    options.levels = 1;
+    options.max_iterations = steps;
+    Attempt const attempt(its.problem(), &options);
+    REQUIRE(attempt.status == HM_NOT_CONVERGED);
+    CHECK((attempt.report.iterations == steps && attempt.report.fine_sweeps == steps && attempt.report.levels == 1));
+    std::vector<double> values(its.mesh.x.size());
+    REQUIRE(hm_basis_values(attempt.basis, function, 0, values.data(), nullptr) == HM_OK);
+    double worst = 0, largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        Index const point = analysis.graph.point(parts.front.order[i]);
+        worst = std::max(worst, std::fabs(values[static_cast<std::size_t>(point)] - f[i]));
+        largest = std::max(largest, std::fabs(f[i]));
+    }
+    CHECK(worst < 1e-14);
+    CHECK(largest > 0.1);
+}
+
+TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what damps all waves") {
+    for (double const thin : {1.0, 1e-3}) {
+        Case its = square_on_curve(12, Cells::quads, 0.2, 7);
+        for (double& y : its.mesh.y) y *= thin;
+        for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= thin;
+        Explicit const parts(its);
+        DenseMatrix const a = dense_of(parts.front.rows);
+        for (std::size_t i = 0; i < a.n; ++i) {
+            double row = 0;
+            for (std::size_t j = 0; j < a.n; ++j) row += std::fabs(a.at(i, j));
+            double const dt = parts.engine.rate[0][i] * parts.engine.volumes.area[i];
+            double const half = 0.5 * parts.engine.volumes.shortest_edge[i];
+            double const limit = harmorph::damping_limit * parts.engine.volumes.area[i] / row;
+            CHECK(dt == doctest::Approx(std::min(harmorph::FullApproximation::cfl * half * half, limit)).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("it converges to the direct engine's functions, on stretched cells too, with either rule") {
+    for (int which = 0; which < 6; ++which) {
+        Case its = which < 3 ? two_body_case(static_cast<Cells>(which), 12, 8) : which == 3 ? airfoil_case()
+                                                                             : viscous_case(which == 4 ? Cells::quads : Cells::triangles);
+        if (which == 1) its.set_free(far_field);
+        hm_options iterative = fas(), exact = direct();
+        iterative.agglomeration = which == 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
+        Solved const found(its, &iterative), expected(its, &exact);
+        INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps << " steps");
+        CHECK(difference(found, expected) < 1e-8);
+        CHECK(found.report.residual <= 1e-10);
+        CHECK(found.report.fine_sweeps == 2 * found.report.iterations);   // one before and one after the correction
+        CHECK((found.report.levels >= 3 && found.report.levels <= 5));
+    }
+}
+
+TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    hm_options options = fas();
+    Solved const five(its, &options);
+    options.levels = 1;
+    Solved const one(its, &options);
+    INFO(one.report.fine_sweeps << " steps with one level, " << five.report.fine_sweeps << " with " << five.report.levels);
+    CHECK(one.report.fine_sweeps > 10 * five.report.fine_sweeps);
+    CHECK(difference(one, five) < 1e-8);
+}
+
+TEST_CASE("the start from the coarsest level is worth two cycles at least") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    std::vector<double> history(400);
+    hm_options options = fas();
+    options.history = history.data();
+    options.history_length = static_cast<std::int32_t>(history.size());
+    Solved const solved(its, &options);
+    CHECK(history[0] == doctest::Approx(1));
+    double const last = history[static_cast<std::size_t>(solved.report.iterations)];
+    double const cycle = std::pow(last / history[1], 1.0 / (solved.report.iterations - 1));
+    INFO("one cycle: " << cycle << ", the start and one: " << history[1]);
+    CHECK(history[1] < std::pow(cycle, 3));
+    for (std::int32_t k = 1; k < solved.report.iterations; ++k)
+        CHECK(history[static_cast<std::size_t>(k) + 1] < 1.5 * history[static_cast<std::size_t>(k)]);
+}
+
+TEST_CASE("threads change no bit; limits end with a status") {
+    Case its = two_body_case(Cells::hybrid, 12, 8);
+    hm_options options = fas();
+    options.block_width = 4;
+    options.max_iterations = 5;
+    auto const values = [&] {
+        Attempt attempt(its.problem(), &options);
+        REQUIRE(attempt.status == HM_NOT_CONVERGED);
+        CHECK(attempt.report.iterations == 5);
+        std::vector<double> out(its.mesh.x.size());
+        REQUIRE(hm_basis_values(attempt.basis, 6, 0, out.data(), nullptr) == HM_OK);
+        return out;
+    };
+    std::vector<double> const serial = values();
+    Backwards backwards;
+    hm_executor const executor = backwards.executor(3);
+    options.executor = &executor;
+    CHECK(same_bits(values(), serial));
+    CHECK(backwards.tasks > 0);
+}
