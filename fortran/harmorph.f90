@@ -57,7 +57,7 @@ module harmorph
     integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
     integer, parameter, public :: hm_periodic_pair = 5
     integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
-    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1
+    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1, hm_fas = 2
     integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
     integer, parameter, public :: hm_double = 0, hm_single = 1
     integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
@@ -196,6 +196,7 @@ module harmorph
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: max_resolves = 0, skipped_rungs = 0, n_others = 0, reserved = 0
         type(c_ptr) :: others = c_null_ptr
+        real(c_double) :: heights = 0
     end type
 
     type, bind(c), public :: hm_safe_report
@@ -205,7 +206,7 @@ module harmorph
         integer(c_int32_t) :: cell = 0, point = 0, untangled = 0, iterations = 0, crossing_points(4) = 0
         integer(c_int32_t) :: inverted = 0, min_quality_cell = 0
         real(c_double) :: min_quality = 0, mean_quality = 0, mean_angle_change = 0, max_angle_change = 0
-        real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0
+        real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0, heights = 0
         integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
     end type
 
@@ -274,7 +275,7 @@ module harmorph
         integer :: exponent_quarters = 0      ! 4 q of the weight 1 / d**q, or hm_no_weight
         logical :: offset_correction = .false.
         integer :: precision = hm_double
-        ! hm_multigrid only; the history of its residuals must outlive the plan.
+        ! hm_multigrid and hm_fas only; the history of its residuals must outlive the plan.
         integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0
         real(c_double), pointer, contiguous :: history(:) => null()
     end type
@@ -282,6 +283,7 @@ module harmorph
     type, public :: hm_safe_options           ! of morph_safe; 0 are the defaults
         integer :: max_resolves = 0
         integer :: skipped_rungs = 0          ! sum of 2**hm_rung_... of those not to be tried
+        real(c_double) :: heights = 0         ! 0 .. 1: how far distances from the walls are brought back
     end type
 
     ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=0.25d0), hm_condition(6, hm_periodic_pair,
@@ -393,6 +395,7 @@ module harmorph
         procedure, private :: plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         generic :: factor => plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         procedure :: solve => plan_solve
+        procedure :: level => plan_level
         procedure :: transfer => plan_transfer
         procedure :: transfer_words => plan_transfer_words
         procedure, private :: morph_safe_v8, morph_safe_v4, morph_safe_b8, morph_safe_b4
@@ -467,11 +470,11 @@ module harmorph
     public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, hm_c_curve_point, &
         hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
-        hm_c_plan_solve, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_conditions, &
-        hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, hm_c_boundary_error, &
-        hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_parcel_size, &
-        hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, hm_c_adjoint_finish, &
-        hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
+        hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, &
+        hm_c_basis_conditions, hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, &
+        hm_c_boundary_error, hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
+        hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
+        hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
 
     interface
         integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
@@ -612,6 +615,13 @@ module harmorph
             import
             type(c_ptr), value, intent(in) :: plan, basis
             type(hm_solve_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_level(plan, level, cells, n_cells, err) bind(c, name="hm_plan_level")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), value, intent(in) :: level
+            integer(c_int32_t), intent(inout) :: cells(*), n_cells
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_basis_attach(basis, block, bytes, mesh, err) bind(c, name="hm_basis_attach")
@@ -2253,6 +2263,29 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
+    ! Where agglomeration merged the mesh, after factor with an engine that has levels: in which cell of a level, 1 the
+    ! finest, each point's control volume is; 0: a point whose value is known. cells(n_points) has values up to n_cells.
+    subroutine plan_level(self, level, cells, n_cells, stat, err)
+        class(hm_plan), intent(in) :: self
+        integer, intent(in) :: level
+        integer, allocatable, intent(out) :: cells(:)
+        integer, intent(out), optional :: n_cells
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, n
+        integer(c_int32_t), allocatable :: found(:)
+        status = hm_ok
+        n = 0
+        if (.not. c_associated(self%plan)) call refuse(status, e, "the plan has no factor: call factor first")
+        if (status == hm_ok) n = self%data%mesh%n_points
+        allocate(found(n))
+        if (status == hm_ok) status = hm_c_plan_level(self%plan, int(level - 1, c_int32_t), found, n, e)
+        if (status >= 0) cells = int(found) + 1
+        if (present(n_cells)) n_cells = int(n)
+        call finish(status, e, stat, err)
+    end subroutine
+
     ! Functions solved on a coarse mesh, for this denser one of the same domain: the plan needs no factor.
     subroutine plan_transfer(self, coarse, coarse_mesh, basis, report, work, stat, err)
         class(hm_plan), intent(in) :: self
@@ -2375,6 +2408,7 @@ contains
         if (present(options)) then
             c_options%max_resolves = int(options%max_resolves, c_int32_t)
             c_options%skipped_rungs = int(options%skipped_rungs, c_int32_t)
+            c_options%heights = options%heights
         end if
         if (present(others)) then
             allocate(handles(size(others)))

@@ -875,6 +875,8 @@ contains
         type(hm_basis) :: its
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
+        integer(c_int64_t) :: sums(4 * 2 * n_control)
+        integer :: scale
         real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
         real(dp), dimension(n_points) :: a, b, dx, dy
         call basis%curves(curves)
@@ -892,19 +894,33 @@ contains
         move = some_move()
         call basis%displacement(move, a, b)
         call basis%adjoint(a, b, expected)
-        tasks_seen = 0
         call its%displacement(move, dx, dy, executor=four)
         call check(same(dx, a) .and. same(dy, b), "displacement on threads")
         call its%adjoint(dx, dy, gradient, executor=four)
-        call check(maxval(abs(gradient - expected)) <= 0 .and. tasks_seen > 0, "adjoint on threads")
+        call check(maxval(abs(gradient - expected)) <= 0, "adjoint on threads")
         call its%admissible_step(mesh, dx, dy, step, executor=four)
         call its%quality(mesh, x, y, quality, executor=four)
         call check(step%admissible > 0 .and. quality%inverted == 0, "step and quality on threads")
         call its%morph_to(move, x, y, a, b, executor=hm_openmp(2))
         call check(maxval(abs(a - x - dx)) < 1e-15_dp, "threads of OpenMP, if it is there")
+
+        ! Each of them hands the executor on: 300 threads are refused.
         four%n_threads = 300
         call its%displacement(move, dx, dy, executor=four, stat=stat)
-        call check(stat == hm_bad_argument, "300 threads")
+        call check(stat == hm_bad_argument, "displacement on 300 threads")
+        call its%adjoint(dx, dy, gradient, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "adjoint on 300 threads")
+        call its%admissible_step(mesh, dx, dy, step, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "step on 300 threads")
+        call its%quality(mesh, x, y, quality, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "quality on 300 threads")
+        call its%assess(mesh, dx, dy, step, quality, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "assessment on 300 threads")
+        scale = 0
+        call its%adjoint_scale(dx, dy, scale, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "scale on 300 threads")
+        call its%adjoint_sums(dx, dy, scale, sums, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "sums on 300 threads")
     end subroutine
 
     ! Operators, weights, engines and precisions: what they are is seen in the functions.
@@ -918,6 +934,8 @@ contains
         real(dp), target :: history(40)
         real(dp), dimension(n_points) :: laplace, a, b
         real(dp) :: error
+        integer, allocatable :: merged(:)
+        integer :: n_merged
         call solve(mesh, conformal)
         call conformal%info(info)
         call check(info%operator_kind == hm_conformal .and. info%exponent_quarters == 6 .and. &
@@ -965,6 +983,20 @@ contains
         call check(report%levels == 3 .and. report%iterations > 2 .and. report%iterations < 40, "its report")
         call check(all(history(:report%iterations) > 1e-10_dp) .and. history(report%iterations + 1) > 0 .and. &
             history(report%iterations + 1) <= 1e-10_dp, "its history")
+        call plan%level(2, merged, n_merged)
+        call check(n_merged > 0 .and. 2 * n_merged < n_points .and. maxval(merged) == n_merged .and. &
+            all(merged(:around) == 0) .and. count(merged == 0) == 2 * around, "its second level")
+        call plan%level(4, merged, stat=stat)
+        call check(stat == hm_bad_argument .and. .not. allocated(merged), "there is no fourth one")
+        options%engine = hm_fas
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
+        call other%free()
+        call plan%solve(other, report)
+        call other%values(3, a)
+        call check(maxval(abs(a - laplace)) < 1e-7_dp .and. report%iterations > 5, &
+            "the paper's iteration: the same again")
+        options%engine = hm_multigrid
         options%max_iterations = 1
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
         call plan%factor()
@@ -1053,8 +1085,8 @@ contains
 
         call its%conditions(known)
         call check(size(known) == 3, "three conditions are known")
-        call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. &
-            abs(known(1)%x - 10) + abs(known(1)%y - 5) <= 0 .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, &
+        call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. abs(known(1)%x - 10) + abs(known(1)%y - &
+            5) <= 0 .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, &
             "as they were given")
         call plan%analyse(channel, conditions=known)
         call plan%factor()
@@ -1118,7 +1150,7 @@ contains
         type(hm_safe_report) :: report
         type(hm_quality_report) :: quality
         real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
-        real(dp) :: move(2, n_control), error, block_x(around, rings), block_y(around, rings)
+        real(dp) :: move(2, n_control), error, ratio, block_x(around, rings), block_y(around, rings)
         real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
         real(dp), allocatable, target :: work(:)
         integer :: top
@@ -1163,6 +1195,16 @@ contains
         call laplace%quality(mesh, x_new, y_new, quality)
         call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, &
             "what was possible is valid")
+
+        ! A body that grows: conformal functions stretch the first layers, heights brings them back.
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%prepare()
+        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, report=report)
+        ratio = report%mean_height_ratio
+        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, options=hm_safe_options(heights=1._dp), &
+            report=report)
+        call check(report%heights > 0 .and. abs(report%mean_height_ratio - 1) < 0.8_dp * abs(ratio - 1), &
+            "heights of first layers are brought back")
 
         ! The derivative of several steps: on straight lines it times the movement is the movement.
         call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_weighted))
