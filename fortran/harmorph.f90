@@ -3,31 +3,37 @@
 !
 !     type(hm_mesh) :: mesh;  type(hm_curves) :: curves;  type(hm_plan) :: plan;  type(hm_basis) :: basis
 !     call mesh%points(x, y)                       the solver's own arrays, viewed, not copied: give them TARGET
-!     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj), y(ni,nj)
+!     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
 !     call mesh%faces(face_points, markers)        or lists; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
 !     call curves%fit(x(wall), y(wall), loop)      or curves%set and curves%add
-!     call plan%analyse(mesh, curves, [hm_condition(marker)])
+!     call plan%analyse(mesh, curves, [hm_condition(wing), hm_condition(tunnel, hm_slip)], options=options)
 !     call plan%factor()
 !     call plan%solve(basis)                       then plan%free(): the basis and the mesh are all that a morph needs
-!     call basis%morph(move, x, y)                 move(2,n_control); also morph_to, displacement, velocity, adjoint
-!     call basis%admissible_step(mesh, dx, dy, report);  call basis%quality(mesh, x, y, report)
+!     call basis%morph(move, x, y)                 move(2,functions); also morph_to, displacement, velocity, adjoint
+!     call basis%admissible_step(mesh, dx, dy, report);  call basis%quality(mesh, x, y, report);  assess: both
+!     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
+!     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !
-! Layouts       Coordinates are x(:), y(:), or structured x(:,:), y(:,:). Any constant distance from point to point is used
-!               as it lies: xy(1,:), xy(2,:) are not copied. Default reals, and blocks inside their ghost layers, work too
-!               but are converted in a copy at each call. Connectivity is contiguous; 8-byte integers are converted.
-! Mesh          hm_mesh keeps the places of the arrays given to points, cells, faces and lists: they must outlive mesh and
-!               plan and not be expressions. Of what had to be converted it has a copy: after such coordinates change, call
-!               points again.
-! Numbering     Everything counts from 1: points, cells, control points, functions, curves, pieces, conditions. (Texts of
-!               errors count curves, conditions and functions from 0.)
-! stat, err     stat: 0 done, above 0 a warning, below 0 refused: arrays are as before; a plan or basis that was to be made
-!               anew is empty. Without stat, what is refused stops the program with the reason. err holds it as well.
+! Operators     hm_options: the default is the conformal one; hm_laplace are the paper's harmonic functions.
+! Layouts       Coordinates are x(:), y(:), or structured x(:,:), y(:,:). Any constant distance from point to point is
+!               used as it lies: xy(1,:), xy(2,:) are not copied. Default reals, and blocks inside their ghost layers,
+!               work too but are converted in a copy at each call. Connectivity is contiguous; 8-byte integers are
+!               converted.
+! Mesh          hm_mesh keeps the places of the arrays given to points, cells, faces and lists: they must outlive mesh
+!               and plan and not be expressions. Of what had to be converted it has a copy: after such coordinates
+!               change, call points again.
+! Numbering     Everything counts from 1: points, cells, control points, functions, numbers of a value, curves, bodies,
+!               pieces, conditions, parts. (Texts of errors count curves, conditions and functions from 0.)
+! stat, err     stat: 0 done, above 0 a warning, below 0 refused: arrays are as before; a plan or basis that was to be
+!               made anew is empty. Without stat, what is refused stops the program with the reason. err holds it too.
 ! Memory        Blocks are allocated here and freed by the type's finalisation or free(). Or give `work`, as many 8-byte
-!               numbers as analysis_words, plan_words, basis_words, hm_fit_words say; it must not move while in use.
+!               numbers as the procedure whose name ends in _words says; it must not move while in use.
 ! Assignment    Of a mesh, plan or basis: stops the program, as two owners would free one block. Curves are plain data.
 ! Threads       hm_openmp(n), where this file is compiled with OpenMP; or your own procedure in an hm_executor.
+! Parts         Codes on several processes: share_of, init_share, extract, pack, unpack, adjoint_scale, _sums, _finish,
+!               see harmorph.h.
 module harmorph
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, &
         c_funloc, c_funptr, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, &
@@ -42,7 +48,8 @@ module harmorph
 
     integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3
     integer, parameter, public :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
-    integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, hm_not_positive = -8
+    integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
+        hm_not_positive = -8
     integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
     integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
@@ -50,7 +57,7 @@ module harmorph
     integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
     integer, parameter, public :: hm_periodic_pair = 5
     integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
-    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1
+    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1, hm_fas = 2
     integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
     integer, parameter, public :: hm_double = 0, hm_single = 1
     integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
@@ -189,6 +196,7 @@ module harmorph
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: max_resolves = 0, skipped_rungs = 0, n_others = 0, reserved = 0
         type(c_ptr) :: others = c_null_ptr
+        real(c_double) :: heights = 0
     end type
 
     type, bind(c), public :: hm_safe_report
@@ -198,7 +206,7 @@ module harmorph
         integer(c_int32_t) :: cell = 0, point = 0, untangled = 0, iterations = 0, crossing_points(4) = 0
         integer(c_int32_t) :: inverted = 0, min_quality_cell = 0
         real(c_double) :: min_quality = 0, mean_quality = 0, mean_angle_change = 0, max_angle_change = 0
-        real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0
+        real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0, heights = 0
         integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
     end type
 
@@ -266,17 +274,21 @@ module harmorph
         type(hm_executor) :: executor = hm_executor()           ! copied; its procedure must outlive the plan
         integer :: exponent_quarters = 0      ! 4 q of the weight 1 / d**q, or hm_no_weight
         logical :: offset_correction = .false.
-        integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0     ! hm_multigrid
-        real(c_double), pointer, contiguous :: history(:) => null()     ! of its residuals; must outlive the plan
         integer :: precision = hm_double
+        ! hm_multigrid and hm_fas only; the history of its residuals must outlive the plan.
+        integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0
+        real(c_double), pointer, contiguous :: history(:) => null()
     end type
 
     type, public :: hm_safe_options           ! of morph_safe; 0 are the defaults
         integer :: max_resolves = 0
         integer :: skipped_rungs = 0          ! sum of 2**hm_rung_... of those not to be tried
+        real(c_double) :: heights = 0         ! 0 .. 1: how far distances from the walls are brought back
     end type
 
-    type, public :: hm_condition              ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=.25d0)
+    ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=0.25d0), hm_condition(6, hm_periodic_pair,
+    ! partner=7)
+    type, public :: hm_condition
         integer :: marker = 0
         integer :: kind = hm_on_curve
         integer :: first_curve = 1, n_curves = 1
@@ -328,8 +340,8 @@ module harmorph
     type :: integers                          ! an array that hm_mesh had to convert
         integer(c_int32_t), pointer :: at(:) => null()
     end type
-    integer, parameter :: in_start = 1, in_cells = 2, in_faces = 3, in_face_markers = 4, in_list_start = 5, in_lists = 6, &
-        in_list_markers = 7
+    integer, parameter :: in_start = 1, in_cells = 2, in_faces = 3, in_face_markers = 4, in_list_start = 5, &
+        in_lists = 6, in_list_markers = 7
 
     type, public :: hm_mesh
         private
@@ -383,6 +395,7 @@ module harmorph
         procedure, private :: plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         generic :: factor => plan_factor, factor_v8, factor_v4, factor_b8, factor_b4
         procedure :: solve => plan_solve
+        procedure :: level => plan_level
         procedure :: transfer => plan_transfer
         procedure :: transfer_words => plan_transfer_words
         procedure, private :: morph_safe_v8, morph_safe_v4, morph_safe_b8, morph_safe_b4
@@ -457,40 +470,31 @@ module harmorph
     public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, hm_c_curve_point, &
         hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
-        hm_c_plan_solve, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_conditions, &
-        hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, hm_c_boundary_error, &
-        hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_parcel_size, &
-        hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, hm_c_adjoint_finish, &
-        hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
+        hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, &
+        hm_c_basis_conditions, hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, &
+        hm_c_boundary_error, hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
+        hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
+        hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
 
     interface
-        function hm_c_abi_version() result(version) bind(c, name="hm_abi_version")
-            import :: c_int32_t
-            implicit none
-            integer(c_int32_t) :: version
+        integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
+            import
         end function
-        function hm_c_version() result(text) bind(c, name="hm_version")
-            import :: c_ptr
-            implicit none
-            type(c_ptr) :: text
+        type(c_ptr) function hm_c_version() bind(c, name="hm_version")
+            import
         end function
-        function hm_c_status_name(status) result(text) bind(c, name="hm_status_name")
-            import :: c_int32_t, c_ptr
-            implicit none
+        type(c_ptr) function hm_c_status_name(status) bind(c, name="hm_status_name")
+            import
             integer(c_int32_t), value, intent(in) :: status
-            type(c_ptr) :: text
         end function
-        function hm_c_curves_check(curves, err) result(status) bind(c, name="hm_curves_check")
-            import :: c_int32_t, hm_c_curves, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_curves_check(curves, err) bind(c, name="hm_curves_check")
+            import
             type(hm_c_curves), intent(in) :: curves
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_curve_basis(curves, curve, u, n_derivatives, control, values, err) result(status) bind(c, &
-            name="hm_curve_basis")
-            import :: c_double, c_int32_t, hm_c_curves, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_curve_basis(curves, curve, u, n_derivatives, control, values, err) &
+            bind(c, name="hm_curve_basis")
+            import
             type(hm_c_curves), intent(in) :: curves
             integer(c_int32_t), value, intent(in) :: curve
             real(c_double), value, intent(in) :: u
@@ -498,42 +502,36 @@ module harmorph
             integer(c_int32_t), intent(inout) :: control(*)
             real(c_double), intent(inout) :: values(*)
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_curve_point(curves, curve, u, n_derivatives, xy, err) result(status) bind(c, name="hm_curve_point")
-            import :: c_double, c_int32_t, hm_c_curves, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_curve_point(curves, curve, u, n_derivatives, xy, err) &
+            bind(c, name="hm_curve_point")
+            import
             type(hm_c_curves), intent(in) :: curves
             integer(c_int32_t), value, intent(in) :: curve
             real(c_double), value, intent(in) :: u
             integer(c_int32_t), value, intent(in) :: n_derivatives
             real(c_double), intent(inout) :: xy(*)
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_curve_project(curves, curve, x, y, u, distance, err) result(status) bind(c, name="hm_curve_project")
-            import :: c_double, c_int32_t, hm_c_curves, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_curve_project(curves, curve, x, y, u, distance, err) &
+            bind(c, name="hm_curve_project")
+            import
             type(hm_c_curves), intent(in) :: curves
             integer(c_int32_t), value, intent(in) :: curve
             real(c_double), value, intent(in) :: x, y
             real(c_double), intent(inout) :: u, distance
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_fit_size(n, options, bytes, err) result(status) bind(c, name="hm_fit_size")
-            import :: c_int32_t, c_size_t, hm_c_error, hm_c_fit_options
-            implicit none
+        integer(c_int32_t) function hm_c_fit_size(n, options, bytes, err) bind(c, name="hm_fit_size")
+            import
             integer(c_int32_t), value, intent(in) :: n
             type(hm_c_fit_options), intent(in) :: options
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_fit(curves, block, bytes, x, y, stride, n, is_loop, options, report, err) result(status) bind(c, &
-            name="hm_fit")
-            import :: c_int32_t, c_int64_t, c_ptr, c_size_t, hm_c_error, hm_c_fit_options, hm_fit_report
-            implicit none
+        integer(c_int32_t) function hm_c_fit(curves, block, bytes, x, y, stride, n, is_loop, options, report, err) &
+            bind(c, name="hm_fit")
+            import
             type(c_ptr), intent(inout) :: curves
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
@@ -543,41 +541,33 @@ module harmorph
             type(hm_c_fit_options), intent(in) :: options
             type(hm_fit_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_analysis_size(problem, options, bytes, err) result(status) bind(c, name="hm_analysis_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_problem
-            implicit none
+        integer(c_int32_t) function hm_c_analysis_size(problem, options, bytes, err) bind(c, name="hm_analysis_size")
+            import
             type(hm_c_problem), intent(in) :: problem
             type(c_ptr), value, intent(in) :: options
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_analysis_init(analysis, block, bytes, problem, options, err) result(status) bind(c, &
-            name="hm_analysis_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_problem
-            implicit none
+        integer(c_int32_t) function hm_c_analysis_init(analysis, block, bytes, problem, options, err) &
+            bind(c, name="hm_analysis_init")
+            import
             type(c_ptr), intent(inout) :: analysis
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
             type(hm_c_problem), intent(in) :: problem
             type(c_ptr), value, intent(in) :: options
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_analysis_report(analysis, report, err) result(status) bind(c, name="hm_analysis_report")
-            import :: c_int32_t, c_ptr, hm_c_error, hm_mesh_report
-            implicit none
+        integer(c_int32_t) function hm_c_analysis_report(analysis, report, err) bind(c, name="hm_analysis_report")
+            import
             type(c_ptr), value, intent(in) :: analysis
             type(hm_mesh_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_analysis_boundary(analysis, n_markers, markers, piece, points, capacity, n, is_loop, &
-            err) result(status) bind(c, name="hm_analysis_boundary")
-            import :: c_int32_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_analysis_boundary(analysis, n_markers, markers, piece, points, capacity, n, &
+            is_loop, err) bind(c, name="hm_analysis_boundary")
+            import
             type(c_ptr), value, intent(in) :: analysis
             integer(c_int32_t), value, intent(in) :: n_markers
             integer(c_int32_t), intent(in) :: markers(*)
@@ -586,132 +576,114 @@ module harmorph
             integer(c_int32_t), value, intent(in) :: capacity
             integer(c_int32_t), intent(inout) :: n, is_loop
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_plan_size(analysis, bytes, err) result(status) bind(c, name="hm_plan_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_plan_size(analysis, bytes, err) bind(c, name="hm_plan_size")
+            import
             type(c_ptr), value, intent(in) :: analysis
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_plan_init(plan, block, bytes, analysis, err) result(status) bind(c, name="hm_plan_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_plan_init(plan, block, bytes, analysis, err) bind(c, name="hm_plan_init")
+            import
             type(c_ptr), intent(inout) :: plan
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: analysis
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_size(analysis, bytes, err) result(status) bind(c, name="hm_basis_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_size(analysis, bytes, err) bind(c, name="hm_basis_size")
+            import
             type(c_ptr), value, intent(in) :: analysis
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_init(basis, block, bytes, analysis, err) result(status) bind(c, name="hm_basis_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_init(basis, block, bytes, analysis, err) bind(c, name="hm_basis_init")
+            import
             type(c_ptr), intent(inout) :: basis
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: analysis
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_plan_factor(plan, x, y, stride, err) result(status) bind(c, name="hm_plan_factor")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_plan_factor(plan, x, y, stride, err) bind(c, name="hm_plan_factor")
+            import
             type(c_ptr), value, intent(in) :: plan, x, y
             integer(c_int64_t), value, intent(in) :: stride
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_plan_solve(plan, basis, report, err) result(status) bind(c, name="hm_plan_solve")
-            import :: c_int32_t, c_ptr, hm_c_error, hm_solve_report
-            implicit none
+        integer(c_int32_t) function hm_c_plan_solve(plan, basis, report, err) bind(c, name="hm_plan_solve")
+            import
             type(c_ptr), value, intent(in) :: plan, basis
             type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_attach(basis, block, bytes, mesh, err) result(status) bind(c, name="hm_basis_attach")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_plan_level(plan, level, cells, n_cells, err) bind(c, name="hm_plan_level")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), value, intent(in) :: level
+            integer(c_int32_t), intent(inout) :: cells(*), n_cells
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_attach(basis, block, bytes, mesh, err) bind(c, name="hm_basis_attach")
+            import
             type(c_ptr), intent(inout) :: basis
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: mesh
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_info_get(basis, info, err) result(status) bind(c, name="hm_basis_info_get")
-            import :: c_int32_t, c_ptr, hm_c_basis_info, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_info_get(basis, info, err) bind(c, name="hm_basis_info_get")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_basis_info), intent(inout) :: info
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_curves(basis, out, curve, capacity, err) result(status) bind(c, name="hm_basis_curves")
-            import :: c_int32_t, c_ptr, hm_c_curve, hm_c_curves, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_curves(basis, out, curve, capacity, err) bind(c, name="hm_basis_curves")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_curves), intent(inout) :: out
             type(hm_c_curve), intent(inout) :: curve(*)
             integer(c_int32_t), value, intent(in) :: capacity
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_conditions(basis, out, capacity, n, err) result(status) bind(c, name="hm_basis_conditions")
-            import :: c_int32_t, c_ptr, hm_c_condition, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_conditions(basis, out, capacity, n, err) &
+            bind(c, name="hm_basis_conditions")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_condition), intent(inout) :: out(*)
             integer(c_int32_t), value, intent(in) :: capacity
             integer(c_int32_t), intent(inout) :: n
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_basis_values(basis, function, number, values, err) result(status) bind(c, name="hm_basis_values")
-            import :: c_int32_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_basis_values(basis, function, number, values, err) &
+            bind(c, name="hm_basis_values")
+            import
             type(c_ptr), value, intent(in) :: basis
             integer(c_int32_t), value, intent(in) :: function, number
             type(c_ptr), value, intent(in) :: values
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_transfer_size(analysis, coarse_mesh, bytes, err) result(status) bind(c, name="hm_transfer_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_mesh
-            implicit none
+        integer(c_int32_t) function hm_c_transfer_size(analysis, coarse_mesh, bytes, err) &
+            bind(c, name="hm_transfer_size")
+            import
             type(c_ptr), value, intent(in) :: analysis
             type(hm_c_mesh), intent(in) :: coarse_mesh
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_transfer(basis, block, bytes, analysis, coarse, coarse_mesh, report, err) result(status) &
+        integer(c_int32_t) function hm_c_transfer(basis, block, bytes, analysis, coarse, coarse_mesh, report, err) &
             bind(c, name="hm_transfer")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_c_mesh, hm_transfer_report
-            implicit none
+            import
             type(c_ptr), value, intent(in) :: basis, block
             integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: analysis, coarse
             type(hm_c_mesh), intent(in) :: coarse_mesh
             type(hm_transfer_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_morph(basis, move, x, y, stride, x_new, y_new, stride_new, executor, err) result(status) bind(c, &
-            name="hm_morph")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_morph(basis, move, x, y, stride, x_new, y_new, stride_new, executor, err) &
+            bind(c, name="hm_morph")
+            import
             type(c_ptr), value, intent(in) :: basis
             real(c_double), intent(in) :: move(*)
             type(c_ptr), value, intent(in) :: x, y
@@ -720,22 +692,19 @@ module harmorph
             integer(c_int64_t), value, intent(in) :: stride_new
             type(c_ptr), value, intent(in) :: executor
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_adjoint(basis, dj_dx, dj_dy, stride, gradient, executor, err) result(status) bind(c, name="hm_adjoint")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_adjoint(basis, dj_dx, dj_dy, stride, gradient, executor, err) &
+            bind(c, name="hm_adjoint")
+            import
             type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy
             integer(c_int64_t), value, intent(in) :: stride
             real(c_double), intent(inout) :: gradient(*)
             type(c_ptr), value, intent(in) :: executor
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_boundary_error(basis, move, x, y, stride, x_new, y_new, stride_new, error, point, &
-            err) result(status) bind(c, name="hm_boundary_error")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_boundary_error(basis, move, x, y, stride, x_new, y_new, stride_new, error, &
+            point, err) bind(c, name="hm_boundary_error")
+            import
             type(c_ptr), value, intent(in) :: basis
             real(c_double), intent(in) :: move(*)
             type(c_ptr), value, intent(in) :: x, y
@@ -745,21 +714,17 @@ module harmorph
             real(c_double), intent(inout) :: error
             integer(c_int32_t), intent(inout) :: point
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_extract_size(basis, n, bytes, err) result(status) bind(c, name="hm_extract_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_extract_size(basis, n, bytes, err) bind(c, name="hm_extract_size")
+            import
             type(c_ptr), value, intent(in) :: basis
             integer(c_int32_t), value, intent(in) :: n
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_extract_init(rows, block, bytes, basis, n, points, err) result(status) bind(c, &
-            name="hm_extract_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_extract_init(rows, block, bytes, basis, n, points, err) &
+            bind(c, name="hm_extract_init")
+            import
             type(c_ptr), intent(inout) :: rows
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
@@ -767,103 +732,84 @@ module harmorph
             integer(c_int32_t), value, intent(in) :: n
             integer(c_int32_t), intent(in) :: points(*)
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_share_of(analysis, part, n_parts, first, n, err) result(status) bind(c, name="hm_share_of")
-            import :: c_int32_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_share_of(analysis, part, n_parts, first, n, err) bind(c, name="hm_share_of")
+            import
             type(c_ptr), value, intent(in) :: analysis
             integer(c_int32_t), value, intent(in) :: part, n_parts
             integer(c_int32_t), intent(inout) :: first, n
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_share_size(analysis, first, n, bytes, err) result(status) bind(c, name="hm_share_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_share_size(analysis, first, n, bytes, err) bind(c, name="hm_share_size")
+            import
             type(c_ptr), value, intent(in) :: analysis
             integer(c_int32_t), value, intent(in) :: first, n
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_share_init(share, block, bytes, analysis, first, n, err) result(status) bind(c, &
-            name="hm_share_init")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_share_init(share, block, bytes, analysis, first, n, err) &
+            bind(c, name="hm_share_init")
+            import
             type(c_ptr), intent(inout) :: share
             type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
             type(c_ptr), value, intent(in) :: analysis
             integer(c_int32_t), value, intent(in) :: first, n
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_parcel_size(share, n, doubles, err) result(status) bind(c, name="hm_parcel_size")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_parcel_size(share, n, doubles, err) bind(c, name="hm_parcel_size")
+            import
             type(c_ptr), value, intent(in) :: share
             integer(c_int32_t), value, intent(in) :: n
             integer(c_int64_t), intent(inout) :: doubles
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_parcel_pack(share, n, points, parcel, err) result(status) bind(c, name="hm_parcel_pack")
-            import :: c_double, c_int32_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_parcel_pack(share, n, points, parcel, err) bind(c, name="hm_parcel_pack")
+            import
             type(c_ptr), value, intent(in) :: share
             integer(c_int32_t), value, intent(in) :: n
             integer(c_int32_t), intent(in) :: points(*)
             real(c_double), intent(inout) :: parcel(*)
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_parcel_unpack(rows, parcel, doubles, err) result(status) bind(c, name="hm_parcel_unpack")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_parcel_unpack(rows, parcel, doubles, err) bind(c, name="hm_parcel_unpack")
+            import
             type(c_ptr), value, intent(in) :: rows
             real(c_double), intent(in) :: parcel(*)
             integer(c_int64_t), value, intent(in) :: doubles
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_adjoint_scale(basis, dj_dx, dj_dy, stride, scale, executor, err) result(status) bind(c, &
-            name="hm_adjoint_scale")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_adjoint_scale(basis, dj_dx, dj_dy, stride, scale, executor, err) &
+            bind(c, name="hm_adjoint_scale")
+            import
             type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy
             integer(c_int64_t), value, intent(in) :: stride
             integer(c_int32_t), intent(inout) :: scale
             type(c_ptr), value, intent(in) :: executor
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_adjoint_sums(basis, dj_dx, dj_dy, stride, scale, sums, executor, err) result(status) bind(c, &
-            name="hm_adjoint_sums")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_adjoint_sums(basis, dj_dx, dj_dy, stride, scale, sums, executor, err) &
+            bind(c, name="hm_adjoint_sums")
+            import
             type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy
             integer(c_int64_t), value, intent(in) :: stride
             integer(c_int32_t), value, intent(in) :: scale
             integer(c_int64_t), intent(inout) :: sums(*)
             type(c_ptr), value, intent(in) :: executor
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_adjoint_finish(basis, scale, sums, gradient, err) result(status) bind(c, name="hm_adjoint_finish")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_adjoint_finish(basis, scale, sums, gradient, err) &
+            bind(c, name="hm_adjoint_finish")
+            import
             type(c_ptr), value, intent(in) :: basis
             integer(c_int32_t), value, intent(in) :: scale
             integer(c_int64_t), intent(in) :: sums(*)
             real(c_double), intent(inout) :: gradient(*)
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) result(status) bind(c, &
-            name="hm_admissible_step")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_step_report
-            implicit none
+        integer(c_int32_t) function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) &
+            bind(c, name="hm_admissible_step")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_mesh), intent(in) :: mesh
             type(c_ptr), value, intent(in) :: dx, dy
@@ -871,12 +817,10 @@ module harmorph
             type(c_ptr), value, intent(in) :: executor
             type(hm_step_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, report, &
-            err) result(status) bind(c, name="hm_quality")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_quality_report
-            implicit none
+        integer(c_int32_t) function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, &
+            report, err) bind(c, name="hm_quality")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_mesh), intent(in) :: mesh
             type(c_ptr), value, intent(in) :: x, y
@@ -886,12 +830,10 @@ module harmorph
             type(c_ptr), value, intent(in) :: executor
             type(hm_quality_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_assess(basis, mesh, dx, dy, stride, executor, step, quality, err) result(status) bind(c, &
-            name="hm_assess")
-            import :: c_int32_t, c_int64_t, c_ptr, hm_c_error, hm_c_mesh, hm_quality_report, hm_step_report
-            implicit none
+        integer(c_int32_t) function hm_c_assess(basis, mesh, dx, dy, stride, executor, step, quality, err) &
+            bind(c, name="hm_assess")
+            import
             type(c_ptr), value, intent(in) :: basis
             type(hm_c_mesh), intent(in) :: mesh
             type(c_ptr), value, intent(in) :: dx, dy
@@ -900,20 +842,16 @@ module harmorph
             type(hm_step_report), intent(inout) :: step
             type(hm_quality_report), intent(inout) :: quality
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_morph_safe_size(plan, bytes, err) result(status) bind(c, name="hm_morph_safe_size")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error
-            implicit none
+        integer(c_int32_t) function hm_c_morph_safe_size(plan, bytes, err) bind(c, name="hm_morph_safe_size")
+            import
             type(c_ptr), value, intent(in) :: plan
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
-        function hm_c_morph_safe(plan, basis, move, x_new, y_new, stride_new, derivative, work, bytes, options, &
-            report, err) result(status) bind(c, name="hm_morph_safe")
-            import :: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t, hm_c_error, hm_c_safe_options, hm_safe_report
-            implicit none
+        integer(c_int32_t) function hm_c_morph_safe(plan, basis, move, x_new, y_new, stride_new, derivative, work, &
+            bytes, options, report, err) bind(c, name="hm_morph_safe")
+            import
             type(c_ptr), value, intent(in) :: plan, basis
             real(c_double), intent(in) :: move(*)
             type(c_ptr), value, intent(in) :: x_new, y_new
@@ -923,7 +861,6 @@ module harmorph
             type(hm_c_safe_options), intent(in) :: options
             type(hm_safe_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
-            integer(c_int32_t) :: status
         end function
     end interface
 
@@ -1263,7 +1200,7 @@ contains
         if (associated(copy)) deallocate(copy)
     end subroutine
 
-    ! Results go from the copy, where there is one, to the caller's arrays. Double vectors are always used where they lie.
+    ! Results go from the copy, where there is one, to the caller's arrays. Double vectors need none.
     subroutine put_back_b8(v, x, y)
         type(view), intent(inout) :: v
         real(c_double), intent(inout) :: x(:, :), y(:, :)
@@ -1443,7 +1380,8 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         if (refused(size(start) /= size(markers) + 1, "lists wants start(n+1), markers(n)", stat, err)) return
-        if (refused(start(size(start)) - self%c%index_base > size(points), "lists: points is too short", stat, err)) return
+        if (refused(start(size(start)) - self%c%index_base > size(points), "lists: points is too short", stat, &
+            err)) return
         if (refused(.not. is_contiguous(points), "points is not contiguous", stat, err)) return
         self%c%list_points = place_1(points)
         if (refused(.not. is_contiguous(start), "start is not contiguous", stat, err)) return
@@ -1459,7 +1397,8 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         if (refused(size(start) /= size(markers) + 1, "lists wants start(n+1), markers(n)", stat, err)) return
-        if (refused(start(size(start)) - self%c%index_base > size(points), "lists: points is too short", stat, err)) return
+        if (refused(start(size(start)) - self%c%index_base > size(points), "lists: points is too short", stat, &
+            err)) return
         call convert(self%converted(in_lists), points, size(points, kind=c_int64_t), self%c%list_points)
         call convert(self%converted(in_list_start), start, size(start, kind=c_int64_t), self%c%list_start)
         call convert(self%converted(in_list_markers), markers, size(markers, kind=c_int64_t), self%c%list_markers)
@@ -1707,7 +1646,8 @@ contains
         end if
         if (size(curves%control, 1) /= 2) call refuse(status, e, "curves%control is not (2,n_control)")
         if (allocated(curves%weights)) then
-            if (size(curves%weights) /= size(curves%control, 2)) call refuse(status, e, "one weight for each control point")
+            if (size(curves%weights) /= size(curves%control, 2)) call refuse(status, e, &
+                "one weight for each control point")
         end if
         do k = 1, size(curves%curve)
             if (.not. allocated(curves%curve(k)%knots)) then
@@ -1982,8 +1922,8 @@ contains
         call take(block, bytes, work, status, e)
         if (status == hm_ok) then
             its%struct_size = int(c_sizeof(its), c_int64_t)
-            status = hm_c_fit(made, block%start, block%bytes, v%x, v%y, v%stride, n, merge(1_c_int32_t, 0_c_int32_t, loop), &
-                options, its, e)
+            status = hm_c_fit(made, block%start, block%bytes, v%x, v%y, v%stride, n, merge(1_c_int32_t, 0_c_int32_t, &
+                loop), options, its, e)
         end if
         if (status >= 0) then
             call c_f_pointer(made, set)
@@ -2085,7 +2025,8 @@ contains
     end function
 
     ! 8-byte numbers of work that an analysis needs; the arguments are those of analyse.
-    subroutine hm_analysis_words(words, mesh, curves, conditions, given_points, given_curves, given_u, options, stat, err)
+    subroutine hm_analysis_words(words, mesh, curves, conditions, given_points, given_curves, given_u, options, stat, &
+        err)
         integer(c_int64_t), intent(inout) :: words
         type(hm_mesh), intent(in) :: mesh
         type(hm_curves), intent(in), optional :: curves
@@ -2106,9 +2047,10 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! Checks mesh, curves and conditions, and orders the unknowns. Without curves or rigid bodies: the mesh alone. What the
-    ! plan had before is forgotten. given_*: curve points whose parameters are known.
-    subroutine plan_analyse(self, mesh, curves, conditions, given_points, given_curves, given_u, options, work, stat, err)
+    ! Checks mesh, curves and conditions, and orders the unknowns. Without curves or rigid bodies: the mesh alone. What
+    ! the plan had before is forgotten. given_*: curve points whose parameters are known.
+    subroutine plan_analyse(self, mesh, curves, conditions, given_points, given_curves, given_u, options, work, stat, &
+        err)
         class(hm_plan), intent(inout) :: self
         type(hm_mesh), intent(in) :: mesh
         type(hm_curves), intent(in), optional :: curves
@@ -2178,8 +2120,8 @@ contains
         is_loop = 0
         do k = 1, 2                           ! first without room, to learn how many there are
             allocate(found(n))
-            if (status == hm_ok .or. k == 2) status = hm_c_analysis_boundary(self%analysis, int(size(markers), c_int32_t), &
-                its_markers, its_piece, found, n, n, is_loop, e)
+            if (status == hm_ok .or. k == 2) status = hm_c_analysis_boundary(self%analysis, int(size(markers), &
+                c_int32_t), its_markers, its_piece, found, n, n, is_loop, e)
             if (.not. (k == 1 .and. status == hm_bad_argument .and. n > 0)) exit
             deallocate(found)
         end do
@@ -2257,7 +2199,8 @@ contains
             if (prepared < 0) call refuse(status, e, trim(reason%text), prepared)
         end if
         if (v%wrong /= "") call refuse(status, e, v%wrong)
-        if (status == hm_ok .and. c_associated(v%x)) call check_count(v, int(self%data%mesh%n_points, c_int64_t), status, e)
+        if (status == hm_ok .and. c_associated(v%x)) call check_count(v, int(self%data%mesh%n_points, c_int64_t), &
+            status, e)
         if (status == hm_ok) status = hm_c_plan_factor(self%plan, v%x, v%y, v%stride, e)
         call drop(v)
         call finish(status, e, stat, err)
@@ -2320,6 +2263,29 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
+    ! Where agglomeration merged the mesh, after factor with an engine that has levels: in which cell of a level, 1 the
+    ! finest, each point's control volume is; 0: a point whose value is known. cells(n_points) has values up to n_cells.
+    subroutine plan_level(self, level, cells, n_cells, stat, err)
+        class(hm_plan), intent(in) :: self
+        integer, intent(in) :: level
+        integer, allocatable, intent(out) :: cells(:)
+        integer, intent(out), optional :: n_cells
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status, n
+        integer(c_int32_t), allocatable :: found(:)
+        status = hm_ok
+        n = 0
+        if (.not. c_associated(self%plan)) call refuse(status, e, "the plan has no factor: call factor first")
+        if (status == hm_ok) n = self%data%mesh%n_points
+        allocate(found(n))
+        if (status == hm_ok) status = hm_c_plan_level(self%plan, int(level - 1, c_int32_t), found, n, e)
+        if (status >= 0) cells = int(found) + 1
+        if (present(n_cells)) n_cells = int(n)
+        call finish(status, e, stat, err)
+    end subroutine
+
     ! Functions solved on a coarse mesh, for this denser one of the same domain: the plan needs no factor.
     subroutine plan_transfer(self, coarse, coarse_mesh, basis, report, work, stat, err)
         class(hm_plan), intent(in) :: self
@@ -2347,8 +2313,8 @@ contains
         if (status == hm_ok) status = hm_c_transfer_size(self%analysis, c_mesh_of(coarse_mesh), bytes, e)
         call take(block, bytes, work, status, e)
         its%struct_size = int(c_sizeof(its), c_int64_t)
-        if (status == hm_ok) status = hm_c_transfer(basis%handle, block%start, block%bytes, self%analysis, coarse%handle, &
-            c_mesh_of(coarse_mesh), its, e)
+        if (status == hm_ok) status = hm_c_transfer(basis%handle, block%start, block%bytes, self%analysis, &
+            coarse%handle, c_mesh_of(coarse_mesh), its, e)
         if (present(report)) report = its
         call give_back(block)
         call finish(status, e, stat, err)
@@ -2360,7 +2326,8 @@ contains
         type(hm_c_error) :: e
         integer(c_size_t) :: bytes
         plan_transfer_words = 0
-        if (hm_c_transfer_size(self%analysis, c_mesh_of(coarse_mesh), bytes, e) >= 0) plan_transfer_words = words_of(bytes)
+        if (hm_c_transfer_size(self%analysis, c_mesh_of(coarse_mesh), bytes, &
+            e) >= 0) plan_transfer_words = words_of(bytes)
     end function
 
     ! Which functions part k of n_parts may solve; n is 0 where there are more parts than functions.
@@ -2425,7 +2392,7 @@ contains
         integer(c_size_t) :: bytes
         integer :: k, made
         status = hm_ok
-        if (.not. c_associated(self%plan)) call refuse(status, e, "the plan has no factor: call factor first")
+        if (.not. c_associated(self%plan)) call refuse(status, e, "the plan is empty: call prepare or factor first")
         call need_basis(basis, status, e)
         call check_pairs_of_control(basis, move, status, e)
         call check_count(to, basis%n_points, status, e)
@@ -2441,6 +2408,7 @@ contains
         if (present(options)) then
             c_options%max_resolves = int(options%max_resolves, c_int32_t)
             c_options%skipped_rungs = int(options%skipped_rungs, c_int32_t)
+            c_options%heights = options%heights
         end if
         if (present(others)) then
             allocate(handles(size(others)))
@@ -2453,17 +2421,18 @@ contains
         if (status == hm_ok) status = hm_c_morph_safe_size(self%plan, bytes, e)
         call take(block, bytes, work, status, e)
         its%struct_size = int(c_sizeof(its), c_int64_t)
-        if (status == hm_ok) status = hm_c_morph_safe(self%plan, basis%handle, move, to%x, to%y, to%stride, sum_of_steps, &
-            block%start, block%bytes, c_options, its, e)
+        if (status == hm_ok) status = hm_c_morph_safe(self%plan, basis%handle, move, to%x, to%y, to%stride, &
+            sum_of_steps, block%start, block%bytes, c_options, its, e)
         its%other = its%other + 1_c_int32_t
         if (present(report)) report = its
         call give_back(block)
         call finish(status, e, stat, err)
     end subroutine
 
-    ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all of
-    ! move. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole, made here
-    ! if empty. others: bases to be tried where this one would invert cells. The report counts them from 1; 0: none.
+    ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all
+    ! of move. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole,
+    ! made here if empty. others: bases to be tried where this one would invert cells; the report counts them from 1,
+    ! 0: none.
     subroutine morph_safe_v8(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
         class(hm_plan), intent(inout) :: self
         type(hm_basis), intent(in) :: basis
@@ -2573,7 +2542,8 @@ contains
         call need_analysis(plan, status, e)
         if (status == hm_ok) status = hm_c_basis_size(plan%analysis, bytes, e)
         call take(self%memory, bytes, work, status, e)
-        if (status == hm_ok) status = hm_c_basis_init(self%handle, self%memory%start, self%memory%bytes, plan%analysis, e)
+        if (status == hm_ok) status = hm_c_basis_init(self%handle, self%memory%start, self%memory%bytes, &
+            plan%analysis, e)
         call know_basis(self, status)
         call finish(status, e, stat, err)
     end subroutine
@@ -2592,10 +2562,11 @@ contains
         call self%free()
         status = hm_ok
         call need_analysis(plan, status, e)
-        if (status == hm_ok) status = hm_c_share_size(plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), bytes, e)
+        if (status == hm_ok) status = hm_c_share_size(plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), &
+            bytes, e)
         call take(self%memory, bytes, work, status, e)
-        if (status == hm_ok) status = hm_c_share_init(self%handle, self%memory%start, self%memory%bytes, plan%analysis, &
-            int(first - 1, c_int32_t), int(n, c_int32_t), e)
+        if (status == hm_ok) status = hm_c_share_init(self%handle, self%memory%start, self%memory%bytes, &
+            plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), e)
         call know_basis(self, status)
         call finish(status, e, stat, err)
     end subroutine
@@ -2623,7 +2594,7 @@ contains
         end if
     end subroutine
 
-    ! A basis that lies in an array already: shared memory, a message, a file that was read. With a mesh: is it the mesh's?
+    ! A basis that lies in an array already: shared memory, a message, a file. With a mesh: is it the mesh's?
     subroutine basis_attach(self, block, mesh, stat, err)
         class(hm_basis), intent(inout) :: self
         real(c_double), intent(inout), target :: block(:)
@@ -2769,7 +2740,8 @@ contains
         class(hm_basis), intent(in) :: self
         integer(c_int32_t), intent(inout) :: status
         type(hm_c_error), intent(inout) :: e
-        if (.not. c_associated(self%handle)) call refuse(status, e, "the basis is empty: solve, read or attach it first")
+        if (.not. c_associated(self%handle)) call refuse(status, e, &
+            "the basis is empty: solve, read or attach it first")
     end subroutine
 
     subroutine basis_info(self, info, stat, err)
@@ -2834,7 +2806,8 @@ contains
         end do
         if (status >= 0) then
             conditions = [(hm_condition(int(list(k)%marker), int(list(k)%kind), int(list(k)%first_curve) + 1, &
-                int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y), k = 1, int(n))]
+                int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y), k = 1, &
+                int(n))]
         end if
         call finish(status, e, stat, err)
     end subroutine
@@ -2903,7 +2876,7 @@ contains
         type(hm_c_error), intent(inout) :: e
         character(len=112) :: text
         if (size(pairs, 1) == 2 .and. size(pairs, 2, kind=c_int64_t) == self%n_functions) return
-        write(text, "(a, i0, a)") "an array of control points must be (2,", self%n_functions, ")"
+        write(text, "(a, i0, a)") "a movement, or a gradient, must be (2,", self%n_functions, ")"
         call refuse(status, e, text)
     end subroutine
 
@@ -2925,7 +2898,8 @@ contains
         call need_basis(self, status, e)
         call check_count(view(n=room), self%n_points, status, e)
         if (function < 1 .or. function > self%n_functions) call refuse(status, e, "there is no function of this number")
-        if (its_number < 1 .or. its_number > self%n_numbers) call refuse(status, e, "values have no number of this number")
+        if (its_number < 1 .or. its_number > self%n_numbers) call refuse(status, e, &
+            "values have no number of this number")
         if (status == hm_ok) then
             allocate(values(self%n_points))
             status = hm_c_basis_values(self%handle, int(function - 1, c_int32_t), int(its_number - 1, c_int32_t), &
@@ -3000,8 +2974,8 @@ contains
         call check_pairs_of_control(self, move, status, e)
         if (c_associated(from%x) .or. from%wrong /= "") call check_count(from, self%n_points, status, e)
         call check_count(to, self%n_points, status, e)
-        if (status == hm_ok) status = hm_c_morph(self%handle, move, from%x, from%y, from%stride, to%x, to%y, to%stride, &
-            c_executor_of(executor, threads), e)
+        if (status == hm_ok) status = hm_c_morph(self%handle, move, from%x, from%y, from%stride, to%x, to%y, &
+            to%stride, c_executor_of(executor, threads), e)
         call finish(status, e, stat, err)
     end subroutine
 
@@ -3478,7 +3452,7 @@ contains
         call finish(status, e, stat, err)
     end subroutine
 
-    ! assess(mesh, dx, dy, step, quality): both in one pass, quality where the displacement leads, before anything moves.
+    ! assess(mesh, dx, dy, step, quality): both in one pass, the quality where dx, dy lead, before anything moves.
     subroutine assess_v8(self, mesh, dx, dy, step, quality, executor, stat, err)
         class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
@@ -3527,7 +3501,7 @@ contains
         call judge(self, mesh, view_of(dx, dy), step, quality, executor, stat, err)
     end subroutine
 
-    ! ==== Meshes in parts: several processes, see harmorph.h ===========================================================
+    ! ==== Meshes in parts: several processes, see harmorph.h ==========================================================
 
     ! 8-byte numbers of work for an extract of n points, of a parcel of n points; 0 of a basis that is not solved.
     integer(c_int64_t) function basis_extract_words(self, n)
@@ -3564,8 +3538,8 @@ contains
         call need_basis(self, status, e)
         if (status == hm_ok) status = hm_c_extract_size(self%handle, n, bytes, e)
         call take(rows%memory, bytes, work, status, e)
-        if (status == hm_ok) status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, self%handle, n, &
-            int(points, c_int32_t), e)
+        if (status == hm_ok) status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, &
+            self%handle, n, int(points, c_int32_t), e)
         call know_basis(rows, status)
         call finish(status, e, stat, err)
     end subroutine
@@ -3581,9 +3555,10 @@ contains
         integer(c_int32_t) :: status
         status = hm_ok
         call need_basis(self, status, e)
-        if (size(parcel, kind=c_int64_t) < self%parcel_words(size(points))) call refuse(status, e, "parcel is too short")
-        if (status == hm_ok) status = hm_c_parcel_pack(self%handle, int(size(points), c_int32_t), int(points, c_int32_t), &
-            parcel, e)
+        if (size(parcel, kind=c_int64_t) < self%parcel_words(size(points))) call refuse(status, e, &
+            "parcel is too short")
+        if (status == hm_ok) status = hm_c_parcel_pack(self%handle, int(size(points), c_int32_t), int(points, &
+            c_int32_t), parcel, e)
         call finish(status, e, stat, err)
     end subroutine
 

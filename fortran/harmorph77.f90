@@ -3,15 +3,17 @@
 !
 !     DOUBLE PRECISION W(LW)                       everything that is kept is in W; several W are several meshes
 !     CALL HMOPEN (W, LW, IERR, MSG)
-!     CALL HMMESH (W, NP, X, Y, INC, NC, NPC, CELLS, NF, FACES, MARKS, IERR, MSG)     CELLS(NPC,NC), FACES(2,NF), MARKS(NF)
+!     CALL HMMESH (W, NP, X, Y, INC, NC, NPC, CELLS, NF, FACES, MARKS, IERR, MSG)      CELLS(NPC,NC), FACES(2,NF),
+!                                                                                      MARKS(NF)
 !  or CALL HMBLOK (W, NI, NJ, X, Y, MARKS, IERR, MSG)      structured; MARKS(4) of sides i=1, i=NI, j=1, j=NJ, 0: a cut
 !     CALL HMWALL (W, MARK, NMAX, IPTS, N, LOOP, IERR, MSG)      a marker's points IPTS(N) in order; LOOP 1: closed
 !     CALL HMFIT  (W, MARK, NCP, IDEG, ICLOS, DMAX, IERR, MSG)   curve through a marker; ICLOS as hm_closed_auto, ...
 !  or CALL HMCTRL (W, NCP, P, IERR, MSG)                         control points P(2,NCP); forgets all curves; then
 !     CALL HMCURV (W, IDEG, NIDX, IDX, U, IERR, MSG)             a curve through control points IDX(NIDX), knots
 !                                                                U(NIDX+IDEG+1)
-!     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed, 3 slips
-!                                                                along its straight lines, 4 free; see hm_on_curve, ...
+!     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed
+!                                                                (as markers without condition), 3 slips along its
+!                                                                straight lines, 4 free (not with OPERATOR 0)
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)            belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                    these two are translates of each other and move alike
 !     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                     before HMSOLV; NAME and values of hm_options:
@@ -33,14 +35,14 @@
 !     CALL HMSAVE (W, LUN, IERR, MSG), HMLOAD (same)             the functions to, from an open unformatted file
 !     CALL HMCLOS (W)                                            W is free for other use
 !
-! Default INTEGER of 4 bytes. Coordinates are X(1), X(1+INC), ...; all counts begin with 1. IERR: 0 done, above 0 a warning,
-! below 0 refused with the reason in MSG, CHARACTER*112 or so. -7: W is too small; MSG says what it needs, as far as is
-! known. X, Y, CELLS, FACES and MARKS of HMMESH, and W, must stay where they are: main program, COMMON, SAVE.
+! Default INTEGER of 4 bytes. Coordinates are X(1), X(1+INC), ...; all counts begin with 1. IERR: 0 done, above 0 a
+! warning, below 0 refused with the reason in MSG, CHARACTER*112 or so. -7: W is too small; MSG says what it needs, as
+! far as is known. X, Y, CELLS, FACES and MARKS of HMMESH, and W, must stay where they are: main program, COMMON, SAVE.
 ! HMMESH first, then curves, conditions, HMSOLV; or HMMESH and HMLOAD. HMSOLV again after the mesh has moved: as before.
 ! HMSAFE wants HMSOLV before it in the same W, and X, Y as they were then.
 module harmorph77_state
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, c_intptr_t, &
-        c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, &
+        c_intptr_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use harmorph
     implicit none
     public
@@ -79,7 +81,8 @@ contains
         call c_f_pointer(c_loc(w), its)
         ierr = hm_ok
         msg = ""
-        if (its%here /= transfer(c_loc(w), its%here)) call complain("W was not opened by HMOPEN, or has moved", ierr, msg)
+        if (its%here /= transfer(c_loc(w), its%here)) &
+            call complain("W was not opened by HMOPEN, or has moved", ierr, msg)
     end subroutine
 
     subroutine complain(text, ierr, msg)
@@ -456,8 +459,8 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     top = top - 3_c_int64_t * n
     call c_f_pointer(c_loc(w(top + 2 * n + 1)), points, [n])
     call c_f_pointer(c_loc(w(top + 1)), wall, [n, 2_c_int32_t])
-    call tell(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, n, is_loop, e), &
-        e, ierr, msg)
+    call tell(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, n, &
+        is_loop, e), e, ierr, msg)
     if (ierr < 0) return
     call c_f_pointer(its%mesh%x, x, [its%mesh%stride * its%mesh%n_points])
     call c_f_pointer(its%mesh%y, y, [its%mesh%stride * its%mesh%n_points])
@@ -521,7 +524,8 @@ subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
     type(hm_c_error) :: e
     call open_state(w, its, ierr, msg)
     if (ierr == hm_ok .and. .not. c_associated(its%set%control)) call complain("HMCTRL comes before HMCURV", ierr, msg)
-    if (ierr == hm_ok .and. (nidx < 2 .or. ideg < 1 .or. ideg > 5)) call complain("IDEG or NIDX is out of range", ierr, msg)
+    if (ierr == hm_ok .and. (nidx < 2 .or. ideg < 1 .or. ideg > 5)) &
+        call complain("IDEG or NIDX is out of range", ierr, msg)
     if (ierr == hm_ok) call put_curve(w, its, ideg, nidx, idx, u, its%words, ierr, msg)
     if (ierr /= hm_ok) return
     call tell(hm_c_curves_check(its%set, e), e, ierr, msg)
@@ -566,7 +570,8 @@ subroutine hmpair(w, mark, mark2, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
     call open_state(w, its, ierr, msg)
-    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), ierr, msg)
+    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), &
+        ierr, msg)
 end subroutine
 
 ! Whether values go together, HMSOLV tells.
@@ -700,8 +705,8 @@ subroutine hmsafe(w, dp, xn, yn, inc, frac, irung, ierr, msg)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok .and. its%n_conditions == 0) call complain("HMSAFE needs HMSOLV before it, HMLOAD is not enough", &
-        ierr, msg)
+    if (ierr == hm_ok .and. its%n_conditions == 0) &
+        call complain("HMSAFE needs HMSOLV before it, HMLOAD is not enough", ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_basis_attach(same, its%basis, int(info%bytes, c_size_t), c_loc(its%mesh), e), e, &
         ierr, msg)
@@ -745,8 +750,8 @@ subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
     type(state), pointer :: its
     type(hm_c_error) :: e
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_adjoint(its%basis, c_loc(gx), c_loc(gy), stride_of(inc), g, c_null_ptr, e), e, ierr, &
-        msg)
+    if (ierr == hm_ok) call tell(hm_c_adjoint(its%basis, c_loc(gx), c_loc(gy), stride_of(inc), g, c_null_ptr, e), e, &
+        ierr, msg)
 end subroutine
 
 subroutine hmstep(w, dx, dy, inc, s, icell, ierr, msg)

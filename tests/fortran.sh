@@ -49,6 +49,18 @@ check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/check
     -o "$dir/layout"
 "$dir/layout" || failed=$((failed + 1))
 
+# What the header has and the module has not: functions, then constants.
+missing() {
+    for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' c_api/harmorph.h); do
+        grep -q "name=\"$name\"" fortran/harmorph.f90 || echo "$name"
+    done
+    for name in $(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1); do
+        grep -q "\b$name = " fortran/harmorph.f90 && grep -qi "PUT($name)" tests/layout.c || echo "$name"
+    done
+}
+nothing_missing() { missing | tee "$dir/missing"; test ! -s "$dir/missing"; }
+check "all of the header is in the module" nothing_missing
+
 check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c fortran/harmorph77.f90 \
     -o "$dir/harmorph77.o"
 check "legacy.f" $FC $legacy $FFLAGS $checks -c tests/legacy.f -o "$dir/legacy.o"

@@ -100,6 +100,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_safe_options
     case 17:
         PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_rungs); AT(n_others); AT(reserved); AT(others);
+        AT(heights);
         break;
 #undef TYPE
 #define TYPE hm_safe_report
@@ -107,8 +108,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(sizeof(TYPE)); AT(struct_size); AT(rung); AT(other); AT(steps); AT(resolves); AT(step_fraction);
         AT(admissible); AT(cell); AT(point); AT(untangled); AT(iterations); AT(crossing_points); AT(inverted);
         AT(min_quality_cell); AT(min_quality); AT(mean_quality); AT(mean_angle_change); AT(max_angle_change);
-        AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(angle_point); AT(min_height_point);
-        AT(max_height_point); AT(reserved);
+        AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(heights); AT(angle_point);
+        AT(min_height_point); AT(max_height_point); AT(reserved);
         break;
 #undef TYPE
     case 19:
@@ -120,7 +121,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CLOSED_AUTO);
         PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
         PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
-        PUT(HM_COMPACT); PUT(HM_BOUNDED); PUT(HM_DIRECT); PUT(HM_MULTIGRID); PUT(HM_AGGLOMERATE_AUTO);
+        PUT(HM_COMPACT); PUT(HM_BOUNDED); PUT(HM_DIRECT); PUT(HM_MULTIGRID); PUT(HM_FAS); PUT(HM_AGGLOMERATE_AUTO);
         PUT(HM_AGGLOMERATE_ISOTROPIC); PUT(HM_AGGLOMERATE_DIRECTIONAL); PUT(HM_KERNEL_AUTO); PUT(HM_KERNEL_BASELINE);
         PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_PHASE_STRUCTURE);
         PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);

@@ -101,7 +101,7 @@ program layout
         c_loc(quality_report%crossing_points)])
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
         c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_rungs), c_loc(safe_options%n_others), &
-        c_loc(safe_options%reserved), c_loc(safe_options%others)])
+        c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
         c_loc(safe_report%rung), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
         c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &
@@ -109,18 +109,19 @@ program layout
         c_loc(safe_report%crossing_points), c_loc(safe_report%inverted), c_loc(safe_report%min_quality_cell), &
         c_loc(safe_report%min_quality), c_loc(safe_report%mean_quality), c_loc(safe_report%mean_angle_change), &
         c_loc(safe_report%max_angle_change), c_loc(safe_report%mean_height_ratio), &
-        c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%angle_point), &
-        c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), c_loc(safe_report%reserved)])
+        c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%heights), &
+        c_loc(safe_report%angle_point), c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), &
+        c_loc(safe_report%reserved)])
     call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, hm_cancelled, &
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
         hm_periodic_pair, hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_bounded, hm_direct, &
-        hm_multigrid, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, hm_kernel_auto, &
-        hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_double, hm_single, hm_phase_structure, &
-        hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, hm_phase_residual, &
-        hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
+        hm_multigrid, hm_fas, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, &
+        hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_double, hm_single, &
+        hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
+        hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop
@@ -158,7 +159,8 @@ contains
                 passed = passed + 1
             else
                 failed = failed + 1
-                print "(3a, i0, a, i0, a, i0)", "layout: ", what, ", number ", k, ": ", theirs(k), " in C, here ", ours(k)
+                print "(3a, i0, a, i0, a, i0)", "layout: ", what, ", number ", k, ": ", theirs(k), " in C, here ", &
+                    ours(k)
             end if
         end do
     end subroutine

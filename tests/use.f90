@@ -318,7 +318,8 @@ contains
 
         call plan%analyse(mesh)
         call plan%report(report)
-        call check(report%points == n_points .and. report%quads == n_cells .and. report%inverted == 0, "report of the mesh")
+        call check(report%points == n_points .and. report%quads == n_cells .and. report%inverted == 0, &
+            "report of the mesh")
         call plan%boundary([body], wall, loop, piece=1)
         call check(size(wall) == around .and. loop .and. minval(wall) == 1 .and. maxval(wall) == around, "its boundary")
         call plan%boundary([body], wall, piece=2, stat=stat)
@@ -356,7 +357,8 @@ contains
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call basis%info(info)
         call check(info%solved .and. info%points == n_points .and. info%index_base == 1, "info of the basis")
-        call check(all(sort(info%curve_point) == [(k, k = 1, around)]) .and. all(info%point_curve == 1), "its curve points")
+        call check(all(sort(info%curve_point) == [(k, k = 1, around)]) .and. all(info%point_curve == 1), &
+            "its curve points")
         call check(info%bytes == basis%bytes(), "its length")
         call basis%curves(same)
         call check(all(same%curve(1)%indices == curves%curve(1)%indices), "its curves")
@@ -401,7 +403,8 @@ contains
         call check(stat == hm_bad_basis, "a basis of another analysis: " // err%text)
         call basis%free()
         call plan%solve(basis)
-        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], stat=stat)
+        call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], &
+            stat=stat)
         call check(stat < 0, "a given curve that does not exist")
         call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1, 2], &
             given_curves=[1], given_u=[0._dp], stat=stat)
@@ -447,7 +450,8 @@ contains
         call basis%quality(mesh, x_new, y_new, quality, x, y)
         call check(quality%inverted == 0 .and. quality%min_area > 0 .and. quality%self_crossing == 0, "quality")
         call basis%quality(mesh, x_new, y_new, quality)
-        call check(quality%min_quality > 0 .and. quality%min_quality <= quality%mean_quality, "quality without reference")
+        call check(quality%min_quality > 0 .and. quality%min_quality <= quality%mean_quality, &
+            "quality without reference")
         dx = x
         dy = y
         call basis%morph(move, dx, dy)
@@ -557,7 +561,8 @@ contains
     subroutine structured_blocks()
         integer, parameter :: ni = around + 1, nj = rings
         real(dp), target :: xs(ni, nj), ys(ni, nj), padded(2, 0:ni + 1, 0:nj + 1), flat(ni * nj), flat_y(ni * nj)
-        real(dp) :: x_new(ni, nj), y_new(ni, nj), move(2, n_control), gradient(2, n_control), expected(2, n_control), error
+        real(dp) :: x_new(ni, nj), y_new(ni, nj), move(2, n_control), gradient(2, n_control), expected(2, n_control), &
+            error
         real(dp) :: dx(ni, nj), dy(ni, nj), value(ni, nj), one(ni * nj)
         type(hm_mesh) :: block, inner
         type(hm_curves) :: curves
@@ -607,7 +612,8 @@ contains
         call plan%factor(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
         call plan%solve(again)
         call again%morph(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
-        call check(all(abs(padded(1, 1:ni, 1:nj) - x_new) <= 0) .and. all(abs(padded(:, 0, :) + 7) <= 0), "ghost layers")
+        call check(all(abs(padded(1, 1:ni, 1:nj) - x_new) <= 0) .and. all(abs(padded(:, 0, :) + 7) <= 0), &
+            "ghost layers")
         call again%displacement(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
         call again%adjoint(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj), gradient)
         call check(maxval(abs(gradient - expected)) <= 0, "their adjoint")
@@ -641,7 +647,8 @@ contains
 
     subroutine default_reals()
         real(c_float) :: x4(n_points), y4(n_points), dx4(n_points), dy4(n_points), x_new4(n_points), y_new4(n_points)
-        real(c_float) :: block_x(around, rings), block_y(around, rings), block_dx(around, rings), block_dy(around, rings)
+        real(c_float) :: block_x(around, rings), block_y(around, rings), block_dx(around, rings)
+        real(c_float) :: block_dy(around, rings)
         real(c_float) :: move4(2, n_control), gradient4(2, n_control), values4(n_points), block_values(around, rings)
         real(dp) :: dx(n_points), dy(n_points), gradient(2, n_control), error
         type(hm_mesh) :: mesh4
@@ -661,7 +668,8 @@ contains
         call its%displacement(real(move4, dp), dx, dy)
         call its%adjoint(dx, dy, gradient)
         call its%displacement(move4, dx4, dy4)
-        call check(maxval(abs(dx4 - dx)) < 1e-8_dp .and. maxval(abs(dy4 - dy)) < 1e-8_dp, "displacement in default reals")
+        call check(maxval(abs(dx4 - dx)) < 1e-8_dp .and. maxval(abs(dy4 - dy)) < 1e-8_dp, &
+            "displacement in default reals")
         call its%velocity(move4, dx4, dy4)
         call its%adjoint(dx4, dy4, gradient4)
         call check(maxval(abs(gradient4 - gradient)) < 1e-5_dp * maxval(abs(gradient)), "adjoint in default reals")
@@ -867,6 +875,8 @@ contains
         type(hm_basis) :: its
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
+        integer(c_int64_t) :: sums(4 * 2 * n_control)
+        integer :: scale
         real(dp) :: move(2, n_control), gradient(2, n_control), expected(2, n_control)
         real(dp), dimension(n_points) :: a, b, dx, dy
         call basis%curves(curves)
@@ -884,19 +894,33 @@ contains
         move = some_move()
         call basis%displacement(move, a, b)
         call basis%adjoint(a, b, expected)
-        tasks_seen = 0
         call its%displacement(move, dx, dy, executor=four)
         call check(same(dx, a) .and. same(dy, b), "displacement on threads")
         call its%adjoint(dx, dy, gradient, executor=four)
-        call check(maxval(abs(gradient - expected)) <= 0 .and. tasks_seen > 0, "adjoint on threads")
+        call check(maxval(abs(gradient - expected)) <= 0, "adjoint on threads")
         call its%admissible_step(mesh, dx, dy, step, executor=four)
         call its%quality(mesh, x, y, quality, executor=four)
         call check(step%admissible > 0 .and. quality%inverted == 0, "step and quality on threads")
         call its%morph_to(move, x, y, a, b, executor=hm_openmp(2))
         call check(maxval(abs(a - x - dx)) < 1e-15_dp, "threads of OpenMP, if it is there")
+
+        ! Each of them hands the executor on: 300 threads are refused.
         four%n_threads = 300
         call its%displacement(move, dx, dy, executor=four, stat=stat)
-        call check(stat == hm_bad_argument, "300 threads")
+        call check(stat == hm_bad_argument, "displacement on 300 threads")
+        call its%adjoint(dx, dy, gradient, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "adjoint on 300 threads")
+        call its%admissible_step(mesh, dx, dy, step, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "step on 300 threads")
+        call its%quality(mesh, x, y, quality, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "quality on 300 threads")
+        call its%assess(mesh, dx, dy, step, quality, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "assessment on 300 threads")
+        scale = 0
+        call its%adjoint_scale(dx, dy, scale, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "scale on 300 threads")
+        call its%adjoint_sums(dx, dy, scale, sums, executor=four, stat=stat)
+        call check(stat == hm_bad_argument, "sums on 300 threads")
     end subroutine
 
     ! Operators, weights, engines and precisions: what they are is seen in the functions.
@@ -910,10 +934,13 @@ contains
         real(dp), target :: history(40)
         real(dp), dimension(n_points) :: laplace, a, b
         real(dp) :: error
+        integer, allocatable :: merged(:)
+        integer :: n_merged
         call solve(mesh, conformal)
         call conformal%info(info)
-        call check(info%operator_kind == hm_conformal .and. info%exponent_quarters == 6 .and. info%numbers_per_value == 2 &
-            .and. .not. info%offset_correction .and. info%bodies == 0, "the default operator")
+        call check(info%operator_kind == hm_conformal .and. info%exponent_quarters == 6 .and. &
+            info%numbers_per_value == 2 .and. .not. info%offset_correction .and. info%bodies == 0, &
+            "the default operator")
         call conformal%values(3, a, number=2)
         call check(maxval(abs(a(:around))) <= 0 .and. maxval(abs(a)) > 1e-3_dp, "imaginary parts: 0 on the wall alone")
         call conformal%values(3, a, number=3, stat=stat)
@@ -956,6 +983,20 @@ contains
         call check(report%levels == 3 .and. report%iterations > 2 .and. report%iterations < 40, "its report")
         call check(all(history(:report%iterations) > 1e-10_dp) .and. history(report%iterations + 1) > 0 .and. &
             history(report%iterations + 1) <= 1e-10_dp, "its history")
+        call plan%level(2, merged, n_merged)
+        call check(n_merged > 0 .and. 2 * n_merged < n_points .and. maxval(merged) == n_merged .and. &
+            all(merged(:around) == 0) .and. count(merged == 0) == 2 * around, "its second level")
+        call plan%level(4, merged, stat=stat)
+        call check(stat == hm_bad_argument .and. .not. allocated(merged), "there is no fourth one")
+        options%engine = hm_fas
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
+        call plan%factor()
+        call other%free()
+        call plan%solve(other, report)
+        call other%values(3, a)
+        call check(maxval(abs(a - laplace)) < 1e-7_dp .and. report%iterations > 5, &
+            "the paper's iteration: the same again")
+        options%engine = hm_multigrid
         options%max_iterations = 1
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
         call plan%factor()
@@ -1024,8 +1065,8 @@ contains
         call plan%factor()
         call plan%solve(its)
         call its%info(info)
-        call check(info%bodies == 1 .and. info%functions == 2 .and. info%curves == 0 .and. info%numbers_per_value == 4, &
-            "a rigid body without curves")
+        call check(info%bodies == 1 .and. info%functions == 2 .and. info%curves == 0 .and. &
+            info%numbers_per_value == 4, "a rigid body without curves")
         call check(size(info%curve_point) == 12 .and. all(info%point_curve == 1), "its points")
         call its%curves(none)
         call check(size(none%control, 2) == 0 .and. size(none%curve) == 0, "no curves to be had")
@@ -1035,7 +1076,8 @@ contains
         move = reshape([0.4_dp, 0.2_dp, c, s], [2, 2])
         call its%displacement(move, dx, dy)
         call check(all(abs(dx(hole) - (0.4_dp + c * (cx(hole) - 10) - s * (cy(hole) - 5))) < 1e-14_dp) .and. &
-            all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), "the body moves rigidly")
+            all(abs(dy(hole) - (0.2_dp + s * (cx(hole) - 10) + c * (cy(hole) - 5))) < 1e-14_dp), &
+            "the body moves rigidly")
         call check(all(abs(dx(below)) <= 0) .and. all(abs(dy(below)) <= 0), "the floor stays")
         call check(all(abs(dy(above)) <= 0) .and. maxval(abs(dx(above))) > 1e-3_dp, "the ceiling slips")
         call check(same(dx(left), dx(right(size(right):1:-1))) .and. same(dy(left), dy(right(size(right):1:-1))) .and. &
@@ -1043,8 +1085,9 @@ contains
 
         call its%conditions(known)
         call check(size(known) == 3, "three conditions are known")
-        call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. abs(known(1)%x - 10) + abs(known(1)%y - 5) <= 0 &
-            .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, "as they were given")
+        call check(known(1)%kind == hm_rigid .and. known(1)%body == 1 .and. abs(known(1)%x - 10) + abs(known(1)%y - &
+            5) <= 0 .and. known(2)%kind == hm_slip .and. known(2)%marker == 3 .and. known(3)%partner == 2, &
+            "as they were given")
         call plan%analyse(channel, conditions=known)
         call plan%factor()
         call plan%solve(again)
@@ -1060,8 +1103,8 @@ contains
         call check(stat == hm_bad_condition, "bodies count without gaps")
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), hm_condition(1, hm_free)], stat=stat)
         call check(stat == hm_unsupported, "free sides are not for conformal functions")
-        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), hm_condition(4, hm_periodic_pair, partner=3)], &
-            stat=stat)
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), &
+            hm_condition(4, hm_periodic_pair, partner=3)], stat=stat)
         call check(stat == hm_bad_condition, "no pair")
     end subroutine
 
@@ -1107,7 +1150,7 @@ contains
         type(hm_safe_report) :: report
         type(hm_quality_report) :: quality
         real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
-        real(dp) :: move(2, n_control), error, block_x(around, rings), block_y(around, rings)
+        real(dp) :: move(2, n_control), error, ratio, block_x(around, rings), block_y(around, rings)
         real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
         real(dp), allocatable, target :: work(:)
         integer :: top
@@ -1122,9 +1165,10 @@ contains
         move = 0.1_dp * some_move()
         call plan%morph_safe(laplace, move, x_new, y_new, report=report)
         call laplace%morph_to(move, x, y, x_other, y_other)
-        call check(report%rung == hm_rung_linear .and. report%other == 0 .and. report%steps == 1 .and. report%inverted == 0, &
-            "a small movement in one step")
-        call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, "it is the morph")
+        call check(report%rung == hm_rung_linear .and. report%other == 0 .and. report%steps == 1 .and. &
+            report%inverted == 0, "a small movement in one step")
+        call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, &
+            "it is the morph")
 
         ! What is large is too much for the functions, but not in several steps.
         move = turn(curves%control, 40._dp)
@@ -1146,9 +1190,21 @@ contains
             "conformal functions do it at once")
         call plan%morph_safe(laplace, move, x_new, y_new, options=hm_safe_options(max_resolves=-1, &
             skipped_rungs=2**hm_rung_untangled), report=report, stat=stat, err=err)
-        call check(stat == hm_short .and. report%step_fraction > 0 .and. report%step_fraction < 1, "not all: " // err%text)
+        call check(stat == hm_short .and. report%step_fraction > 0 .and. report%step_fraction < 1, &
+            "not all: " // err%text)
         call laplace%quality(mesh, x_new, y_new, quality)
-        call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, "what was possible is valid")
+        call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, &
+            "what was possible is valid")
+
+        ! A body that grows: conformal functions stretch the first layers, heights brings them back.
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%prepare()
+        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, report=report)
+        ratio = report%mean_height_ratio
+        call plan%morph_safe(others(1), 0.3_dp * curves%control, x_new, y_new, options=hm_safe_options(heights=1._dp), &
+            report=report)
+        call check(report%heights > 0 .and. abs(report%mean_height_ratio - 1) < 0.8_dp * abs(ratio - 1), &
+            "heights of first layers are brought back")
 
         ! The derivative of several steps: on straight lines it times the movement is the movement.
         call plan%analyse(mesh, curves, [hm_condition(body)], options=hm_options(operator_kind=hm_weighted))
@@ -1174,8 +1230,8 @@ contains
         call plan%morph_safe(weighted, real(move, c_float), x4, y4)
         call check(maxval(abs(x4 - x_new)) < 1e-5_dp, "default reals")
         call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4)
-        call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), &
-            "a block of default reals")
+        call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. &
+            all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), "a block of default reals")
         call plan%morph_safe(weighted, move(:, 2:), x_new, y_new, stat=stat)
         call check(stat == hm_bad_argument, "a movement too few")
         call plan%morph_safe(weighted, move, x_new(2:), y_new(2:), stat=stat)
@@ -1208,7 +1264,8 @@ contains
             next = modulo(i + 1, n)
             do j = 0, m - 1
                 call place(2 * i, 2 * j, cx(1 + i + n * j), cy(1 + i + n * j))
-                if (j < m - 1) its_cells(:, 1 + i + n * j) = 1 + [i + n * j, i + n * (j + 1), next + n * (j + 1), next + n * j]
+                if (j < m - 1) its_cells(:, 1 + i + n * j) = 1 + [i + n * j, i + n * (j + 1), next + n * (j + 1), &
+                    next + n * j]
             end do
             its_faces(:, 1 + i) = 1 + [i, next]
             its_faces(:, 1 + n + i) = 1 + n * (m - 1) + [i, next]
@@ -1224,9 +1281,11 @@ contains
         call plan%solve(coarse)
         call plan%analyse(mesh, curves, [hm_condition(body)])
         call plan%transfer(coarse, coarse_mesh, fine, report)
-        call check(report%points == n_points - 2 * around .and. report%boundary_error < 1e-14_dp, "points between the walls")
+        call check(report%points == n_points - 2 * around .and. report%boundary_error < 1e-14_dp, &
+            "points between the walls")
         call check(report%outside == 0 .and. report%max_distance_point == -1, "round a convex body none is outside")
-        call check(report%wall_correction > 0 .and. report%wall_correction < 0.1_dp, "the coarse mesh resolves the functions")
+        call check(report%wall_correction > 0 .and. report%wall_correction < 0.1_dp, &
+            "the coarse mesh resolves the functions")
         call fine%values(4, a)
         call basis%values(4, b)
         call check(same(a(:around), b(:around)), "on the wall the functions are those of the fine mesh")
@@ -1244,8 +1303,8 @@ contains
         call check(stat == hm_bad_argument, "no analysis")
     end subroutine
 
-    ! Three processes in turn: each solves a share of the functions, gets the rows of its points, and gives its part of the
-    ! gradient. The same bits as all at once.
+    ! Three processes in turn: each solves a share of the functions, gets the rows of its points, and gives its part of
+    ! the gradient. The same bits as all at once.
     subroutine meshes_in_parts()
         integer, parameter :: parts = 3, length = 1056
         type(hm_plan) :: plan
@@ -1334,10 +1393,10 @@ contains
         call check(its_scale == scale .and. all(sums == its_sums), "sums of a block, on threads")
         call basis%adjoint_scale(real(dx, c_float), real(dy, c_float), its_scale)
         call basis%adjoint_sums(real(dx, c_float), real(dy, c_float), its_scale, sums)
-        call basis%adjoint_scale(reshape(real(dx, c_float), [around, rings]), reshape(real(dy, c_float), [around, rings]), &
-            its_scale)
-        call basis%adjoint_sums(reshape(real(dx, c_float), [around, rings]), reshape(real(dy, c_float), [around, rings]), &
-            its_scale, its_sums)
+        call basis%adjoint_scale(reshape(real(dx, c_float), [around, rings]), &
+            reshape(real(dy, c_float), [around, rings]), its_scale)
+        call basis%adjoint_sums(reshape(real(dx, c_float), [around, rings]), &
+            reshape(real(dy, c_float), [around, rings]), its_scale, its_sums)
         call basis%adjoint_finish(its_scale, its_sums, gradient)
         call check(all(sums == its_sums) .and. maxval(abs(gradient - expected)) < 1e-5_dp * maxval(abs(expected)), &
             "sums in default reals")
