@@ -209,6 +209,71 @@ static void morph(const hm_basis *basis, const hm_mesh *mesh) {
     check(absolute(here - there) <= 1e-13 * POINTS * 0.01, "the adjoint is the transpose", &error);
 }
 
+/* Twice as thick and far away: what would invert cells at once is done in steps, for which the plan is needed. */
+static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
+    hm_error error = {HM_OK};
+    hm_options options = {sizeof options};
+    hm_step_report step = {sizeof step};
+    hm_quality_report quality = {sizeof quality};
+    hm_safe_report report = {sizeof report};
+    hm_basis_info info = {sizeof info};
+    hm_curves curves = {sizeof curves};
+    hm_curve curve;
+    hm_condition condition = {sizeof condition};
+    hm_analysis *analysis = NULL;
+    hm_plan *plan = NULL;
+    hm_basis *laplace = NULL;
+    void *analysis_block, *plan_block, *laplace_block, *work;
+    static double dx[POINTS], dy[POINTS], values[POINTS];
+    double move[2 * CONTROL], boundary_error = 1;
+    size_t bytes = 0;
+    int32_t point = 0, n = 0;
+    int k;
+
+    require(hm_basis_info_get(basis, &info, &error), "what the basis is", &error);
+    check(info.operator_kind == HM_CONFORMAL && info.numbers_per_value == 2, "the default is conformal", &error);
+    require(hm_basis_values(basis, 3, 1, values, &error), "its imaginary parts", &error);
+    check(hm_basis_values(basis, 3, 2, values, &error) == HM_BAD_ARGUMENT, "complex values are two numbers", &error);
+    require(hm_basis_conditions(basis, &condition, 1, &n, &error), "its conditions", &error);
+    check(n == 1 && condition.marker == BODY && condition.kind == HM_ON_CURVE, "they are those of the problem", &error);
+    require(hm_basis_curves(basis, &curves, &curve, 1, &error), "its curve", &error);
+
+    options.operator_kind = HM_LAPLACE;
+    require(hm_analysis_size(problem, &options, &bytes, &error), "size of Laplace's analysis", &error);
+    analysis_block = block_of(bytes);
+    require(hm_analysis_init(&analysis, analysis_block, bytes, problem, &options, &error), "its analysis", &error);
+    require(hm_plan_size(analysis, &bytes, &error), "size of Laplace's plan", &error);
+    plan_block = block_of(bytes);
+    require(hm_plan_init(&plan, plan_block, bytes, analysis, &error), "Laplace's plan", &error);
+    require(hm_basis_size(analysis, &bytes, &error), "size of Laplace's basis", &error);
+    laplace_block = block_of(bytes);
+    require(hm_basis_init(&laplace, laplace_block, bytes, analysis, &error), "Laplace's basis", &error);
+    require(hm_plan_factor(plan, NULL, NULL, 0, &error), "Laplace's factor", &error);
+    require(hm_plan_solve(plan, laplace, NULL, &error), "Laplace's functions", &error);
+    free(analysis_block);
+
+    for (k = 0; k < CONTROL; ++k) {
+        move[2 * k] = 0.3;
+        move[2 * k + 1] = curves.control[2 * k + 1] + 0.3;
+    }
+    require(hm_morph(laplace, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "a large displacement", &error);
+    require(hm_assess(laplace, problem->mesh, dx, dy, 1, NULL, &step, &quality, &error), "its assessment", &error);
+    check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
+    require(hm_morph_safe_size(plan, &bytes, &error), "size of a safe morph", &error);
+    work = block_of(bytes);
+    require(hm_morph_safe(plan, laplace, move, x_new, y_new, 1, NULL, work, bytes, NULL, &report, &error), "it",
+            &error);
+    check(report.step_fraction >= 1 && report.rung >= HM_RUNG_SUBSTEPS && report.inverted == 0, "all of it", &error);
+    require(hm_quality(laplace, problem->mesh, x_new, y_new, 1, x, y, 1, NULL, &quality, &error), "quality", &error);
+    check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);
+    require(hm_boundary_error(laplace, move, x, y, 1, x_new, y_new, 1, &boundary_error, &point, &error), "its wall",
+            &error);
+    check(boundary_error <= 1e-12, "the wall is where the B-spline is", &error);
+    free(work);
+    free(laplace_block);
+    free(plan_block);
+}
+
 /* A basis is a block of bytes: copied, it is the same; cut short or changed, it is refused. */
 static void attach(const hm_basis *basis, const hm_mesh *mesh) {
     hm_error error = {HM_OK};
@@ -260,6 +325,7 @@ int main(void) {
     on_body.kind = HM_ON_CURVE;
     on_body.n_curves = 1;
     basis = solve(&problem, &basis_block);
+    morph_safely(&problem, basis);
     free(curves_block);
     morph(basis, &mesh);
     attach(basis, &mesh);
