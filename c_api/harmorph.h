@@ -267,8 +267,9 @@ enum {                             /* scheme; both reproduce linear fields, and 
 enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest */
     HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
-                                      20 to 35 iterations, whatever the size. A residual tells little of the error where
-                                      weights vary strongly */
+                                      20 to 35 iterations, whatever the size, but where cells are so stretched that couplings
+                                      differ by 1e14: there it may end at the limit. A residual tells little of the error
+                                      where weights vary strongly */
     HM_FAS = 2                     /* the paper's iteration: pseudo-time, explicit four-stage Runge-Kutta with local steps, full
                                       approximation scheme on agglomerated levels, started from the coarsest (FMG-FAS); one
                                       level: Runge-Kutta alone. The slowest: for comparison with the paper */

@@ -289,7 +289,7 @@ TEST_CASE("a boundary that crosses itself is refused at once, with the place, an
     CHECK(info.solved == 1);   // refused: as it was
 }
 
-TEST_CASE("hundreds of random movements of growing size: valid, or refused with a reason; never an inverted cell") {
+TEST_CASE("a thousand random movements of growing size: valid, or refused with a reason; never an inverted cell") {
     struct Start {
         Case its;
         std::int32_t operator_kind;
@@ -307,8 +307,8 @@ TEST_CASE("hundreds of random movements of growing size: valid, or refused with 
         std::int32_t const n = safe.solved().info().functions;
         double const size = start.its.curves.n_control() == 4 ? 4 : 0.5;
         int reached = 0, refused = 0, by_rung[4] = {};
-        for (unsigned trial = 0; trial < 60; ++trial) {
-            std::vector<double> const move = some_move(n, size * trial / 60.0, 100 + trial);
+        for (unsigned trial = 0; trial < 200; ++trial) {
+            std::vector<double> const move = some_move(n, size * trial / 200.0, 100 + trial);
             hm_status const status = safe.run(move);
             INFO("trial " << trial << ": " << safe.error.text);
             REQUIRE((status == HM_OK || status == HM_SHORT || status == HM_CROSSING));

@@ -29,7 +29,7 @@ struct BasisCounts {
 // The functions that are not 0 at a point of the wall, and their values as complex numbers.
 struct BoundaryFunctions {
     Index order = 0;
-    Index function[max_order];
+    Index function[max_order] = {};
     Vec2 value[max_order];
 
     // Where the movements of functions, [2 * functions] x,y pairs, move the point.
