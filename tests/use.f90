@@ -1006,6 +1006,10 @@ contains
         options%block_width = 7
         call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
         call check(stat == hm_bad_argument, "a block of seven")
+        options%block_width = 8
+        options%agglomeration = 99
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat)
+        call check(stat == hm_bad_argument, "an agglomeration to come")
 
         ! With the offset correction a rigid motion of the control points is one of the wall; without, its offset stays.
         options = hm_options(offset_correction=.true.)
