@@ -102,7 +102,7 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     }
     bool const turns = lever.x != 0 || lever.y != 0;
     Curve const its = curve(wall_curve[slot]);
-    CurveBasis const functions = curve_basis(its, wall_u[slot], turns ? 1 : 0);
+    CurveBasis const functions = curve_basis(its, wall_u[slot], 1);
     Vec2 const per_derivative = turns ? quotient(lever, derivative_of(its, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < functions.order; ++k) {
