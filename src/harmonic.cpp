@@ -75,7 +75,6 @@ void Plan::init(Analysis const& analysis) noexcept {
     topology = analysis.topology;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
-    region_counts = RegionCounts::of(mesh, analysis.edges);
     factored = false;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
@@ -86,14 +85,21 @@ void Plan::init(Analysis const& analysis) noexcept {
         analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
         analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
     }
+    engine.executor = analysis.problem.executor;
+    engine.executor.for_each(3, [&](Index part) {  // none needs another
+        if (part == 0) build_matrix(analysis);
+        if (part == 1 && analysis.is_direct()) init_engine(analysis);
+        if (part == 2) region_counts = RegionCounts::of(mesh, analysis.edges);
+    });
+}
+
+void Plan::build_matrix(Analysis const& analysis) noexcept {
     matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
                  analysis.border.position, analysis.wall_work.slot, analysis.tangent);
-    engine.executor = analysis.problem.executor;
-    init_engine(analysis);
+    if (!analysis.is_direct()) matrix.mark_faces(analysis.edges, faces);
 }
 
 void Plan::init_engine(Analysis const& analysis) noexcept {
-    if (!analysis.is_direct()) return matrix.mark_faces(analysis.edges, faces);
     engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.tree.count = analysis.tree.count;
     copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));

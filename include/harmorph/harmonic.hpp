@@ -61,6 +61,7 @@ private:
     Status assemble_cells(Points points, Fault& fault) noexcept;
     Status assemble_edges(Points points, Fault& fault) noexcept;
     void lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept;
+    void build_matrix(Analysis const& analysis) noexcept;
     void init_engine(Analysis const& analysis) noexcept;
     Status factor_engine(Points points, Fault& fault) noexcept;
     Status solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept;
