@@ -57,14 +57,14 @@ private:
 
     bool face_against(Index face, Range others) noexcept {
         for (Index other = others.begin; other < others.end; ++other) {
-            if (!cross_properly(face, other)) continue;
+            if (!cross_properly(face, other) && !cross_at_a_point(face, other) && !cross_at_a_point(other, face)) continue;
             result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
             return true;
         }
         return false;
     }
 
-    // The ends of each lie strictly on both sides of the other; faces that only touch, or share a point, do not cross.
+    // The ends of each lie strictly on both sides of the other.
     bool cross_properly(Index face, Index other) const noexcept {
         Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
         Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
@@ -73,8 +73,37 @@ private:
                opposite(triangle_area(c, d, a), triangle_area(c, d, b));
     }
 
+    // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins, to
+    // different sides? Only then has the boundary passed through it, and not just touched it.
+    bool cross_at_a_point(Index face, Index other) const noexcept {
+        Index const point = boundary_point_[face];
+        if (point == boundary_point_[other] || point == end_of(other)) return false;
+        Vec2 const here = at(point), a = at(boundary_point_[other]), b = at(end_of(other));
+        bool const at_corner = here.x == a.x && here.y == a.y;
+        if (!at_corner && (triangle_area(a, b, here) != 0 || !(dot(a - here, b - here) < 0))) return false;
+        Vec2 const behind = at(boundary_point_[before(face)]) - here, ahead = at(end_of(face)) - here;
+        Vec2 const coming = (at_corner ? at(boundary_point_[before(other)]) : a) - here, going = b - here;
+        return (lies_between(coming, behind, going) && lies_between(going, ahead, coming)) ||
+               (lies_between(coming, ahead, going) && lies_between(going, behind, coming));
+    }
+
+    // Does the direction lie strictly between two others, counter-clockwise from the first to the second?
+    static bool lies_between(Vec2 first, Vec2 direction, Vec2 second) noexcept {
+        Real const turn = cross(first, second);
+        if (turn > 0) return cross(first, direction) > 0 && cross(direction, second) > 0;
+        if (turn == 0 && dot(first, second) > 0) return false;
+        if (turn == 0) return cross(first, direction) > 0;
+        return !(cross(second, direction) >= 0 && cross(direction, first) >= 0);
+    }
+
     Vec2 at(Index point) const noexcept {
         return displacement_.given() ? points_[point] + displacement_[point] : points_[point];
+    }
+
+    Index before(Index face) const noexcept {
+        Index loop = 0;
+        while (loop_start_[loop + 1] <= face) ++loop;
+        return face > loop_start_[loop] ? face - 1 : loop_start_[loop + 1] - 1;
     }
 
     Index end_of(Index face) const noexcept {

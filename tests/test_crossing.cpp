@@ -134,6 +134,38 @@ TEST_CASE("touching is not crossing") {
     CHECK(!twice.find().found);
 }
 
+TEST_CASE("a boundary that passes exactly through points has crossed, wherever its loops begin") {
+    for (int const steps : {1, 2, 3, 4}) {      // of the square's sides: the bar passes through points of it, or through faces
+        for (double const turn : {0.0, 0.5}) {  // a rotation by a power of i keeps coordinates exact
+            std::vector<Point> square, bar = {{1, 1}, {6, 1}, {6, 3}, {1, 3}};
+            Point const corners[] = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+            for (int side = 0; side < 4; ++side)
+                for (int k = 0; k < steps; ++k) {
+                    Point const a = corners[side], b = corners[(side + 1) % 4];
+                    square.push_back({a.x + (b.x - a.x) * k / steps, a.y + (b.y - a.y) * k / steps});
+                }
+            for (std::vector<Point>* polygon : {&square, &bar})
+                for (Point& p : *polygon)
+                    if (turn > 0) p = {-p.y, p.x};
+            for (std::size_t first = 0; first < 4; ++first) {
+                std::rotate(bar.begin(), bar.begin() + 1, bar.end());
+                Polygons its;
+                its.add(square);
+                its.add(bar);
+                CHECK(its.find().found);
+            }
+        }
+    }
+    Polygons corners;   // a diamond whose corner is the other's corner, and goes on inside it
+    corners.add({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    corners.add({{2, 2}, {3, 1}, {1, 1}});
+    CHECK(corners.find().found);
+    Polygons beside;    // the same corner, passed by outside
+    beside.add({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    beside.add({{2, 2}, {4, 1}, {4, 4}});
+    CHECK(!beside.find().found);
+}
+
 TEST_CASE("a figure of eight, and a body that enters another") {
     Polygons eight;
     eight.add({{0, 0}, {1, 1}, {1, 0}, {0, 1}});
