@@ -49,7 +49,7 @@ struct Registers<float> {
 }  // namespace
 }  // namespace harmorph::dense::avx512
 
-#include "dense_kernel.hpp"
+#include "dense_moves.hpp"
 
 #if defined(__clang__)
 #pragma clang attribute pop

@@ -43,4 +43,4 @@ struct Registers {
 }  // namespace
 }  // namespace harmorph::dense::baseline
 
-#include "dense_kernel.hpp"
+#include "dense_moves.hpp"
