@@ -75,11 +75,7 @@ Status FullApproximation::solve(Rows const& values, Progress const& progress, It
                                    return block::ApproximationCycles<w>(*this, its_vectors, values, first).run(its, after);
                                });
     };
-    switch (iteration.block_width) {
-        case 4: return run(std::integral_constant<Index, 4>{});
-        case 8: return run(std::integral_constant<Index, 8>{});
-        default: return run(std::integral_constant<Index, 16>{});
-    }
+    return iteration.with_width(run);
 }
 
 }  // namespace harmorph

@@ -67,7 +67,6 @@ void Plan::init(Analysis const& analysis) noexcept {
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
-    n_wall_faces = wall.count;
     if (method.bounded()) {
         Index n = 0;
         analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });

@@ -61,8 +61,8 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(representative, n);
     arena.take(held, n);
     untangling.lay_out(arena, plan.region_counts);
-    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
-    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.n_wall_faces));
+    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.wall.count));
+    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.wall.count));
     arena.take(kinds, n);
 }
 
@@ -96,8 +96,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         y[k] = plan.mesh.points[k].y;
     }
     fill(reached, 0.0);
-    path.at(1, aimed);
-    copy(difference, Span<const Real>(aimed));
+    aim(1);
     bool const fits = is_admissible(work, basis);
     report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step());
     if (report.crossing.found) {
@@ -131,6 +130,12 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
 
 void SafeMorph::write(MutablePoints to) const noexcept {
     for (Index k = 0; k < x.count(); ++k) to.set(k, now()[k]);
+}
+
+// From where the movements are to where they shall be at that time of the way.
+void SafeMorph::aim(Real time) noexcept {
+    path.at(time, aimed);
+    for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
 }
 
 // The step by `difference`, and whether no cell inverts before its end.
@@ -174,8 +179,7 @@ Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
     Real length = 1 - from;
     for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
         Real const end = from + length;
-        path.at(end, aimed);
-        for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
+        aim(end);
         is_admissible(work, by);
         Real const share = work.report.limit.step * share_of_admissible;
         if (share >= 1) return length;
@@ -207,7 +211,7 @@ void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept 
         Index const place = matrix.place[matrix.components() * k];
         if (!Matrix::is_wall(place)) continue;
         BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
-        Vec2 const moved = functions.moved(reached.data()), start = work.mesh().points[k];
+        Vec2 const moved = functions.moved(aimed.data()), start = work.mesh().points[k];
         points.set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
     }
 }
@@ -220,13 +224,9 @@ Status SafeMorph::solve_here(Work& work, Basis const& scratch, Fault& why) noexc
 
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.
 Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
-    path.at(1, aimed);
-    for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
+    aim(1);
     morph(by, difference.data(), now(), {dx.data(), dy.data(), 1}, work.executor());
-    Span<Real> const before = reached;
-    reached = aimed;
     put_wall(work, {dx.data(), dy.data(), 1});
-    reached = before;
     untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, representative, held};
     untangling.executor = work.executor();
     Fault why;

@@ -28,7 +28,6 @@ struct Plan {
     std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
     Offset factor_entries = 0;
     RegionCounts region_counts;     // for untangling
-    Index n_wall_faces = 0;
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
     Span<Index> line_of;          // [n] line of values of each position

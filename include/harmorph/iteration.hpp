@@ -1,6 +1,8 @@
 // What the iterative engines have in common: what they are asked for, their levels, and blocks of functions.
 #pragma once
 
+#include <type_traits>
+
 #include "harmorph/agglomeration.hpp"
 #include "harmorph/executor.hpp"
 #include "harmorph/progress.hpp"
@@ -15,6 +17,15 @@ struct Iteration {
     Real tolerance = 1e-10;      // relative residual of each function, 2-norms
     Span<Real> history;          // the caller's, or empty: largest relative residual before the first iteration and after each
 
+    // run(the block's width as a constant type)
+    template <class Run>
+    Status with_width(Run const& run) const noexcept {
+        switch (block_width) {
+            case 4: return run(std::integral_constant<Index, 4>{});
+            case 8: return run(std::integral_constant<Index, 8>{});
+            default: return run(std::integral_constant<Index, 16>{});
+        }
+    }
     static constexpr bool has_width(Index width) noexcept { return width == 4 || width == 8 || width == 16; }
 };
 

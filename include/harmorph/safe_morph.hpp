@@ -64,6 +64,7 @@ private:
 
     Points now() const noexcept { return result(); }
     Points step() const noexcept { return {dx.data(), dy.data(), 1}; }
+    void aim(Real time) noexcept;
     bool is_admissible(Work& work, Basis const& by) noexcept;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
