@@ -34,6 +34,21 @@ struct Cut {
     Side separated = left;   // the side that gives the separator
 };
 
+// What a cut makes of a part.
+struct Parts {
+    Index left = 0, right = 0, separator = 0;
+
+    // A large separator is a large front, and so is what is left to cut in a large part.
+    Real cost() const noexcept {
+        Real const n = static_cast<Real>(left) + right + separator;
+        return separator * (0.5 + larger(left, right) / n);
+    }
+    // Longer than one through a round part of a mesh?
+    bool is_long() const noexcept {
+        return 3 * Offset{separator} * separator > 5 * (Offset{left} + right + separator);
+    }
+};
+
 // The element of rank n / 2 (C. A. R. Hoare, Comm. ACM 4 (1961) 321).
 float median(float* items, Index n) noexcept {
     Index low = 0, high = n - 1;
@@ -70,8 +85,9 @@ public:
         if (begin == end) return none;
         if (end - begin <= leaf_size) return add_node(begin, end, none, none);
         Index middle = 0, pivots = 0;  // order: left part, right part from `middle`, separator from `pivots`
-        Cut const cut = best_cut(begin, end);
-        separate(cut, begin, end);
+        Cut cut = best_cut(begin, end);
+        Parts const parts = separate(cut, begin, end);
+        if (parts.is_long() && find_level_cut(parts.cost(), begin, end, cut)) separate(cut, begin, end);
         partition(begin, end, middle, pivots);
         if (middle - begin < smallest_child) absorb(begin, middle, pivots);
         if (pivots - middle < smallest_child) pivots = middle;
@@ -124,13 +140,31 @@ private:
             Index const left_border = Cuts::in(cuts.left_border, direction);
             Index const right_border = Cuts::in(cuts.right_border, direction);
             if (smaller(left_size, right_size) < n / 4) continue;
-            Real const larger_part = static_cast<Real>(larger(left_size, right_size)) / static_cast<Real>(n);
-            Real const cost = static_cast<Real>(smaller(left_border, right_border)) * (0.5 + larger_part);
+            Index const border = smaller(left_border, right_border);
+            Real const cost = Parts{left_size, right_size, border}.cost();
             if (cost >= least) continue;
             least = cost;
             best = {direction, cuts.level[direction], left_border <= right_border ? left : right};
         }
         return best;
+    }
+
+    // The cut behind the level that costs least, if that is less than `least`. Where cells are much stretched or curved,
+    // straight cuts run slantwise through thousands of them; steps from cell to cell do not see that.
+    bool find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept {
+        Index const n = end - begin;
+        work_.where.find_levels(graph_, order_.from(begin, n));
+        auto const level = [&](Index k) { return work_.where.place[work_.where.queue[k]].at[level_direction]; };
+        bool found = false;
+        for (Index first = 0, behind = 0; first < n - n / 4; first = behind) {
+            while (behind < n && level(behind) == level(first)) ++behind;
+            Real const cost = Parts{first, n - behind, behind - first}.cost();
+            if (first < n / 4 || n - behind < n / 4 || cost >= least) continue;
+            least = cost;
+            cut = {level_direction, level(first) + 0.5f, left};
+            found = true;
+        }
+        return found;
     }
 
     // Levels at the medians of a few samples.
@@ -149,9 +183,9 @@ private:
     }
 
     // Sides; then the unknowns of the separated side that have a neighbour on the other become the separator.
-    void separate(Cut const& cut, Index begin, Index end) const noexcept {
+    Parts separate(Cut const& cut, Index begin, Index end) const noexcept {
         Side const other = cut.separated == left ? right : left;
-        Index n_near = 0;
+        Index n_near = 0, n_left = 0, n_separator = 0;
         Span<Index> const near = work_.moved;
         for (Index k = begin; k < end; ++k) {
             Index const u = order_[k];
@@ -159,6 +193,7 @@ private:
                                                          : work_.where.place[u].at[cut.direction] - cut.level;
             bool const is_left = distance < 0;
             work_.side[u] = is_left ? left : right;
+            n_left += is_left ? 1 : 0;
             if (is_left != (cut.separated == left)) continue;
             near[n_near] = u;
             n_near += may_touch(cut, u, distance) ? 1 : 0;
@@ -167,9 +202,13 @@ private:
             for (Index const v : graph_.of(u)) {
                 if (work_.side[v] != other) continue;
                 work_.side[u] = separator;
+                ++n_separator;
                 break;
             }
         }
+        Index const n_right = end - begin - n_left;
+        return cut.separated == left ? Parts{n_left - n_separator, n_right, n_separator}
+                                     : Parts{n_left, n_right - n_separator, n_separator};
     }
 
     bool may_touch(Cut const& cut, Index u, float distance) const noexcept {
@@ -199,7 +238,7 @@ private:
     void sort_along(Cut const& cut, Span<Index> cut_off) const noexcept {
         if (cut.direction == none) return;
         if (cut.direction != layer_direction) {
-            Index const perpendicular = cut.direction ^ 1;  // x and y, and the two diagonals
+            Index const perpendicular = cut.direction ^ 1;  // x and y, the two diagonals; levels are passed by layers
             return sort(cut_off, [&](Index a, Index b) {
                 float const p = work_.where.place[a].at[perpendicular], q = work_.where.place[b].at[perpendicular];
                 return p != q ? p < q : a < b;

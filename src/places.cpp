@@ -1,6 +1,11 @@
 #include "harmorph/places.hpp"
 
 namespace harmorph {
+namespace {
+
+constexpr float unreached = -1;
+
+}  // namespace
 
 void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(place, max_unknowns);
@@ -8,22 +13,45 @@ void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(queue, max_unknowns);
 }
 
-// Breadth first from the unknowns beside curves; what is not reached (no curve in its part of the mesh) is layer 0.
+// Breadth first: unknowns of the queue, from `read` on, hand their numbers, plus 1, to neighbours that have none.
+Index Places::spread(Graph const& graph, Index direction, Index read, Index filled) const noexcept {
+    for (; read < filled; ++read) {
+        Index const u = queue[read];
+        for (Index const v : graph.of(u)) {
+            if (place[v].at[direction] >= 0) continue;
+            place[v].at[direction] = place[u].at[direction] + 1;
+            queue[filled++] = v;
+        }
+    }
+    return filled;
+}
+
+// From the unknowns beside curves; what is not reached (no curve in its part of the mesh) is before all layers.
 void Places::find_layers(Graph const& graph) const noexcept {
-    auto const layer = [&](Index u) -> float& { return place[u].at[layer_direction]; };
     Index filled = 0;
     for (Index u = 0; u < graph.n; ++u) {
         bool const is_first = graph.beside_curve[u] != 0;
-        layer(u) = is_first ? 1 : 0;
+        place[u].at[layer_direction] = is_first ? 0 : unreached;
         if (is_first) queue[filled++] = u;
     }
-    for (Index read = 0; read < filled; ++read) {
-        Index const u = queue[read];
-        for (Index const v : graph.of(u)) {
-            if (layer(v) != 0) continue;
-            layer(v) = layer(u) + 1;
-            queue[filled++] = v;
-        }
+    spread(graph, layer_direction, 0, filled);
+}
+
+void Places::find_levels(Graph const& graph, Span<const Index> part) const noexcept {
+    auto const level = [&](Index u) -> float& { return place[u].at[level_direction]; };
+    auto const spread_from = [&](Index u, float its_level, Index filled) {
+        level(u) = its_level;
+        queue[filled] = u;
+        return spread(graph, level_direction, filled, filled + 1);
+    };
+    Index start = part[0], filled = 0;
+    for (Index sweep = 0; sweep < 2; ++sweep) {  // the second from where the first one ends
+        for (Index const u : part) level(u) = unreached;
+        filled = spread_from(start, 0, 0);
+        start = queue[filled - 1];
+    }
+    for (Index const u : part) {  // what hangs apart comes behind
+        if (level(u) < 0) filled = spread_from(u, level(queue[filled - 1]) + 1, filled);
     }
 }
 
@@ -56,6 +84,7 @@ void Places::find(Graph const& graph, Points points) const noexcept {
             set_four(reach[u].ahead, half, outwards * ahead[half]);
             set_four(reach[u].behind, half, outwards * behind[half]);
         }
+        reach[u].ahead[level_direction] = reach[u].behind[level_direction] = 1;
     }
 }
 

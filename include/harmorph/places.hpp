@@ -5,8 +5,9 @@
 
 namespace harmorph {
 
-// x, y, both diagonals, and the layer round the curves. Eight numbers, because vectors of numbers are; the last are not used.
-inline constexpr Index directions = 5, direction_lanes = 8, layer_direction = 4;
+// x, y, both diagonals, and the layer round the curves; then, for parts that these cut badly, a level of their own. Eight
+// numbers, because vectors of numbers are; the last are not used.
+inline constexpr Index directions = 5, direction_lanes = 8, layer_direction = 4, level_direction = 5;
 
 // Numbers of four directions: wider vectors would be taken apart on the plain architecture.
 typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
@@ -35,9 +36,13 @@ struct Places {
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
     void find(Graph const& graph, Points points) const noexcept;
+    // Levels of a part: steps from an unknown at its end. Neighbours outside have had theirs. `queue` then begins with the
+    // part by increasing level. (After N. E. Gibbs, W. G. Poole, P. K. Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236.)
+    void find_levels(Graph const& graph, Span<const Index> part) const noexcept;
 
 private:
     void find_layers(Graph const& graph) const noexcept;
+    Index spread(Graph const& graph, Index direction, Index read, Index filled) const noexcept;
 };
 
 }  // namespace harmorph
