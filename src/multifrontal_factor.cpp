@@ -23,15 +23,14 @@ public:
         auto const& its = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         UpdateMatrix const left{update, panel.border(), panel.planes};
-        clear(panel.data, dense::panel_entries(panel.pivots, panel.front));
-        clear(update, dense::update_entries(left.n));
-        assemble(node, panel);
+        if (its.child == none) begin(node, panel, left);
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             UpdateMatrix const added{done != none ? engine_.kept_update<Number>(done) : free,
                                      engine_.border_of(child).count(), panel.planes};
             Number* const behind = free + added.planes * dense::update_room(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, lane, told, fault));
+            if (child == its.child) begin(node, panel, left);  // not sooner: it would have left the caches by now
             engine_.find_targets(child, node, lane.targets);
             dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
         }
@@ -48,6 +47,12 @@ public:
 private:
     void clear(Number* numbers, Offset entries) const noexcept {
         fill(Span<Number>(numbers, static_cast<Size>(engine_.planes * entries)), Number{0});
+    }
+
+    void begin(Index node, Panel const& panel, UpdateMatrix const& left) const noexcept {
+        clear(panel.data, dense::panel_entries(panel.pivots, panel.front));
+        clear(left.data, dense::update_entries(left.n));
+        assemble(node, panel);
     }
 
     // The matrix's own entries in the pivots' rows.
