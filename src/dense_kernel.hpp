@@ -86,7 +86,10 @@ HARMORPH_INLINE void tile(Block<Number> a, Block<Number> b, Index begin, Index e
         const Number* const from = a.data + k * next_k;
         const Number* const row = b.data + k * b.length;
         multiply_add<op, planes, 0>(from, next_row, a.plane, row, sum);
-        if constexpr (planes == 2) multiply_add<op, planes, 1>(from, next_row, a.plane, row + b.plane, sum);
+        if constexpr (planes == 2) {
+            asm volatile("" ::: "memory");  // or A's numbers stay in registers that the sums need
+            multiply_add<op, planes, 1>(from, next_row, a.plane, row + b.plane, sum);
+        }
     }
 #pragma GCC unroll 2
     for (Index plane = 0; plane < planes; ++plane) {
