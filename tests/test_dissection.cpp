@@ -108,6 +108,22 @@ TEST_CASE("on grids the separators are short, so that fill grows as n log n") {
     CHECK(per_point[2] - per_point[1] < 16);
 }
 
+TEST_CASE("a rolled strip is cut across, however its turns lie beside each other") {
+    int const along = 400, across = 8;
+    HandMadeGraph strip = grid_graph(along, across);
+    for (int j = 0; j < across; ++j)
+        for (int i = 0; i < along; ++i) {
+            double const turn = 0.06 * i, radius = 1 + 0.1 * turn + 0.07 * j;
+            strip.x[static_cast<std::size_t>(i + along * j)] = radius * std::cos(turn);
+            strip.y[static_cast<std::size_t>(i + along * j)] = radius * std::sin(turn);
+        }
+    Dissected const cut(strip);
+    for (Index t = 0; t < cut.tree.count; ++t) {
+        if (cut.tree.nodes[t].child != -1) CHECK(cut.tree.nodes[t].pivots() <= 2 * across);
+    }
+    check_dissection(strip);
+}
+
 TEST_CASE("the same bits again") {
     HandMadeGraph graph = grid_graph(50, 40);
     Dissected const a(graph), b(graph);

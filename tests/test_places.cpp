@@ -1,4 +1,4 @@
-// Places and reaches of unknowns: no neighbour is farther away than it is said to be.
+// Places and reaches of unknowns: no neighbour is farther away than it is said to be. Levels of parts.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
@@ -6,16 +6,31 @@
 using namespace fixtures;
 using harmorph::Index;
 
-TEST_CASE("neighbours lie within reach in every direction; layers grow by one") {
-    for (HandMadeGraph& graph : nasty_graphs()) {
+namespace {
+
+struct PlacedGraph {
+    explicit PlacedGraph(HandMadeGraph& graph) {
         harmorph::Arena counting;
-        harmorph::Places places;
         places.lay_out(counting, graph.n());
-        Guarded block(counting.bytes());
-        harmorph::Arena placing(block.data(), block.size());
+        block_ = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block_->data(), block_->size());
         places.lay_out(placing, graph.n());
         places.find(graph.view(), graph.points());
-        CHECK(block.guards_intact());
+    }
+    ~PlacedGraph() { CHECK(block_->guards_intact()); }
+
+    harmorph::Places places;
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+}  // namespace
+
+TEST_CASE("neighbours lie within reach in every direction; layers grow by one") {
+    for (HandMadeGraph& graph : nasty_graphs()) {
+        PlacedGraph its(graph);
+        harmorph::Places const& places = its.places;
         int outside = 0, jumps = 0;
         for (Index u = 0; u < graph.n(); ++u)
             for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
@@ -30,6 +45,44 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
         CHECK(outside == 0);
         CHECK(jumps == 0);
         for (Index u = 0; u < graph.n(); ++u)
-            if (graph.view().beside_curve[u] != 0) CHECK(places.place[u].at[harmorph::layer_direction] == 1);
+            if (graph.view().beside_curve[u] != 0) CHECK(places.place[u].at[harmorph::layer_direction] == 0);
+    }
+}
+
+TEST_CASE("levels: steps from an end of the part, one at most between neighbours, and nothing is left out") {
+    std::vector<HandMadeGraph> graphs = nasty_graphs();
+    graphs.push_back(grid_graph(7, 3));
+    for (HandMadeGraph& graph : graphs) {
+        PlacedGraph its(graph);
+        auto const level = [&](Index u) { return its.places.place[u].at[harmorph::level_direction]; };
+        std::vector<Index> all(static_cast<std::size_t>(graph.n()));
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
+        its.places.find_levels(graph.view(), span(all));
+        std::set<Index> seen;
+        int jumps = 0, falls = 0;
+        for (Index k = 0; k < graph.n(); ++k) {
+            Index const u = its.places.queue[k];
+            seen.insert(u);
+            if (k > 0) falls += level(u) < level(its.places.queue[k - 1]);
+            for (Index const v : graph.near[static_cast<std::size_t>(u)]) jumps += std::fabs(level(v) - level(u)) > 1;
+        }
+        CHECK(seen.size() == all.size());
+        CHECK(level(its.places.queue[0]) == 0);
+        CHECK(falls == 0);
+        CHECK(jumps == 0);
+    }
+    HandMadeGraph grid = grid_graph(9, 3);  // the second half is a part: its own end is where its levels begin
+    PlacedGraph its(grid);
+    std::vector<Index> half;
+    for (Index u = 0; u < 27; ++u) {
+        if (u % 9 > 4) half.push_back(u);
+    }
+    its.places.find_levels(grid.view(), span(half));
+    Index const first = its.places.queue[0];
+    for (Index const u : half) {
+        float const expected = static_cast<float>(std::abs(u % 9 - first % 9));
+        CHECK((first % 9 == 5 || first % 9 == 8));
+        CHECK(its.places.place[u].at[harmorph::level_direction] >= expected);
+        CHECK(its.places.place[u].at[harmorph::level_direction] <= 3);
     }
 }
