@@ -32,12 +32,14 @@ void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
     arena.take(slot, n_wall);
 }
 
-// The list may name every point of the wall, and repeat it; how often it does is known only when it is read.
+// How many points of the wall the list names, and repeats, is known only when it is read. It takes most room to name all of
+// them once. Where a few repeats take their place arrays may grow that had not grown for others: a few lines of memory more.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
+    constexpr Index few = 24;
     Extract bound;
     bound.take_work(arena, whole);
     BasisCounts counts = counts_of(whole, n_points, smaller(n_points, whole.wall_point.count()));
-    counts.joined = n_points;
+    counts.joined = n_points - counts.wall + few;
     bound.basis.lay_out(arena, counts);
 }
 

