@@ -2,7 +2,6 @@
 // transpose of that.
 #include <doctest/doctest.h>
 
-#include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/gradients.hpp>
 
@@ -35,12 +34,29 @@ private:
     std::unique_ptr<Guarded> block_;
 };
 
+// Rings of points whose last one repeats the first, bit by bit: a cut from a point of the wall where no function is 1.
+Case cut_ring(int n_t = 30, int n_r = 14) {
+    Case out = ring_case(1, n_t, 0.5, 1);
+    out.given_points.clear(), out.given_curves.clear(), out.given_u.clear();
+    Mesh& mesh = out.mesh = Mesh();
+    for (int j = 0; j <= n_r; ++j)
+        for (int i = 0; i <= n_t; ++i) {
+            double const r = 0.5 * std::pow(1.15, j), angle = 2 * std::acos(-1.0) * (i % n_t) / n_t;
+            mesh.add_point({r * std::cos(angle), r * std::sin(angle)});
+        }
+    int const row = n_t + 1, last = n_r * row;
+    for (int j = 0; j < n_r; ++j)
+        for (int k = j * row; k < j * row + n_t; ++k) mesh.add_cell({k, k + row, k + row + 1, k + 1});
+    for (int i = 0; i < n_t; ++i) mesh.add_face(i + 1, i, body);
+    for (int i = 0; i < n_t; ++i) mesh.add_face(last + i, last + i + 1, far_field);
+    return out;
+}
+
 // The kinds of values, and a mesh with a cut that begins at the wall.
 std::vector<KindOfProblem> problems() {
     std::vector<KindOfProblem> out = kinds_of_problems();
     out.emplace_back();
-    out.back().its = airfoil_case(24);
-    out.back().its.mesh = c_mesh(naca4({}, 24), 10, 3, stretched(2e-3, 5, 20)).mesh;
+    out.back().its = cut_ring();
     out.back().options.operator_kind = HM_CONFORMAL;
     return out;
 }
@@ -168,6 +184,23 @@ TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed p
         for (std::size_t k = 0; k < mesh.x.size(); ++k) unequal += xy[2 * k] != found.x[k] || xy[2 * k + 1] != found.y[k];
         CHECK(unequal == 0);
     }
+}
+
+TEST_CASE("both sides of a cut move as one, on the wall and off it") {
+    Case its = cut_ring(30);
+    Solved const solved(its);
+    CHECK(solved.info().curve_points == 30);   // 31 points of the mesh are on the curve
+    Single const single(solved.basis);
+    std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};   // the wall's other side, and not the side with the parameter
+    Rows const rows(single.basis, copy_alone);
+    CHECK(info_of(rows.basis).curve_points == 2);
+    Numbers const move = some_move(8, 0.05, 2);
+    Moved const whole = displacement(solved.basis, move), by = displacement(single.basis, move),
+                some = displacement(rows.basis, move);
+    for (std::size_t k = 0; k < by.x.size(); k += 31) CHECK((by.x[k] == by.x[k + 30] && by.y[k] == by.y[k + 30]));
+    for (std::size_t const k : {0u, 30u}) CHECK((by.x[k] == whole.x[k] && by.y[k] == whole.y[k]));
+    CHECK(by.x[0] != static_cast<double>(static_cast<float>(by.x[0])));
+    for (std::size_t const k : {0u, 3u}) CHECK((some.x[k] == whole.x[30] && some.y[k] == whole.y[30]));
 }
 
 TEST_CASE("the sum of the functions is 1 to single precision, on the curve to double") {
