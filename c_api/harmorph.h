@@ -492,8 +492,9 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
 /* Rows of some points: a basis for the part of the mesh that a process has. Its point k is points[k], counted from the mesh's
  * index_base, in any order, ghosts and repeats too; hm_morph, hm_adjoint, hm_boundary_error and hm_basis_values work with
  * arrays of n points in that order, and points in reports are places in the list. Points of the wall stay what they are, at
- * the first place where the list names them, or the other side of a cut there. It has no cells: calls that take a mesh refuse it. Like any basis it is one
- * block that needs nothing else and may be moved. The size is enough for any list of n points.
+ * the first place where the list names them, or the other side of a cut there. It has no cells: calls that take a mesh
+ * refuse it. Like any basis it is one block that needs nothing else and may be moved. The size is enough for any list of
+ * n points.
  * Made of a share that has not all functions, it waits for its values, see hm_parcel_unpack. */
 HM_API hm_status hm_extract_size(const hm_basis *basis, int32_t n, size_t *bytes, hm_error *err);
 HM_API hm_status hm_extract_init(hm_basis **rows, void *block, size_t bytes, const hm_basis *basis, int32_t n,
