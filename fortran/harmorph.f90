@@ -15,7 +15,7 @@
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
-!     call basis%single(narrow)                    the functions in single precision: morph and adjoint in half the time
+!     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
 !
 ! Operators     hm_options: the default is the conformal one; hm_laplace are the paper's harmonic functions.
 ! Layouts       Coordinates are x(:), y(:), or structured x(:,:), y(:,:). Any constant distance from point to point is
