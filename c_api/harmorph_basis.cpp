@@ -105,6 +105,7 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
         filled.exponent_quarters = header.method.quarters;
         filled.bodies = header.counts.bodies;
         filled.offset_correction = header.method.offset_correction;
+        filled.storage = static_cast<std::int32_t>(header.counts.storage);
         filled.index_base = header.index_base;
         filled.curve_point = b.wall_point.data();
         filled.point_curve = b.wall_curve.data();
@@ -169,8 +170,7 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
             fault.refuse(Status::bad_argument, "values have no number #; they have @", Counts::from_zero, number,
                          numbers_of(b.kind()));
         } else {
-            Index const place = number * b.n_functions() + held;
-            for (Index point = 0; point < b.n_points(); ++point) values[point] = b.row(point)[place];
+            b.column(number * b.n_functions() + held, values);
         }
     }
     return tell(err, fault);

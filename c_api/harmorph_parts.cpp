@@ -15,13 +15,19 @@ Status view_list(Basis const& basis, Index n, const Index* points, PointList& li
     return list.check(basis.n_points(), fault);
 }
 
+// What goes into parcels, and comes out of them.
+Status open_share(const hm_basis* given, Basis& share, Fault& fault) noexcept {
+    HARMORPH_TRY(open_solved(given, share, fault));
+    return share.require_double(fault);
+}
+
 Status extract(Basis const& from, PointList const& list, void* block, Size bytes, hm_basis** out,
                Fault& fault) noexcept {
     Arena arena(block, bytes);
     Extract made;
     made.lay_out(arena, from, list);
     HARMORPH_TRY(arena.verify(bytes, fault));
-    made.init(from);
+    made.init(from, list);
     if (from.header->counts.complete()) made.copy_rows(from, list);
     *out = reinterpret_cast<hm_basis*>(made.basis.header);
     return Status::ok;
@@ -85,7 +91,7 @@ hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_
     Fault fault;
     Basis from;
     if (doubles == nullptr || n < 0) fault.refuse(Status::bad_argument, "doubles is NULL, or n is negative");
-    if (!failed(fault.status) && !failed(open_solved(share, from, fault))) *doubles = parcel_words(from, n);
+    if (!failed(fault.status) && !failed(open_share(share, from, fault))) *doubles = parcel_words(from, n);
     return tell(err, fault);
 }
 
@@ -94,7 +100,7 @@ hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points
     Basis from;
     PointList list;
     if (parcel == nullptr) fault.refuse(Status::bad_argument, "parcel is NULL");
-    if (!failed(fault.status) && !failed(open_solved(share, from, fault)) &&
+    if (!failed(fault.status) && !failed(open_share(share, from, fault)) &&
         !failed(view_list(from, n, points, list, fault))) {
         pack_parcel(from, list, parcel);
     }
@@ -105,7 +111,9 @@ hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles
     Fault fault;
     Basis to;
     if (parcel == nullptr) fault.refuse(Status::bad_argument, "parcel is NULL");
-    if (!failed(fault.status) && !failed(open_basis(rows, to, fault))) unpack_parcel(to, parcel, doubles, fault);
+    if (!failed(fault.status) && !failed(open_basis(rows, to, fault)) && !failed(to.require_double(fault))) {
+        unpack_parcel(to, parcel, doubles, fault);
+    }
     return tell(err, fault);
 }
 

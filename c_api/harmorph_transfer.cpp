@@ -20,6 +20,7 @@ Status open_coarse(const hm_basis* basis, const hm_mesh* given, Basis& coarse, M
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_mesh(mesh, fault));
     coarse = Basis::view(static_cast<const void*>(basis));
+    HARMORPH_TRY(coarse.require_double(fault));
     Status const status = check_basis(basis, static_cast<Size>(coarse.header->bytes), &mesh, fault);
     if (status != Status::moved) return status;
     return fault.refuse(Status::bad_basis, "the coarse mesh's coordinates are not those its basis was solved on");
@@ -28,6 +29,7 @@ Status open_coarse(const hm_basis* basis, const hm_mesh* given, Basis& coarse, M
 Status open_target(hm_basis* basis, Analysis const& analysis, Basis& fine, Fault& fault) noexcept {
     if (basis == nullptr) return fault.refuse(Status::bad_argument, "basis is NULL");
     fine = Basis::view(static_cast<void*>(basis));
+    HARMORPH_TRY(fine.require_double(fault));
     BasisCounts const counts = analysis.basis_counts();
     bool const its_own = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
                          fine.header->topology == analysis.topology &&

@@ -15,6 +15,7 @@
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
+!     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
 !
 ! Operators     hm_options: the default is the conformal one; hm_laplace are the paper's harmonic functions.
 ! Layouts       Coordinates are x(:), y(:), or structured x(:,:), y(:,:). Any constant distance from point to point is
@@ -168,7 +169,7 @@ module harmorph
         integer(c_int32_t) :: solved = 0, points = 0, cells = 0, functions = 0, curves = 0, curve_points = 0
         integer(c_int32_t) :: numbers_per_value = 0, operator_kind = 0, scheme = 0, engine = 0, index_base = 0
         type(c_ptr) :: curve_point = c_null_ptr, point_curve = c_null_ptr, point_u = c_null_ptr
-        integer(c_int32_t) :: exponent_quarters = 0, bodies = 0, offset_correction = 0, reserved = 0
+        integer(c_int32_t) :: exponent_quarters = 0, bodies = 0, offset_correction = 0, storage = 0
     end type
 
     type, bind(c), public :: hm_transfer_report
@@ -329,6 +330,7 @@ module harmorph
         real(c_double), allocatable :: point_u(:)               ! and its parameter
         integer :: exponent_quarters = 0, bodies = 0            ! functions: control points, and two for each body
         logical :: offset_correction = .false.
+        integer :: storage = hm_double                          ! hm_single: made by basis%single
     end type
 
     type :: block_of_memory
@@ -446,6 +448,8 @@ module harmorph
         generic :: quality => quality_v8, quality_v4, quality_b8, quality_b4
         procedure, private :: assess_v8, assess_v4, assess_b8, assess_b4
         generic :: assess => assess_v8, assess_v4, assess_b8, assess_b4
+        procedure :: single => basis_single
+        procedure :: single_words => basis_single_words
         procedure :: extract => basis_extract
         procedure :: extract_words => basis_extract_words
         procedure :: pack => basis_pack
@@ -471,7 +475,8 @@ module harmorph
         hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
         hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, hm_c_basis_info_get, hm_c_basis_curves, &
-        hm_c_basis_conditions, hm_c_basis_values, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, &
+        hm_c_basis_conditions, hm_c_basis_values, hm_c_single_size, hm_c_single_init, hm_c_transfer_size, &
+        hm_c_transfer, hm_c_morph, hm_c_adjoint, &
         hm_c_boundary_error, hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
         hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
         hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, hm_c_morph_safe
@@ -663,6 +668,21 @@ module harmorph
             type(c_ptr), value, intent(in) :: values
             type(hm_c_error), intent(inout) :: err
         end function
+        integer(c_int32_t) function hm_c_single_size(basis, bytes, err) bind(c, name="hm_single_size")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_single_init(single, block, bytes, basis, err) bind(c, name="hm_single_init")
+            import
+            type(c_ptr), intent(inout) :: single
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_error), intent(inout) :: err
+        end function
+
         integer(c_int32_t) function hm_c_transfer_size(analysis, coarse_mesh, bytes, err) &
             bind(c, name="hm_transfer_size")
             import
@@ -2780,7 +2800,38 @@ contains
             info%exponent_quarters = int(c%exponent_quarters)
             info%bodies = int(c%bodies)
             info%offset_correction = c%offset_correction /= 0
+            info%storage = int(c%storage)
         end if
+        call finish(status, e, stat, err)
+    end subroutine
+
+    ! 8-byte numbers of work for the functions in single precision; 0 of a basis that cannot have them.
+    integer(c_int64_t) function basis_single_words(self)
+        class(hm_basis), intent(in) :: self
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        basis_single_words = 0
+        if (hm_c_single_size(self%handle, bytes, e) >= 0) basis_single_words = words_of(bytes)
+    end function
+
+    ! The functions in single precision, but on the wall: another basis, which needs this one no longer.
+    subroutine basis_single(self, narrow, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        type(hm_basis), intent(inout) :: narrow
+        real(c_double), intent(inout), target, optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        integer(c_int32_t) :: status
+        integer(c_size_t) :: bytes
+        call narrow%free()
+        status = hm_ok
+        call need_basis(self, status, e)
+        if (status == hm_ok) status = hm_c_single_size(self%handle, bytes, e)
+        call take(narrow%memory, bytes, work, status, e)
+        if (status == hm_ok) status = hm_c_single_init(narrow%handle, narrow%memory%start, narrow%memory%bytes, &
+            self%handle, e)
+        call know_basis(narrow, status)
         call finish(status, e, stat, err)
     end subroutine
 

@@ -33,6 +33,9 @@
 !     CALL HMSTEP (W, DX, DY, INC, S, ICELL, IERR, MSG)          largest S for which X + S*DX has no inverted cell
 !     CALL HMQUAL (W, X, Y, INC, NINV, AMIN, QMIN, IERR, MSG)    inverted cells, least corner area, least quality
 !     CALL HMSAVE (W, LUN, IERR, MSG), HMLOAD (same)             the functions to, from an open unformatted file
+!     CALL HMSNGL (W, IERR, MSG)                                 the functions in W in single precision, but on the
+!                                                                wall: half the room, HMMORF and HMADJ are faster. Not
+!                                                                before HMSAFE
 !     CALL HMCLOS (W)                                            W is free for other use
 !
 ! Default INTEGER of 4 bytes. Coordinates are X(1), X(1+INC), ...; all counts begin with 1. IERR: 0 done, above 0 a
@@ -797,6 +800,37 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     ninv = int(report%inverted)
     amin = report%min_area
     qmin = report%min_quality
+end subroutine
+
+! Made in the free part of W, then moved to where the functions were.
+subroutine hmsngl(w, ierr, msg)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(c_ptr) :: made, moved
+    type(hm_c_basis_info) :: info
+    type(hm_c_error) :: e
+    integer(c_int8_t), pointer :: from(:), to(:)
+    integer(c_int64_t) :: k
+    integer(c_size_t) :: bytes
+    info%struct_size = int(c_sizeof(info), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_single_size(its%basis, bytes, e), e, ierr, msg)
+    if (ierr < 0) return
+    if (.not. fits(its, words_of(bytes), its%words, ierr, msg)) return
+    call tell(hm_c_single_init(made, c_loc(w(its%used + 1)), bytes, its%basis, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_basis_info_get(made, info, e), e, ierr, msg)
+    if (ierr < 0) return
+    call c_f_pointer(made, from, [info%bytes])
+    call c_f_pointer(c_loc(w(its%no_basis + 1)), to, [info%bytes])
+    do k = 1, info%bytes
+        to(k) = from(k)
+    end do
+    moved = c_loc(w(its%no_basis + 1))
+    call keep_basis(its, moved)
 end subroutine
 
 ! Two records: the length, and the block as it is.

@@ -19,17 +19,20 @@ Index for_point_ranges(Index n_points, Executor const& executor, Body const& bod
     return ranges;
 }
 
-// Of points begin .. end-1 and numbers first .. first+width-1 of their rows.
-void add_range(Kernel kernel, Basis const& basis, Points gradient_by_points, BinaryScale scale, Index begin, Index end,
-               Index first, Index width, FixedSums& total) noexcept {
-    for (Index p = begin; p < end; p += block_points) {
-        Index const count = smaller(block_points, end - p);
+// Of numbers first .. first+width-1 of n rows that follow one another, and the gradients by their points: gradient(i).
+template <class Number, class Gradient>
+void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, BinaryScale scale, Index first,
+              Index width, Gradient const& gradient, FixedSums& total) noexcept {
+    Offset const length = basis.row_length();
+    for (Index begin = 0; begin < n; begin += block_points) {
+        Index const count = smaller(block_points, n - begin);
         Vec2 by[block_points];
         for (Index i = 0; i < count; ++i) {
-            Vec2 const its = gradient_by_points[p + i];
+            Vec2 const its = gradient(begin + i);
             by[i] = {scale.down(its.x), scale.down(its.y)};
         }
-        multiply_rows_transposed(kernel, {basis.row(p) + first, basis.row_length(), count, width}, by, total);
+        ValueRows<Number> const block{rows + begin * length + first, length, count, width};
+        multiply_rows_transposed(kernel, block, by, total);
     }
 }
 
@@ -37,14 +40,27 @@ void add_range(Kernel kernel, Basis const& basis, Points gradient_by_points, Bin
 struct SumsBlock {
     FixedSum x[Movements::most], y[Movements::most];
 
-    SumsBlock(Basis const& basis, Points gradient_by_points, BinaryScale scale, Index first, Index width,
+    SumsBlock(Basis const& basis, Points by_points, BinaryScale scale, Index first, Index width,
               Executor const& executor) noexcept {
         Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
+        auto const add = [&](auto* rows, Index n, auto const& gradient, FixedSums& total) {
+            add_rows(kernel, basis, rows, n, scale, first, width, gradient, total);
+        };
         FixedSums part[most_ranges];
         Index const ranges = for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
+            auto const gradient = [&](Index k) { return by_points[begin + k]; };
             part[i] = {};
-            add_range(kernel, basis, gradient_by_points, scale, begin, end, first, width, part[i]);
+            if (basis.in_single()) add(basis.single_row(begin), end - begin, gradient, part[i]);
+            else add(basis.row(begin), end - begin, gradient, part[i]);
         });
+        if (basis.in_single()) {  // the wall's rows were 0
+            auto const of_slot = [&](Index slot) { return by_points[basis.wall_point[slot]]; };
+            add(basis.row(0), basis.wall_point.count(), of_slot, part[0]);
+            for (Index k = 0; k < basis.joined_point.count(); ++k) {
+                auto const of_joined = [&](Index) { return by_points[basis.joined_point[k]]; };
+                add(basis.row(basis.joined_slot[k]), 1, of_joined, part[0]);
+            }
+        }
         for (Index k = 0; k < width; ++k) {
             for (Index i = 0; i < ranges; ++i) {
                 x[k] += part[i].x(k);

@@ -153,6 +153,7 @@ BasisCounts Analysis::basis_counts() const noexcept {
     }
     counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
     counts.wall = wall.count;
+    for_each_joined([&](Index, Index) { ++counts.joined; });
     counts.boundary = boundary.count;
     counts.loops = boundary.n_loops;
     counts.conditions = conditions.count();

@@ -17,11 +17,13 @@ std::uint64_t checksum_of(BasisHeader const& header) noexcept {
 }
 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points,  counts.cells,   counts.control, counts.bodies,   counts.curves, counts.indices,
-                         counts.knots,   counts.weights, counts.wall,    counts.boundary, counts.loops,  counts.conditions};
+    Index const all[] = {counts.points, counts.cells,   counts.control, counts.bodies, counts.curves,
+                         counts.indices, counts.knots,  counts.weights, counts.wall,   counts.joined,
+                         counts.boundary, counts.loops, counts.conditions};
     for (Index const count : all) {
         if (count < 0) return false;
     }
+    if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
     if (counts.first_held < 0 || counts.held < 0 || counts.held > counts.functions() - counts.first_held) return false;
     return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
 }
@@ -51,10 +53,15 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);
     arena.take(wall_lever, counts.wall);
+    arena.take(joined_point, counts.joined);
+    arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
     arena.take(reversed, counts.cells);
-    arena.take(value, Offset{counts.points} * (Offset{numbers_of(counts.kind)} * counts.held));
+    bool const in_single = counts.storage == Precision::in_single;
+    Offset const length = Offset{numbers_of(counts.kind)} * counts.held;
+    arena.take(value, (in_single ? counts.wall : counts.points) * length);
+    arena.take(single, (in_single ? counts.points : 0) * length);
 }
 
 Size Basis::bytes(BasisCounts const& counts) noexcept {
@@ -135,10 +142,26 @@ Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     return sum;
 }
 
+void Basis::column(Index place, Real* out) const noexcept {
+    for (Index point = 0; point < n_points(); ++point) {
+        out[point] = in_single() ? static_cast<Real>(single_row(point)[place]) : row(point)[place];
+    }
+    if (!in_single()) return;
+    for (Index slot = 0; slot < wall_point.count(); ++slot) out[wall_point[slot]] = row(slot)[place];
+    for (Index k = 0; k < joined_point.count(); ++k) out[joined_point[k]] = row(joined_slot[k])[place];
+}
+
+Status Basis::require_double(Fault& fault) const noexcept {
+    if (!in_single()) return Status::ok;
+    return fault.refuse(Status::unsupported,
+                        "the basis has its functions in single precision, this call needs them in double");
+}
+
 void Basis::seal(Real at_least) const noexcept {
     LargestMagnitude largest;
     largest.include(at_least);
     for (Real const number : value) largest.include(number);
+    for (float const number : single) largest.include(static_cast<Real>(number));
     header->largest = largest.value();
     header->solved = 1;
     header->checksum = checksum_of(*header);

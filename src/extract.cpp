@@ -25,44 +25,74 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
     return Status::ok;
 }
 
-// The list may name every point of the wall, once; how often it does is known only when it is read.
+void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
+    Index const n_wall = whole.wall_point.count();
+    arena.take(wall, n_wall + whole.joined_point.count());
+    arena.take(position, n_wall);
+    arena.take(slot, n_wall);
+}
+
+// How many points of the wall the list names, and repeats, is known only when it is read. It takes most room to name all of
+// them once. Where a few repeats take their place arrays may grow that had not grown for others: a few lines of memory more.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
+    constexpr Index few = 24;
     Extract bound;
-    arena.take(bound.wall, whole.wall_point.count());
-    bound.basis.lay_out(arena, counts_of(whole, n_points, smaller(n_points, whole.wall_point.count())));
+    bound.take_work(arena, whole);
+    BasisCounts counts = counts_of(whole, n_points, smaller(n_points, whole.wall_point.count()));
+    counts.joined = n_points - counts.wall + few;
+    bound.basis.lay_out(arena, counts);
 }
 
 void Extract::lay_out(Arena& arena, Basis const& whole, PointList const& list) noexcept {
-    arena.take(wall, whole.wall_point.count());
+    take_work(arena, whole);
     if (arena.overflown()) return;
-    BasisCounts const counts = counts_of(whole, list.count(), find_wall_points(whole, list));
+    find_wall_points(whole, list);
+    Index n_wall = 0, n_joined = 0;
+    for (Index const its : position) n_wall += its != none ? 1 : 0;
+    for_each_joined(list, [&](Index, Index) { ++n_joined; });
+    BasisCounts counts = counts_of(whole, list.count(), n_wall);
+    counts.joined = n_joined;
     basis.lay_out(arena, counts);
     if (arena.overflown()) return;
     std::memset(static_cast<void*>(basis.header), 0, Basis::bytes(counts));
     basis.header->counts = counts;
 }
 
-// Leaves `wall` in the order of the boundary, like wall_point.
-Index Extract::find_wall_points(Basis const& whole, PointList const& list) const noexcept {
-    for (Index slot = 0; slot < wall.count(); ++slot) wall[slot] = {whole.wall_point[slot], slot, none};
-    sort(wall, [](WallPlace const& a, WallPlace const& b) { return a.point < b.point; });
-    Index found = 0;
-    for (Index k = 0; k < list.count(); ++k) {
-        Index begin = 0, end = wall.count();
-        while (begin < end) {
-            Index const middle = begin + (end - begin) / 2;
-            if (wall[middle].point < list[k]) begin = middle + 1;
-            else end = middle;
-        }
-        if (begin == wall.count() || wall[begin].point != list[k] || wall[begin].position != none) continue;
-        wall[begin].position = k;
-        ++found;
+Index Extract::slot_of(Index point) const noexcept {
+    Index begin = 0, end = wall.count();
+    while (begin < end) {
+        Index const middle = begin + (end - begin) / 2;
+        if (wall[middle].point < point) begin = middle + 1;
+        else end = middle;
     }
-    sort(wall, [](WallPlace const& a, WallPlace const& b) { return a.slot < b.slot; });
-    return found;
+    return begin < wall.count() && wall[begin].point == point ? wall[begin].slot : none;
 }
 
-void Extract::init(Basis const& whole) const noexcept {
+void Extract::find_wall_points(Basis const& whole, PointList const& list) const noexcept {
+    Index const n_wall = whole.wall_point.count();
+    for (Index its = 0; its < n_wall; ++its) wall[its] = {whole.wall_point[its], its};
+    for (Index k = 0; k < whole.joined_point.count(); ++k) {
+        wall[n_wall + k] = {whole.joined_point[k], whole.joined_slot[k]};
+    }
+    sort(wall, [](WallPoint const& a, WallPoint const& b) { return a.point < b.point; });
+    fill(position, none);
+    for (Index k = 0; k < list.count(); ++k) {
+        Index const its = slot_of(list[k]);
+        if (its != none && position[its] == none) position[its] = k;
+    }
+    Index n = 0;  // in the order of the boundary
+    for (Index its = 0; its < n_wall; ++its) slot[its] = position[its] != none ? n++ : none;
+}
+
+template <class Body>
+void Extract::for_each_joined(PointList const& list, Body const& body) const noexcept {
+    for (Index k = 0; k < list.count(); ++k) {
+        Index const its = slot_of(list[k]);
+        if (its != none && position[its] != k) body(k, its);
+    }
+}
+
+void Extract::init(Basis const& whole, PointList const& list) const noexcept {
     BasisHeader const counted = *basis.header;
     *basis.header = *whole.header;
     basis.header->counts = counted.counts;
@@ -75,20 +105,30 @@ void Extract::init(Basis const& whole) const noexcept {
     copy(basis.control, Span<const Real>(whole.control));
     copy(basis.weights, Span<const Real>(whole.weights));
     copy(basis.conditions, Span<const Condition>(whole.conditions));
-    Index slot = 0;
-    for (WallPlace const& its : wall) {
-        if (its.position == none) continue;
-        basis.wall_point[slot] = its.position;
-        basis.wall_curve[slot] = whole.wall_curve[its.slot];
-        basis.wall_u[slot] = whole.wall_u[its.slot];
-        basis.wall_lever[slot++] = whole.wall_lever[its.slot];
+    for (Index its = 0; its < slot.count(); ++its) {
+        if (slot[its] == none) continue;
+        basis.wall_point[slot[its]] = position[its];
+        basis.wall_curve[slot[its]] = whole.wall_curve[its];
+        basis.wall_u[slot[its]] = whole.wall_u[its];
+        basis.wall_lever[slot[its]] = whole.wall_lever[its];
     }
+    Index n = 0;
+    for_each_joined(list, [&](Index k, Index its) {
+        basis.joined_point[n] = k;
+        basis.joined_slot[n++] = slot[its];
+    });
 }
 
 void Extract::copy_rows(Basis const& whole, PointList const& list) const noexcept {
     Size const length = static_cast<Size>(basis.row_length());
-    for (Index k = 0; k < list.count(); ++k) {
-        copy(Span<Real>(basis.row(k), length), Span<const Real>(whole.row(list[k]), length));
+    auto const copy_row = [&](auto* to, auto* from) { std::memcpy(to, from, length * sizeof *to); };
+    if (basis.in_single()) {
+        for (Index k = 0; k < list.count(); ++k) copy_row(basis.single_row(k), whole.single_row(list[k]));
+        for (Index its = 0; its < slot.count(); ++its) {
+            if (slot[its] != none) copy_row(basis.row(slot[its]), whole.row(its));
+        }
+    } else {
+        for (Index k = 0; k < list.count(); ++k) copy_row(basis.row(k), whole.row(list[k]));
     }
     basis.header->filled = basis.n_functions();
     basis.seal(whole.header->largest);

@@ -171,6 +171,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
 }
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
+    HARMORPH_TRY(basis.require_double(fault));
     BasisCounts const whole = basis.header->counts.share(0, basis_counts.held);
     bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
@@ -238,6 +239,11 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     copy(basis.wall_curve, Span<const Index>(analysis.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(analysis.wall.u.first(counts.wall)));
     copy(basis.wall_lever, Span<const Vec2>(analysis.wall.lever.first(counts.wall)));
+    Index joined = 0;
+    analysis.for_each_joined([&](Index point, Index slot) {
+        basis.joined_point[joined] = point;
+        basis.joined_slot[joined++] = slot;
+    });
     copy(basis.boundary_point, Span<const Index>(analysis.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(analysis.boundary.loop_start.first(counts.loops + 1)));
     copy(basis.reversed, Span<const std::uint8_t>(analysis.reversed));

@@ -22,20 +22,39 @@ Movements movements_of(Basis const& basis, const Real* move, Index first, Index 
     return by;
 }
 
-// Points begin .. begin+n-1, n <= block_points.
-void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin,
-                 Index n) noexcept {
+// sum[p] += row p of `rows`, which follow one another, times the movements.
+template <class Number>
+void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, const Real* move, Vec2* sum) noexcept {
     Index const row_length = basis.row_length();
-    Vec2 sum[block_points] = {};
     for (Index first = 0; first < row_length; first += Movements::most) {
         Index const width = smaller(Movements::most, row_length - first);
         Movements const by = movements_of(basis, move, first, width);
-        multiply_rows(kernel, {basis.row(begin) + first, row_length, n, width}, by, sum);
+        multiply_rows(kernel, ValueRows<Number>{rows + first, row_length, n, width}, by, sum);
     }
+}
+
+// Points begin .. begin+n-1, n <= block_points.
+void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin,
+                 Index n) noexcept {
+    Vec2 sum[block_points] = {};
+    if (basis.in_single()) add_rows(kernel, basis, basis.single_row(begin), n, move, sum);
+    else add_rows(kernel, basis, basis.row(begin), n, move, sum);
     for (Index p = 0; p < n; ++p) {
         Vec2 const old = from.given() ? from[begin + p] : Vec2{};
         to.set(begin + p, {moved(old.x, sum[p].x), moved(old.y, sum[p].y)});
     }
+}
+
+// In single storage the wall has not moved yet: its rows there are 0.
+void morph_wall(Kernel kernel, Basis const& basis, const Real* move, MutablePoints to) noexcept {
+    auto const move_point = [&](Index point, Index slot) {
+        Vec2 const old = to[point];
+        Vec2 sum;
+        add_rows(kernel, basis, basis.row(slot), 1, move, &sum);
+        to.set(point, {moved(old.x, sum.x), moved(old.y, sum.y)});
+    };
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) move_point(basis.wall_point[slot], slot);
+    for (Index k = 0; k < basis.joined_point.count(); ++k) move_point(basis.joined_point[k], basis.joined_slot[k]);
 }
 
 }  // namespace
@@ -47,6 +66,7 @@ void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, 
             morph_block(kernel, basis, move, from, to, begin, smaller(block_points, range_end - begin));
         }
     });
+    if (basis.in_single()) morph_wall(kernel, basis, move, to);
 }
 
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {

@@ -16,6 +16,8 @@
 #define HARMORPH_LANES 4
 #define HARMORPH_LOAD_PART(from, n) \
     _mm256_maskload_pd(from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)))
+#define HARMORPH_LOAD_SINGLE_PART(from, n) \
+    _mm_maskload_ps(from, _mm_cmpgt_epi32(_mm_set1_epi32(n), _mm_set_epi32(3, 2, 1, 0)))
 #include "product_kernel.hpp"
 
 #if defined(__clang__)

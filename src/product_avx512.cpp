@@ -15,6 +15,7 @@
 #define HARMORPH_KERNEL avx512
 #define HARMORPH_LANES 8
 #define HARMORPH_LOAD_PART(from, n) _mm512_maskz_loadu_pd(static_cast<__mmask8>((1 << (n)) - 1), from)
+#define HARMORPH_LOAD_SINGLE_PART(from, n) _mm256_maskz_loadu_ps(static_cast<__mmask8>((1 << (n)) - 1), from)
 #include "product_kernel.hpp"
 
 #if defined(__clang__)

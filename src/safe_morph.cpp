@@ -22,6 +22,7 @@ Span<const unsigned char> problem_of(Basis const& basis) noexcept {
 
 // Another one's step moves the wall as the B-spline does only if its curves and parameters are the same.
 Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept {
+    HARMORPH_TRY(other.require_double(fault));
     BasisCounts counts = other.header->counts;
     counts.kind = basis.header->counts.kind;
     Span<const unsigned char> const mine = problem_of(basis), its = problem_of(other);

@@ -125,7 +125,7 @@ has_keys "fit: keys" points degree max_error rms_error
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    iterations levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes
+    iterations levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
 for engine in multigrid fas; do
     runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $engine --levels 3 \
@@ -173,6 +173,16 @@ refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve 
 runs "solve: two curve files" 0 fit "$ring" --marker far --points 8 -o "$tmp/far.curve"
 runs "solve: two curve files" 0 solve "$ring" --curve body="$curve" --curve far="$tmp/far.curve" -o "$tmp/two.basis" --json
 check "solve: numbers go on" says '"functions": 20'
+runs "--storage single" 0 solve "$ring" --curve body="$curve" -o "$tmp/single.basis" --storage single --json
+check "--storage single: says so" says '"storage": "single"'
+check "--storage single: a smaller file" test "$(wc -c <"$tmp/single.basis")" -lt "$(($(wc -c <"$basis") * 2 / 3))"
+runs "--storage single: morph" 0 morph "$ring" "$tmp/single.basis" --move "$tmp/small.txt" -o "$tmp/single.su2" --json
+check "--storage single: the wall moves as the B-spline" grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0)' "$tmp/out"
+runs "--storage single: zero move" 0 morph "$ring" "$tmp/single.basis" --move "$no_moves" -o "$tmp/same.su2"
+check "--storage single: zero move: the same file" cmp "$ring" "$tmp/same.su2"
+runs "--storage single: export" 0 export "$ring" "$tmp/single.basis" --function 2 --csv "$tmp/single.csv"
+refuses "--storage single: not with --safe" 2 'single precision' morph "$ring" "$tmp/single.basis" --move "$tmp/small.txt" --safe
+refuses "--storage: what there is" 2 'double, single' solve "$ring" --curve body="$curve" -o "$tmp/x" --storage half
 
 # ---- Not usable: exit code 1 -------------------------------------------------------------------------------------
 
@@ -254,6 +264,9 @@ check "transfer: the wall moves as the B-spline" grep -E '"boundary_error": ([0-
 runs "transfer: threads" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine2.basis" --threads 2
 check "transfer: threads give the same bits" cmp "$tmp/fine.basis" "$tmp/fine2.basis"
 check "transfer: says how many were interpolated" says '3300 of them interpolated'
+runs "transfer: to single precision" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine3.basis" --storage single
+check "transfer: to single precision: smaller" test "$(wc -c <"$tmp/fine3.basis")" -lt "$(wc -c <"$tmp/fine.basis")"
+refuses "transfer: from single precision" 2 'single precision' transfer "$ring" "$tmp/single.basis" "$tmp/fine.su2" -o "$tmp/x"
 awk 'NF == 3 && index($0, ".") { $1 = 1.5 * $1; $2 = 1.5 * $2 } { print }' "$tmp/fine.su2" >"$tmp/larger.su2"
 refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
 sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"

@@ -86,7 +86,7 @@ program layout
         c_loc(basis_info%numbers_per_value), c_loc(basis_info%operator_kind), c_loc(basis_info%scheme), &
         c_loc(basis_info%engine), c_loc(basis_info%index_base), c_loc(basis_info%curve_point), &
         c_loc(basis_info%point_curve), c_loc(basis_info%point_u), c_loc(basis_info%exponent_quarters), &
-        c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%reserved)])
+        c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%storage)])
     call compare("hm_transfer_report", 14, c_sizeof(transfer_report), c_loc(transfer_report), &
         [c_loc(transfer_report%struct_size), c_loc(transfer_report%points), c_loc(transfer_report%outside), &
         c_loc(transfer_report%max_distance), c_loc(transfer_report%max_distance_point), &

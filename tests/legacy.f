@@ -251,6 +251,23 @@ C     SAVE, CLOSE, LOAD.
       CALL CHECK (N .EQ. NCP, 'LOADED: ITS POINTS', MSG)
       CALL HMSAFE (W, DP, DX, DY, 1, S, K, IERR, MSG)
       CALL CHECK (IERR .EQ. -2, 'SAFELY AFTER HMLOAD: ', MSG)
+
+C     IN SINGLE PRECISION: THE WALL AS BEFORE, THE REST NEARLY.
+      CALL HMSNGL (W, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SINGLE: ', MSG)
+      CALL COPY (NP, X, Y, DX, DY)
+      CALL HMMORF (W, DP, DX, DY, 1, IERR, MSG)
+      J = 0
+      S = 0D0
+      DO 85 K = 1, NP
+         IF (K .LE. NA .AND. ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K))
+     &       .LE. 0D0) J = J + 1
+         S = MAX(S, ABS(DX(K) - XN(K)) + ABS(DY(K) - YN(K)))
+   85 CONTINUE
+      CALL CHECK (IERR .EQ. 0 .AND. J .EQ. NA .AND. S .GT. 0D0 .AND.
+     &            S .LT. 1D-8, 'SINGLE: THE WALL BIT BY BIT', MSG)
+      CALL HMSNGL (W, IERR, MSG)
+      CALL CHECK (IERR .EQ. -9, 'SINGLE TWICE: ', MSG)
       CALL HMLOAD (W, 11, IERR, MSG)
       CALL CHECK (IERR .LT. 0, 'NOTHING LEFT: ', MSG)
       CLOSE (11)

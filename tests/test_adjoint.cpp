@@ -2,98 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
-#include <fixtures/parts.hpp>
-
-#include <algorithm>
-#include <limits>
+#include <fixtures/gradients.hpp>
 
 using namespace fixtures;
 
-namespace {
-
 using Numbers = std::vector<double>;
-
-// Gradients as flow solvers make them: a few points matter, most do not.
-Numbers uneven(std::size_t n, unsigned seed) {
-    std::mt19937 random(seed);
-    Numbers out;
-    for (std::size_t k = 0; k < n; ++k) out.push_back((2 * uniform(random) - 1) * std::pow(10.0, -12 * uniform(random)));
-    return out;
-}
-
-struct Gradient {
-    Numbers x, y;
-    Gradient(std::size_t n, unsigned seed) : x(uneven(n, seed)), y(uneven(n, seed + 1)) {}
-};
-
-Numbers adjoint(const hm_basis* basis, Gradient const& g, const hm_executor* executor = nullptr) {
-    Numbers out(2 * static_cast<std::size_t>(info_of(basis).functions), -7.0);
-    REQUIRE(hm_adjoint(basis, g.x.data(), g.y.data(), 1, out.data(), executor, nullptr) == HM_OK);
-    return out;
-}
-
-// As several processes do it.
-Numbers adjoint_in_parts(const hm_basis* basis, Gradient const& g, std::vector<std::vector<std::int32_t>> const& parts) {
-    std::vector<std::unique_ptr<Rows>> rows;
-    std::int32_t scale = std::numeric_limits<std::int32_t>::min();
-    for (auto const& points : parts) {
-        rows.push_back(std::make_unique<Rows>(basis, points));
-        REQUIRE(rows.back()->status == HM_OK);
-        std::int32_t its = 0;
-        REQUIRE(hm_adjoint_scale(rows.back()->basis, pick(g.x, points).data(), pick(g.y, points).data(), 1, &its, nullptr,
-                                 nullptr) == HM_OK);
-        scale = std::max(scale, its);
-    }
-    hm_basis_info const info = info_of(basis);
-    std::vector<std::int64_t> sums(static_cast<std::size_t>(4 * info.functions * info.numbers_per_value)), one(sums);
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        REQUIRE(hm_adjoint_sums(rows[k]->basis, pick(g.x, parts[k]).data(), pick(g.y, parts[k]).data(), 1, scale, one.data(),
-                                nullptr, nullptr) == HM_OK);
-        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += one[i];
-    }
-    Numbers out(2 * static_cast<std::size_t>(info.functions));
-    REQUIRE(hm_adjoint_finish(rows[0]->basis, scale, sums.data(), out.data(), nullptr) == HM_OK);
-    return out;
-}
-
-// The values of a function's matrix at a point, in long doubles: dX = [a b; c d] dP.
-struct Matrices {
-    std::vector<Numbers> plane[4];
-    hm_basis_info info;
-
-    explicit Matrices(const hm_basis* basis) : info(info_of(basis)) {
-        for (std::int32_t p = 0; p < info.numbers_per_value; ++p)
-            for (std::int32_t i = 0; i < info.functions; ++i) {
-                plane[p].emplace_back(static_cast<std::size_t>(info.points));
-                REQUIRE(hm_basis_values(basis, i, p, plane[p].back().data(), nullptr) == HM_OK);
-            }
-    }
-    // F^T (gx, gy), and the error bound that harmorph.h states.
-    void gradient(std::size_t i, Gradient const& g, long double out[2], long double bound[2]) const {
-        long double largest = 0, largest_g = 0, size[2] = {0, 0};
-        out[0] = out[1] = 0;
-        for (auto const& planes : plane)
-            for (Numbers const& one : planes)
-                for (double const value : one) largest = std::max<long double>(largest, std::fabs(value));
-        for (std::size_t k = 0; k < g.x.size(); ++k) {
-            long double m[4] = {plane[0][i][k], 0, 0, plane[0][i][k]};
-            if (info.numbers_per_value == 2) m[1] = -plane[1][i][k], m[2] = plane[1][i][k];
-            if (info.numbers_per_value == 4) m[1] = plane[1][i][k], m[2] = plane[2][i][k], m[3] = plane[3][i][k];
-            for (int to = 0; to < 2; ++to) {
-                long double const a = m[to] * g.x[k], b = m[2 + to] * g.y[k];
-                out[to] += a + b;
-                size[to] += std::fabs(a) + std::fabs(b);
-            }
-            largest_g = std::max<long double>(largest_g, std::max(std::fabs(g.x[k]), std::fabs(g.y[k])));
-        }
-        // Two sums, and the rounding of what they are added to.
-        long double const n = static_cast<long double>(g.x.size());
-        for (int to = 0; to < 2; ++to)
-            bound[to] = (0x1p-53L + 0x1p-51L) * size[to] + 2 * n * 0x1p-63L * largest * largest_g;
-    }
-};
-
-}  // namespace
 
 TEST_CASE("the sums are right, to the bound that is stated, for values of all kinds") {
     for (KindOfProblem& problem : kinds_of_problems()) {

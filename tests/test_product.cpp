@@ -30,7 +30,7 @@ struct Product {
         }
         for (Index p = 0; p < points; ++p) weight.push_back({2 * uniform(random) - 1, 2 * uniform(random) - 1});
     }
-    harmorph::ValueRows rows() const { return {values.data(), functions, points, functions}; }
+    harmorph::ValueRows<double> rows() const { return {values.data(), functions, points, functions}; }
     double value(Index p, Index k) const { return values[static_cast<std::size_t>(p * functions + k)]; }
 
     std::vector<double> multiply(Kernel kernel) const {
@@ -118,4 +118,35 @@ TEST_CASE("rows may be longer than what is used of them") {
         for (Index k = 0; k < 13; ++k) x += product.value(p, k) * by.x[k];
         CHECK(sum[static_cast<std::size_t>(p)].x == doctest::Approx(x).epsilon(1e-14));
     }
+}
+
+TEST_CASE("numbers in single precision give the bits that they give as double ones, and none behind the last is read") {
+    for (Index functions = 1; functions <= Movements::most; functions += functions < 40 ? 1 : 11)
+        for (Index const points : {1, 3, 4, 9}) {
+            Product product(points, functions, static_cast<unsigned>(functions));
+            std::vector<float> singles(1, std::numeric_limits<float>::quiet_NaN());   // so that rows begin at odd places
+            for (double& value : product.values) {
+                singles.push_back(static_cast<float>(value));
+                value = static_cast<double>(singles.back());
+            }
+            for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
+                if (!harmorph::has_kernel(kernel)) continue;
+                for (std::size_t const behind : {std::size_t{0}, std::size_t{16}}) {   // the heap's end, or NaN
+                    std::vector<float> rows = singles;
+                    rows.resize(rows.size() + behind, std::numeric_limits<float>::quiet_NaN());
+                    rows.shrink_to_fit();
+                    harmorph::ValueRows<float> const its{rows.data() + 1, functions, points, functions};
+                    std::vector<Vec2> sum(static_cast<std::size_t>(points), Vec2{0.5, -0.25});
+                    multiply_rows(kernel, its, product.by, sum.data());
+                    std::vector<double> there, back;
+                    for (Vec2 const s : sum) there.insert(there.end(), {s.x, s.y});
+                    CHECK(same_bits(there, product.multiply(kernel)));
+                    harmorph::FixedSums total{};
+                    multiply_rows_transposed(kernel, its, product.weight.data(), total);
+                    for (Index k = 0; k < functions; ++k) back.push_back(total.x(k).value());
+                    for (Index k = 0; k < functions; ++k) back.push_back(total.y(k).value());
+                    CHECK(same_bits(back, product.transposed(kernel)));
+                }
+            }
+        }
 }

@@ -97,6 +97,18 @@ double Arguments::positive(const std::string& option, double fallback) const {
     return value;
 }
 
+std::int32_t Arguments::choice(const std::string& option, const std::vector<Choice>& choices) const {
+    if (!has(option)) return choices[0].number;
+    const std::string given = text(option);
+    std::string names;
+    for (const Choice& choice : choices) {
+        if (given == choice.name) return choice.number;
+        names += names.empty() ? "" : ", ";
+        names += choice.name;
+    }
+    refuse(option + " is one of " + names + ", found " + quoted(given));
+}
+
 void Arguments::refuse(const std::string& message) const {
     const std::string name = command_.name;
     throw Failure(exit_usage, name + ": " + message + "\nTry: harmorph " + name + " --help");

@@ -17,6 +17,11 @@ struct Option {
 
 std::vector<Option> operator+(std::vector<Option> some, const std::vector<Option>& others);
 
+struct Choice {
+    const char* name;
+    std::int32_t number;
+};
+
 class Arguments;
 
 struct Command {
@@ -39,6 +44,7 @@ public:
     std::vector<std::string> all(const std::string& option) const; // of an option that may be repeated
     std::string text(const std::string& option) const;             // must be given
     std::int32_t whole(const std::string& option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
+    std::int32_t choice(const std::string& option, const std::vector<Choice>& choices) const; // the first: if not given
     double positive(const std::string& option, double fallback) const;
 
     [[noreturn]] void refuse(const std::string& message) const; // wrong usage of this command

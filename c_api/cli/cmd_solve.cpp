@@ -6,6 +6,7 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "solver.hpp"
+#include "storage.hpp"
 #include "task.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ SolveTimes repeat(Solver& solver, std::int32_t runs) {
     return {median(setup), median(factor), median(solve)};
 }
 
-void print_json(const Solver& solver, const Mesh& mesh, const SolveTimes& times) {
+void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh, const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
     JsonObject object;
     object.add("points", mesh.points()).add("cells", mesh.cells()).add("functions", report.functions);
@@ -49,11 +50,12 @@ void print_json(const Solver& solver, const Mesh& mesh, const SolveTimes& times)
     object.add("iterations", report.iterations).add("levels", report.levels);
     object.add("setup_seconds", times.setup).add("factor_seconds", times.factor).add("solve_seconds", times.solve);
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
-    object.add("basis_bytes", static_cast<std::int64_t>(solver.basis_bytes()));
+    object.add("basis_bytes", static_cast<std::int64_t>(stored.bytes()));
+    object.add("storage", std::string(stored.in_single() ? "single" : "double"));
     std::printf("%s\n", object.text().c_str());
 }
 
-void print_for_people(const Solver& solver, const Mesh& mesh, const SolveTimes& times) {
+void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh, const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
     std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
                 plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
@@ -70,8 +72,9 @@ void print_for_people(const Solver& solver, const Mesh& mesh, const SolveTimes& 
                 report.max_distance_point);
     std::printf("seconds          %s set-up, %s factorisation, %s solution\n", brief(times.setup).c_str(),
                 brief(times.factor).c_str(), brief(times.solve).c_str());
-    std::printf("megabytes        %s plan, %s basis\n", brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
-                brief(1e-6 * static_cast<double>(solver.basis_bytes())).c_str());
+    std::printf("megabytes        %s plan, %s basis%s\n", brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
+                brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
+                stored.in_single() ? " in single precision" : "");
 }
 
 void run(const Arguments& arguments) {
@@ -88,14 +91,15 @@ void run(const Arguments& arguments) {
     const bool converged = solver.run() == HM_OK;
     warn_if_far(task, solver.report());
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
+    const Stored stored(arguments, mesh, solver.basis());
     OutputFiles files;
     if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
-    if (converged || arguments.has("--force")) write_basis(files.add(path), solver.basis());
+    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis());
     files.commit();
     if (arguments.has("--json")) {
-        print_json(solver, mesh, times);
+        print_json(solver, stored, mesh, times);
     } else {
-        print_for_people(solver, mesh, times);
+        print_for_people(solver, stored, mesh, times);
     }
     if (!converged) {
         throw Failure(exit_unusable, "not converged: the residual " + brief(solver.report().residual) + " is above " +
@@ -120,12 +124,13 @@ const Command solve_command = {
     task_options() + engine_options() +
     std::vector<Option>{
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
+     storage_option,
      threads_option,
      {"-o", "BASIS", "file to write (required)"},
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
                          "max_value, residual, iterations, levels, setup_seconds, factor_seconds,\n"
-                         "solve_seconds, plan_bytes, basis_bytes"}},
+                         "solve_seconds, plan_bytes, basis_bytes, storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};

@@ -5,6 +5,7 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "stopwatch.hpp"
+#include "storage.hpp"
 #include "task.hpp"
 #include "threads.hpp"
 
@@ -119,8 +120,9 @@ void run(const Arguments& arguments) {
     const Task task = task_on(arguments, basis, mesh, fine);
     Transfer transfer(fine, basis, task, threads);
     transfer.run(mesh);
+    const Stored stored(arguments, fine, transfer.transferred());
     OutputFiles files;
-    write_basis(files.add(path), transfer.transferred());
+    write_basis(files.add(path), stored.basis());
     files.commit();
     if (arguments.has("--json")) {
         print_json(transfer, fine, basis);
@@ -140,6 +142,7 @@ const Command transfer_command = {
     "them move along. Points a little beyond a curved boundary take the nearest cell's functions; farther ones than half a\n"
     "cell's side are refused.\n",
     {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
+     storage_option,
      threads_option,
      {"--json", nullptr, "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
                          "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},

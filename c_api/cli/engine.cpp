@@ -7,27 +7,6 @@
 
 namespace cli {
 
-namespace {
-
-struct Choice {
-    const char* name;
-    std::int32_t number;
-};
-
-std::int32_t choose(const Arguments& arguments, const char* option, const std::vector<Choice>& choices) {
-    if (!arguments.has(option)) return choices[0].number;
-    const std::string given = arguments.text(option);
-    std::string names;
-    for (const Choice& choice : choices) {
-        if (given == choice.name) return choice.number;
-        names += names.empty() ? "" : ", ";
-        names += choice.name;
-    }
-    arguments.refuse(std::string(option) + " is one of " + names + ", found " + quoted(given));
-}
-
-} // namespace
-
 const Option agglomeration_option = {
     "--agglomeration", "RULE", "auto (default): along strong couplings where cells are stretched; isotropic; directional"};
 
@@ -42,15 +21,14 @@ std::vector<Option> engine_options() {
 }
 
 void set_agglomeration(const Arguments& arguments, hm_options& options) {
-    options.agglomeration = choose(arguments, "--agglomeration",
-                                   {{"auto", HM_AGGLOMERATE_AUTO},
-                                    {"isotropic", HM_AGGLOMERATE_ISOTROPIC},
-                                    {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
+    options.agglomeration = arguments.choice("--agglomeration", {{"auto", HM_AGGLOMERATE_AUTO},
+                                                                 {"isotropic", HM_AGGLOMERATE_ISOTROPIC},
+                                                                 {"directional", HM_AGGLOMERATE_DIRECTIONAL}});
 }
 
 void set_engine(const Arguments& arguments, hm_options& options) {
-    options.engine = choose(arguments, "--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
-    options.precision = choose(arguments, "--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
+    options.engine = arguments.choice("--engine", {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}});
+    options.precision = arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision")) arguments.refuse("--precision goes with --engine direct");
     set_agglomeration(arguments, options);
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);

@@ -30,7 +30,6 @@ public:
     const hm_solve_report& report() const { return report_; }
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
-    std::size_t basis_bytes() const { return basis_block_.size(); }
 
 private:
     void analyse();

@@ -67,6 +67,15 @@ struct Analysis {
     Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }
     Edges const& stencil_edges() const noexcept { return problem.method.bounded() ? triangulation.edges : edges; }
     BasisCounts basis_counts() const noexcept;
+    // body(point, slot) for points that are not in the wall's list but at the place of one that is: beyond a cut.
+    template <class Body>
+    void for_each_joined(Body const& body) const noexcept {
+        for (Index point = 0; point < problem.mesh.n_points; ++point) {
+            if (representative[point] == point || wall_work.slot[point] != none) continue;
+            Index const slot = wall_work.slot[representative[point]];
+            if (slot != none) body(point, slot);
+        }
+    }
     bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
     Index count_wall_faces() const noexcept;
     Index count_used_points() const noexcept;

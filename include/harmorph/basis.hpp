@@ -10,9 +10,10 @@ namespace harmorph {
 
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
-          boundary = 0, loops = 0, conditions = 0;
+          joined = 0, boundary = 0, loops = 0, conditions = 0;
     Index first_held = 0, held = 0;  // functions that have a place: all of them, or the share of one process
     ValueKind kind = ValueKind::real;
+    Precision storage = Precision::in_double;  // of the values; see single.hpp
 
     // One of each control point, and two of each rigid body: its translation, and its turn.
     Index functions() const noexcept { return control + 2 * bodies; }
@@ -38,7 +39,7 @@ struct BoundaryFunctions {
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 2, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 3, native_order = 0x01020304;
 
     char magic[8];                // "harmorph"
     std::uint32_t format;
@@ -72,10 +73,12 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_lever;
+    Span<Index> joined_point, joined_slot;  // [joined] other points at the place of a slot of the wall: a cut's other side
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
     Span<std::uint8_t> reversed;   // [cells]
-    Span<Real> value;              // [points x row_length()], see ValueKind
+    Span<Real> value;              // [points x row_length()], see ValueKind; in single storage [wall x row_length()]
+    Span<float> single;            // [points x row_length()] in single storage, 0 at the wall and what is joined to it
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     static Size bytes(BasisCounts const& counts) noexcept;
@@ -87,7 +90,14 @@ struct Basis {
     Index n_functions() const noexcept { return header->counts.held; }
     ValueKind kind() const noexcept { return header->counts.kind; }
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
+    bool in_single() const noexcept { return header->counts.storage == Precision::in_single; }
+    // Of values in double precision: of a point, or in single storage of a slot of the wall.
     Real* row(Index point) const noexcept { return value.data() + Offset{point} * row_length(); }
+    float* single_row(Index point) const noexcept { return single.data() + Offset{point} * row_length(); }
+    // Number `place` of the rows of all points.
+    void column(Index place, Real* out) const noexcept;
+    // What writes values, or makes others of them, needs them in double precision.
+    Status require_double(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
     // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.

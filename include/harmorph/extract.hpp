@@ -16,24 +16,31 @@ struct PointList {
 };
 
 struct Extract {
-    // A point of the wall, and where in the list it stands first.
-    struct WallPlace {
-        Index point, slot, position;
+    // A point of the whole that is on the wall, or joined to it.
+    struct WallPoint {
+        Index point, slot;
     };
 
-    Span<WallPlace> wall;  // [wall points of the whole]
+    Span<WallPoint> wall;   // [wall and joined points of the whole] by point
+    Span<Index> position;   // [wall points of the whole] where in the list a point of the slot stands first
+    Span<Index> slot;       // [wall points of the whole] the slot's number in the extract
     Basis basis;
 
     static void count(Arena& arena, Basis const& whole, Index n_points) noexcept;
     // Finds the list's points of the wall, then lays out exactly. On overflow of the arena nothing is to be used.
     void lay_out(Arena& arena, Basis const& whole, PointList const& list) noexcept;
     // Everything but the values. The result holds all functions, also where `whole` has only a share of them.
-    void init(Basis const& whole) const noexcept;
+    void init(Basis const& whole, PointList const& list) const noexcept;
     // Of a whole basis, values and all; seals it.
     void copy_rows(Basis const& whole, PointList const& list) const noexcept;
 
 private:
-    Index find_wall_points(Basis const& whole, PointList const& list) const noexcept;
+    void take_work(Arena& arena, Basis const& whole) noexcept;
+    void find_wall_points(Basis const& whole, PointList const& list) const noexcept;
+    Index slot_of(Index point) const noexcept;
+    // body(k, slot of the whole) for entries of the list at a place where another one, of the wall, stands before.
+    template <class Body>
+    void for_each_joined(PointList const& list, Body const& body) const noexcept;
 };
 
 }  // namespace harmorph

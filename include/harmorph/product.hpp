@@ -14,9 +14,11 @@ struct Movements {
     Real x[most], y[most];
 };
 
-// Rows of neighbouring points; n_functions <= Movements::most of each are used.
+// Rows of neighbouring points; n_functions <= Movements::most of each are used. Numbers in single precision (float)
+// become double ones on their way into registers: products and sums are double.
+template <class Number>
 struct ValueRows {
-    const Real* values = nullptr;
+    const Number* values = nullptr;
     Offset row = 0;  // numbers from one row to the next
     Index n_points = 0, n_functions = 0;
 };
@@ -37,8 +39,10 @@ private:
 Kernel product_kernel(Offset values) noexcept;
 
 // sum[p] += values of point p . movements
-void multiply_rows(Kernel kernel, ValueRows const& rows, Movements const& by, Vec2* sum) noexcept;
+void multiply_rows(Kernel kernel, ValueRows<Real> const& rows, Movements const& by, Vec2* sum) noexcept;
+void multiply_rows(Kernel kernel, ValueRows<float> const& rows, Movements const& by, Vec2* sum) noexcept;
 // total += sum over the points of their values times by[p]; no product may exceed 1.
-void multiply_rows_transposed(Kernel kernel, ValueRows const& rows, const Vec2* by, FixedSums& total) noexcept;
+void multiply_rows_transposed(Kernel kernel, ValueRows<Real> const& rows, const Vec2* by, FixedSums& total) noexcept;
+void multiply_rows_transposed(Kernel kernel, ValueRows<float> const& rows, const Vec2* by, FixedSums& total) noexcept;
 
 }  // namespace harmorph

@@ -12,8 +12,8 @@ namespace {
 
 class Product {
 public:
-    Product(Case const& its_case, Ours const& ours, hm_executor const* executor)
-        : basis_(ours.basis()), executor_(executor), m_(at(ours.functions())), n_(its_case.mesh.x.size()) {
+    Product(Case const& its_case, hm_basis const* basis, Index functions, hm_executor const* executor)
+        : basis_(basis), executor_(executor), m_(at(functions)), n_(its_case.mesh.x.size()) {
         x_ = its_case.mesh.x;
         x_.insert(x_.end(), its_case.mesh.y.begin(), its_case.mesh.y.end());
         for (std::size_t k = 0; k < 2 * m_; ++k) move_.push_back(1e-9 * static_cast<double>(k % 7));
@@ -21,14 +21,15 @@ public:
     }
 
     // In place: F read, coordinates read and written. The move is tiny, so that repeating it does no harm.
-    double morph_seconds() {
+    void morph() {
         double* const x = x_.data();
-        return time_of([&] { done(hm_morph(basis_, move_.data(), x, y(), 1, x, y(), 1, executor_, &error_), "hm_morph"); });
+        done(hm_morph(basis_, move_.data(), x, y(), 1, x, y(), 1, executor_, &error_), "hm_morph");
     }
-    double adjoint_seconds() {
-        double *const x = x_.data(), *const gradient = gradient_.data();
-        return time_of([&] { done(hm_adjoint(basis_, x, y(), 1, gradient, executor_, &error_), "hm_adjoint"); });
+    void adjoint() {
+        done(hm_adjoint(basis_, x_.data(), y(), 1, gradient_.data(), executor_, &error_), "hm_adjoint");
     }
+    double morph_seconds() { return time_of([&] { morph(); }); }
+    double adjoint_seconds() { return time_of([&] { adjoint(); }); }
 
     // The fastest of the ways to store F and the coordinates that suit dgemm: {morph, adjoint}.
     std::pair<double, double> blas_seconds(Blas const& its) {
@@ -57,8 +58,8 @@ public:
     }
 
     double nodes() const { return static_cast<double>(n_); }
-    double morph_bytes() const { return nodes() * (8.0 * static_cast<double>(m_) + 32); }
-    double adjoint_bytes() const { return nodes() * (8.0 * static_cast<double>(m_) + 16); }
+    double morph_bytes(double number = 8) const { return nodes() * (number * static_cast<double>(m_) + 32); }
+    double adjoint_bytes(double number = 8) const { return nodes() * (number * static_cast<double>(m_) + 16); }
 
 private:
     hm_basis const* basis_;
@@ -94,7 +95,7 @@ void add_products(Case const& its_case, Settings const& settings, Limits const& 
         Workspace workspace;
         Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
         ours.run();
-        Product product(its_case, ours, settings.executor);
+        Product product(its_case, ours.basis(), functions, settings.executor);
         std::pair<double, double> theirs{not_measured, not_measured};
         if (blas() != nullptr) theirs = product.blas_seconds(*blas());
         auto row = [&](char const* what, double bytes, double our_seconds, double their_seconds) {
@@ -108,11 +109,35 @@ void add_products(Case const& its_case, Settings const& settings, Limits const& 
     }
 }
 
+// The same functions in single precision against double, call by call in turn.
+void add_storage(Case const& its_case, Settings const& settings, Limits const& limits, Table& table) {
+    for (Index const functions : settings.functions) {
+        Workspace workspace;
+        Ours ours(its_case, workspace, functions, settings.executor, settings.kernel);
+        ours.run();
+        hm_error error{};
+        std::size_t bytes = 0;
+        Block block;
+        hm_basis* single = nullptr;
+        require(hm_single_size(ours.basis(), &bytes, &error), error, "hm_single_size");
+        require(hm_single_init(&single, block.give(bytes), bytes, ours.basis(), &error), error, "hm_single_init");
+        Product wide(its_case, ours.basis(), functions, settings.executor),
+            narrow(its_case, single, functions, settings.executor);
+        auto row = [&](char const* what, double its_bytes, std::pair<double, double> seconds) {
+            table.add({what, its_case.name(), count(functions), milliseconds(seconds.first), milliseconds(seconds.second),
+                       ratio(seconds.first / seconds.second), {1e-9 * its_bytes / seconds.second, "%.1f"},
+                       percent(its_bytes / seconds.second / limits.read)});
+        };
+        row("morph", narrow.morph_bytes(4), least_in_turn([&] { wide.morph(); }, [&] { narrow.morph(); }));
+        row("adjoint", narrow.adjoint_bytes(4), least_in_turn([&] { wide.adjoint(); }, [&] { narrow.adjoint(); }));
+    }
+}
+
 void add_step(Case const& its_case, Settings const& settings, Table& table) {
     Workspace workspace;
     Ours ours(its_case, workspace, 20, settings.executor, settings.kernel);
     ours.run();
-    Product product(its_case, ours, settings.executor);
+    Product product(its_case, ours.basis(), ours.functions(), settings.executor);
     double const morph = product.morph_seconds();
 
     hm_basis const* const basis = ours.basis();
@@ -148,6 +173,8 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
                    {"what", "mesh", "functions", "ours", "ns/node", "GB/s", "% of reading", "dgemm", "ratio"}, {}, {}};
     Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
                 {"mesh", "cells", "morph", "step", "quality", "step and quality / morph"}, {}, {}};
+    Table storage{"Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
+                  {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "% of reading"}, {}, {}};
     Others others;
     for (std::string const& kind : settings.kinds) {
         say(kind + " " + std::to_string(largest) + ": morph");
@@ -155,6 +182,7 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
         if (kind == settings.kinds[0]) {
             add_products(make_case(kind, 5000), settings, limits, products);
             add_products(its_case, settings, limits, products);
+            add_storage(its_case, settings, limits, storage);
         }
         add_step(its_case, settings, steps);
     }
@@ -162,7 +190,10 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     products.notes.push_back("Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Small meshes stay "
                              "in the caches. dgemm: the best of three ways to store F and the coordinates.");
     products.notes.push_back(others.text());
+    storage.notes.push_back("In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint.");
+    storage.notes.push_back(others.text());
     report.finish(products);
+    report.finish(storage);
     report.finish(steps);
 }
 

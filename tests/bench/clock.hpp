@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bench {
@@ -89,6 +90,23 @@ double time_of(Work work, double budget = 0.3) {
         seconds.push_back(one.seconds());
     }
     return median(seconds);
+}
+
+// Seconds of one call each, the least of many in turn: what disturbs one disturbs the other.
+template <class One, class Other>
+std::pair<double, double> least_in_turn(One one, Other other, double budget = 1) {
+    std::pair<double, double> least{not_measured, not_measured};
+    Stopwatch whole;
+    for (int calls = 0; calls < 10 || (calls < 400 && whole.seconds() < budget); ++calls) {
+        Stopwatch watch;
+        one();
+        double const first = watch.lap();
+        other();
+        double const second = watch.lap();
+        if (!(least.first <= first)) least.first = first;
+        if (!(least.second <= second)) least.second = second;
+    }
+    return least;
 }
 
 // What run() returns. While others have the processor too, one thread's run is repeated, twice at most; the least disturbed

@@ -1,0 +1,49 @@
+#include "harmorph/single.hpp"
+
+#include <cstring>
+
+namespace harmorph {
+namespace {
+
+constexpr Real largest_single = 0x1.fffffep+127;
+
+// All that lies between header and values is the same in both.
+void copy_problem(Basis const& from, Basis const& to) noexcept {
+    auto const begin = reinterpret_cast<const unsigned char*>(from.shape.data());
+    auto const end = reinterpret_cast<const unsigned char*>(from.value.data());
+    std::memcpy(to.shape.data(), begin, static_cast<Size>(end - begin));
+}
+
+}  // namespace
+
+BasisCounts single_counts(Basis const& from) noexcept {
+    BasisCounts counts = from.header->counts;
+    counts.storage = Precision::in_single;
+    return counts;
+}
+
+Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
+    Real const largest = from.header->largest;  // of the whole, also where this is a part of it: so it stays
+    if (!(largest <= largest_single)) {
+        return fault.refuse(Status::unsupported, "a value of the functions is too large for single precision: ~",
+                            Counts::from_zero, none, none, largest);
+    }
+    BasisCounts const counts = single_counts(from);
+    std::memset(static_cast<void*>(to.header), 0, Basis::bytes(counts));
+    *to.header = *from.header;
+    to.header->counts = counts;
+    to.header->bytes = Basis::bytes(counts);
+    copy_problem(from, to);
+    Size const length = static_cast<Size>(from.row_length());
+    for (Size k = 0; k < from.value.size(); ++k) to.single[k] = static_cast<float>(from.value[k]);
+    auto const clear = [&](Index point) { fill(Span<float>(to.single_row(point), length), 0.0f); };
+    for (Index slot = 0; slot < from.wall_point.count(); ++slot) {
+        copy(Span<Real>(to.row(slot), length), Span<const Real>(from.row(from.wall_point[slot]), length));
+        clear(from.wall_point[slot]);
+    }
+    for (Index const point : from.joined_point) clear(point);
+    to.seal(larger(largest, static_cast<Real>(static_cast<float>(largest))));
+    return Status::ok;
+}
+
+}  // namespace harmorph
