@@ -14,12 +14,11 @@ void NodalGradient::lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) n
     dual.lay_out(arena, n_edges, its_mesh.n_points);
 }
 
-void NodalGradient::init(Mesh const& its_mesh, Edges const& its_edges, Span<const Index> its_rows,
-                         Span<const std::uint8_t> its_reversed, bool with_correction) noexcept {
+void NodalGradient::init(Mesh const& its_mesh, Edges const& its_edges, Span<const std::uint8_t> its_reversed,
+                         bool with_correction) noexcept {
     mesh = its_mesh;
     corrected = with_correction;
     reversed = its_reversed;
-    copy(row_of, its_rows);
     copy(edges.start, Span<const Index>(its_edges.start));
     copy(edges.first, Span<const Edges::Side>(its_edges.first.first(its_edges.count())));
     copy(edges.second, Span<const Index>(its_edges.second.first(its_edges.count())));

@@ -39,9 +39,9 @@ struct NodalGradient {
     MedianDual dual;             // ends of faces are rows
 
     void lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) noexcept;
-    // Rows from 0, less than n_points.
-    void init(Mesh const& its_mesh, Edges const& its_edges, Span<const Index> its_rows,
-              Span<const std::uint8_t> its_reversed, bool with_correction) noexcept;
+    // row_of has been filled: rows from 0, less than n_points.
+    void init(Mesh const& its_mesh, Edges const& its_edges, Span<const std::uint8_t> its_reversed,
+              bool with_correction) noexcept;
     void measure(Points points) noexcept;
 
     // Of n functions, n numbers in a row: value, balance [rows * n]. The balance is the flux into a point's volume, so
