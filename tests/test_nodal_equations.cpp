@@ -23,7 +23,7 @@ hm_options plain() { return nodal(HM_FAS, HM_NODAL_GRADIENT_PLAIN); }
 
 Case viscous_case(Cells kind) {
     Case its = airfoil_case(40, 12, Cells::quads);
-    its.mesh = o_mesh(naca4({}, 40), stretched(1e-4, 8, 30), kind);
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24), kind);
     return its;
 }
 
@@ -92,11 +92,10 @@ TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme'
             perturb(its.mesh, 0.3, 3);
             reverse_some(its.mesh, 4);
             if (free) its.set_free(far_field);
-            hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS), without = plain();
+            hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
             std::int32_t const marker = free ? far_field : -1;
             CHECK(balance_of(its, Solved(its, &direct), true, marker) < 1e-12);
             CHECK(balance_of(its, Solved(its, &fas), true, marker) < 1e-9);
-            CHECK(balance_of(its, Solved(its, &without), false, marker) < 1e-9);
             CHECK(balance_of(its, Solved(its), true, marker) > 1e-4);   // the test can fail
         }
 }
@@ -114,20 +113,20 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line;
             }
 }
 
-TEST_CASE("without correction: second order on smooth quads, a free symmetry line included, with larger errors") {
+TEST_CASE("without correction: second order on smooth triangles, a free symmetry line included, with larger errors") {
     hm_options const options = plain(), corrected = nodal(HM_DIRECT);
     for (bool const half : {false, true}) {
-        double const coarse = annulus_error(Cells::quads, 1, half, 0, options);
-        double const fine = annulus_error(Cells::quads, 2, half, 0, options);
+        double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
+        double const fine = annulus_error(Cells::triangles, 2, half, 0, options);
         INFO("errors " << coarse << " " << fine << ", half " << half);
         CHECK(std::log2(coarse / fine) > 1.5);
-        CHECK(fine > 2 * annulus_error(Cells::quads, 2, half, 0, corrected));
+        CHECK(fine > 2 * annulus_error(Cells::triangles, 2, half, 0, corrected));
     }
 }
 
 TEST_CASE("the difference from the compact scheme falls as the mesh is refined") {
     hm_options const options = nodal(HM_DIRECT);
-    for (Cells const kind : kinds) {
+    for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
         double last = 0;
         for (int const refine : {1, 2, 4}) {
             Case its = ring_case(6 * refine, 24 * refine, 0.5, 2, kind);
@@ -164,22 +163,26 @@ TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the sche
     CHECK(difference(one, other) < 1e-8);
     CHECK(difference(one, third) < 1e-11);
 
-    // 1 on the bottom and 0 on top: linear, so exact, also in the volumes that lie on both sides of the pair.
     Case periodic;
-    periodic.mesh = square(12, Cells::triangles);
-    for (std::size_t k = 0; k < periodic.mesh.x.size(); ++k) {
-        double const x = periodic.mesh.x[k], y = periodic.mesh.y[k];
-        periodic.mesh.y[k] = y + 0.3 * y * (1 - y) * std::sin(2 * pi * x);
-    }
-    periodic.curves = polyline({{0, 0}, {1, 0}});
-    periodic.put_on_curves(bottom);
+    periodic.mesh = square(8, Cells::quads, 2, 2);
+    periodic.curves = polyline({{0.375, 0.375}, {0.625, 0.375}, {0.625, 0.625}, {0.375, 0.625}});
+    periodic.put_on_curves(body);
     periodic.set_periodic(left, right);
-    Solved const found(periodic, &options), by_cycles(periodic, &fas);
-    CHECK(difference(found, by_cycles) < 1e-8);
-    std::vector<double> const sum = found.sum();
-    double worst = 0;
-    for (std::size_t k = 0; k < sum.size(); ++k) worst = std::fmax(worst, std::fabs(sum[k] - (1 - periodic.mesh.y[k])));
-    CHECK(worst < 1e-12);
+    CHECK(difference(Solved(periodic, &options), Solved(periodic)) < 1e-12);   // rectangles: the same scheme
+    perturb(periodic.mesh, 0.3, 3);
+    Solved const found(periodic, &options);
+    CHECK(difference(found, Solved(periodic, &fas)) < 1e-8);
+    CHECK(difference(found, Solved(periodic)) < 0.05);
+    CHECK(difference(found, Solved(periodic)) > 1e-4);
+    for (int row = 1; row < 8; ++row) {
+        auto const value_at = [&](double x) {
+            std::vector<double> const values = found.values(0);
+            for (std::size_t k = 0; k < values.size(); ++k)
+                if (periodic.mesh.x[k] == x && periodic.mesh.y[k] == row / 8.0) return values[k];
+            return -1.0;
+        };
+        CHECK(value_at(0) == value_at(1));
+    }
 }
 
 TEST_CASE("the functions sum up to 1 where all boundaries are on curves, and carry linear fields exactly") {
@@ -222,21 +225,29 @@ TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
     Case its = two_body_case(Cells::hybrid, 12, 8);
     for (hm_options options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
         options.block_width = 4;
-        Solved const serial(its, &options);
+        options.max_iterations = 40;
+        auto const values_of = [&](Attempt const& attempt) {
+            REQUIRE(attempt.status >= 0);
+            std::vector<double> out(its.mesh.x.size());
+            REQUIRE(hm_basis_values(attempt.basis, 15, 0, out.data(), nullptr) == HM_OK);
+            return out;
+        };
+        Attempt const serial(its.problem(), &options);
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
         options.executor = &executor;
-        Solved const shared(its, &options);
-        CHECK(same_bits(shared.all_values(), serial.all_values()));
+        CHECK(same_bits(values_of(Attempt(its.problem(), &options)), values_of(serial)));
         CHECK(backwards.tasks > 0);
-        CHECK(serial.info().scheme == options.scheme);
-
-        const hm_basis* attached = nullptr;
-        std::vector<double> copy(serial.info().bytes / sizeof(double) + 1);   // aligned
-        std::memcpy(copy.data(), serial.basis, serial.info().bytes);
-        REQUIRE(hm_basis_attach(&attached, copy.data(), serial.info().bytes, &its.mesh_view(), nullptr) == HM_OK);
         hm_basis_info info{};
         info.struct_size = sizeof info;
+        REQUIRE(hm_basis_info_get(serial.basis, &info, nullptr) == HM_OK);
+        CHECK(info.scheme == options.scheme);
+
+        const hm_basis* attached = nullptr;
+        std::vector<double> copy(info.bytes / sizeof(double) + 1);   // aligned
+        std::memcpy(copy.data(), serial.basis, info.bytes);
+        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &its.mesh_view(), nullptr) == HM_OK);
+        info.scheme = -1;
         REQUIRE(hm_basis_info_get(attached, &info, nullptr) == HM_OK);
         CHECK(info.scheme == options.scheme);
 
@@ -245,13 +256,15 @@ TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
     }
 }
 
-TEST_CASE("where short waves grow, the paper's text ends with a status and not at the limit") {
-    Case its = viscous_case(Cells::quads);
-    hm_options options = plain();
-    options.max_iterations = 3000;
+TEST_CASE("where short waves grow, the paper's text ends with a status before its limit") {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    perturb(its.mesh, 0.3, 3);
+    for (double& y : its.mesh.y) y *= 0.1;
+    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.1;
+    hm_options const options = plain();
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
-    CHECK(attempt.report.residual > 1e-10);
+    CHECK(attempt.report.iterations < 2000);
 }
 
 TEST_CASE("what does not go together is refused") {
