@@ -60,6 +60,9 @@ struct Request {
         if (problem.demands.slip && problem.method.bounded()) {
             return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
         }
+        if (problem.demands.slip && problem.method.nodal_gradients()) {
+            return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
+        }
         if (problem.demands.slip && problem.method.engine != Engine::direct) {
             return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
         }

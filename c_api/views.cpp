@@ -12,7 +12,10 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
     bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
     bool const iterative = real && o.scheme == HM_COMPACT && (o.engine == HM_MULTIGRID || o.engine == HM_FAS);
-    if (!known || !(plain || bounded || iterative)) {
+    bool const nodal = o.scheme == HM_NODAL_GRADIENT && (o.engine == HM_DIRECT || o.engine == HM_FAS);
+    bool const nodal_plain = o.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine == HM_FAS;
+    bool const papers = o.operator_kind == HM_LAPLACE && (nodal || nodal_plain);
+    if (!known || !(plain || bounded || iterative || papers)) {
         return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
     }
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {

@@ -58,7 +58,8 @@ module harmorph
     integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
     integer, parameter, public :: hm_periodic_pair = 5
     integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
-    integer, parameter, public :: hm_compact = 0, hm_bounded = 2, hm_direct = 0, hm_multigrid = 1, hm_fas = 2
+    integer, parameter, public :: hm_compact = 0, hm_nodal_gradient = 1, hm_bounded = 2, hm_nodal_gradient_plain = 3
+    integer, parameter, public :: hm_direct = 0, hm_multigrid = 1, hm_fas = 2
     integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
     integer, parameter, public :: hm_double = 0, hm_single = 1
     integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3

@@ -3,14 +3,34 @@
 
 #include "block_rows.hpp"
 #include "harmorph/full_approximation.hpp"
+#include "nodal_balance.hpp"
 
 namespace harmorph::block {
+
+// The scheme of the finest level: nodal gradients, or none, which is the compact one.
+template <Index W>
+struct FinestScheme {
+    const NodalGradient* nodal;
+    Index n;         // unknowns
+    Real* gradient;  // working space
+
+    // rest += balances of u
+    void add(const Real* u, Real* rest) const noexcept {
+        static constexpr Real zeros[W] = {};
+        add_balances(
+            *nodal, std::integral_constant<Index, W>{},
+            [&](Index row) { return row < n ? u + Offset{row} * W : zeros; },
+            {gradient, nodal->inverse_area.size() * 2 * W},
+            [&](Index row) { return row < n ? rest + Offset{row} * W : nullptr; });
+    }
+};
 
 template <Index W>
 class ApproximationCycles {
 public:
-    ApproximationCycles(FullApproximation const& engine, Real* vectors, Rows const& values, Index first) noexcept
-        : engine_(engine), a_(engine.levels), values_(values), first_(first), width_(smaller(W, values.width - first)) {
+    ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors, Rows const& values,
+                        Index first) noexcept
+        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first), width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
             Vectors& its = at_[l];
@@ -33,12 +53,14 @@ public:
         Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
         HARMORPH_TRY(after(0, relative(given, given)));
         start_from_coarsest();
+        Real least = infinity;
         while (true) {
             take_rest(0);
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
             if (larger(residual, left_per_gain * gain()) <= engine_.iteration.tolerance) break;
-            if (report.iterations >= engine_.iteration.max_iterations || !is_finite(residual)) break;
+            if (report.iterations >= engine_.iteration.max_iterations || !(residual <= lost * least)) break;
+            least = smaller(least, residual);
             cycle(0, true);
             ++report.iterations;
         }
@@ -54,6 +76,7 @@ private:
     // Before and after the coarse correction; they are cheap below the finest level.
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
+    static constexpr Real lost = 1000;           // growth of the residual from its least that will not end
     static constexpr Real left_per_gain = 10;    // cycles are slow: more is left than one of them takes off
 
     struct Vectors {
@@ -84,7 +107,12 @@ private:
         return largest;
     }
 
-    void take_rest(Index level) noexcept { residual<W>(a_.level[level], at_[level].f, at_[level].u, at_[level].rest); }
+    void take_rest(Index level) noexcept {
+        Vectors const& its = at_[level];
+        if (level > 0 || finest_.nodal == nullptr) return residual<W>(a_.level[level], its.f, its.u, its.rest);
+        copy<W>(its.f, its.rest, a_.level[0].n);
+        finest_.add(its.u, its.rest);
+    }
 
     // One Runge-Kutta step in pseudo-time; known_rest: the residual of u has been taken.
     void step(Index level, bool known_rest) noexcept {
@@ -181,6 +209,7 @@ private:
 
     FullApproximation const& engine_;
     Agglomeration const& a_;
+    FinestScheme<W> finest_;
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;

@@ -16,6 +16,11 @@ void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteratio
     arena.take(area_pool, cells);
 }
 
+void FullApproximation::take_scheme(Index rows, bool corrected) noexcept {
+    scheme_rows = rows;
+    stretch = corrected ? 1 : plain_stretch;
+}
+
 void FullApproximation::lay_out_work(Arena& arena, Index n, Offset entries) noexcept {
     volumes.lay_out(arena, n);
     levels.lay_out_work(arena, n, entries);
@@ -60,19 +65,20 @@ void FullApproximation::choose_steps() noexcept {
     }
     for (Index i = 0; i < rate[0].count(); ++i) {
         Real const half = 0.5 * volumes.shortest_edge[i];
-        rate[0][i] = smaller(rate[0][i], cfl * half * half / area[0][i]);
+        rate[0][i] = smaller(stretch * rate[0][i], cfl * half * half / area[0][i]);
     }
 }
 
-Status FullApproximation::solve(Rows const& values, Progress const& progress, IterationReport& report,
-                                Fault& fault) const noexcept {
+Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme, Progress const& progress,
+                                IterationReport& report, Fault& fault) const noexcept {
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
         return solve_in_blocks(*this, values.width, progress, report, fault,
                                [&](Index lane, Index first, IterationReport& its, auto const& after) {
                                    Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
-                                   return block::ApproximationCycles<w>(*this, its_vectors, values, first).run(its, after);
+                                   block::FinestScheme<w> const finest{scheme, n, its_vectors + level_rows(n) * w};
+                                   return block::ApproximationCycles<w>(*this, finest, its_vectors, values, first).run(its, after);
                                });
     };
     return iteration.with_width(run);

@@ -5,6 +5,7 @@ namespace {
 
 // Columns that are refined at a time: what the dead stack has room for, but at least a few.
 Index residual_width(Analysis const& analysis, Matrix const& matrix, Index columns) noexcept {
+    if (analysis.problem.method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
     bool const in_single = analysis.problem.method.precision == Precision::in_single;
     Offset const stack = analysis.is_direct() ? analysis.subtrees.top_stack_entries : 0;
     Offset const stack_bytes = stack * static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
@@ -28,8 +29,13 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     matrix.lay_out(arena, analysis.problem.mesh.n_points, n, analysis.wall.count, analysis.matrix);
     Index const line_length = numbers_of(counts.kind) * counts.functions() / matrix.components();
     Index const columns = matrix.is_complex() ? counts.functions() : line_length;
+    bool const nodal_gradients = analysis.problem.method.nodal_gradients();
+    if (nodal_gradients) nodal.lay_out(arena, analysis.problem.mesh, analysis.edges.count());
     lay_out_engine(arena, analysis, columns);
     residual.lay_out(arena, n, matrix.is_complex(), residual_width(analysis, matrix, columns));
+    if (!nodal_gradients) return;
+    nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);
+    if (analysis.is_direct()) biconjugate.lay_out(arena, n, residual.width);
 }
 
 void Plan::lay_out_engine(Arena& arena, Analysis const& analysis, Index columns) noexcept {
@@ -51,7 +57,9 @@ void Plan::lay_out_engine(Arena& arena, Analysis const& analysis, Index columns)
         its.lay_out_vectors(arena, n);
         arena.release(shared);
     };
-    if (analysis.problem.method.engine == Engine::fas) return lay_out(fas);
+    Method const& its = analysis.problem.method;
+    if (its.nodal_gradients()) fas.take_scheme(analysis.problem.mesh.n_points, its.scheme == Scheme::nodal_gradient);
+    if (its.engine == Engine::fas) return lay_out(fas);
     lay_out(multigrid);
 }
 
@@ -84,6 +92,8 @@ void Plan::build_matrix(Analysis const& analysis) noexcept {
     matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
                  analysis.border.position, analysis.wall_work.slot, analysis.tangent);
     if (!analysis.is_direct()) matrix.mark_faces(analysis.edges, faces);
+    if (!method.nodal_gradients()) return;
+    nodal.init(mesh, analysis.edges, matrix, analysis.representative, reversed, method.scheme == Scheme::nodal_gradient);
 }
 
 void Plan::init_engine(Analysis const& analysis) noexcept {
@@ -105,6 +115,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     Status const status = factor_engine(points, fault);
     if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
+    if (method.nodal_gradients()) nodal.scheme.measure(points);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
@@ -122,7 +133,9 @@ Status Plan::factor_engine(Points points, Fault& fault) noexcept {
 
 Status Plan::solve_engine(Rows const& values, IterationReport& report, Fault& fault) noexcept {
     if (method.engine == Engine::direct) return engine.solve(values, progress, fault);
-    if (method.engine == Engine::fas) return fas.solve(values, progress, report, fault);
+    if (method.engine == Engine::fas) {
+        return fas.solve(values, method.nodal_gradients() ? &nodal.scheme : nullptr, progress, report, fault);
+    }
     return multigrid.solve(values, progress, report, fault);
 }
 
@@ -134,6 +147,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     Lines const all = lines(basis);
     set_right_hand_sides(matrix, all);
     Index const columns = all.columns(matrix);
+    // The direct engine starts nodal gradients from the compact scheme's functions.
+    if (method.nodal_gradients() && method.engine == Engine::fas) nodal.set_right_hand_sides(all, columns, residual.width);
     HARMORPH_TRY(solve_engine({basis.value.data(), line_of.data(), all.length(), columns, columns}, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 

@@ -10,10 +10,29 @@ constexpr Real refined_above = 1e-13;
 // Engines that iterate stop where they are asked to.
 constexpr Index most_refinements(Method const& method) noexcept {
     if (method.engine != Engine::direct) return 0;
+    if (method.nodal_gradients()) return 4;
     return method.precision == Precision::in_single ? 8 : 2;
 }
 
 }  // namespace
+
+// Nodal gradients: all that the compact scheme's functions leave is solved for by an iteration, each time as far as this.
+constexpr Real iterated_to = 1e-8;
+constexpr Index most_iterations = 200;
+
+Residual::Norms Plan::measure(Lines const& all, Index first, Index n) const noexcept {
+    if (method.nodal_gradients()) return nodal.compute(residual, all, first, n);
+    return residual.compute(matrix, all, first, n);
+}
+
+// In the place of the residuals, of n columns.
+Status Plan::solve_rest(Index n, Index& iterations, Fault& fault) noexcept {
+    Offset const row_length = Offset{engine.planes} * residual.width;
+    auto const solve = [&](Real* rows) { return engine.solve({rows, nullptr, row_length, n, residual.width}, Progress{}, fault); };
+    if (!method.nodal_gradients()) return solve(residual.value.data());
+    auto const apply = [&](const Real* from, Real* to) { nodal.apply(from, residual.width, to); };
+    return biconjugate.run(residual.value, n, iterated_to, most_iterations, iterations, apply, solve);
+}
 
 // What is left of the equations, and iterative refinement where that is too much.
 Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
@@ -25,9 +44,10 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
     for (Index first = 0; first < n_columns; first += residual.width) {
         Index const n = smaller(residual.width, n_columns - first);
         Residual::Norms norms;
-        Index steps = 0;
-        HARMORPH_TRY(refine_columns(all, first, n, norms, steps, fault));
-        report.refinements = larger(report.refinements, steps);
+        SolveReport its;
+        HARMORPH_TRY(refine_columns(all, first, n, norms, its, fault));
+        report.refinements = larger(report.refinements, its.refinements);
+        report.iteration.iterations = larger(report.iteration.iterations, its.iteration.iterations);
         for (Index k = 0; k < n; ++k) {
             Real const relative = norms.relative(k);
             bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
@@ -42,17 +62,16 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
 
 // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits
 // do not depend on those solved with it.
-Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps,
+Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, SolveReport& its,
                             Fault& fault) noexcept {
-    Offset const row_length = Offset{engine.planes} * residual.width;
     Residual::Choice wanted;
     Real before[Residual::widest];
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
         before[k] = infinity;
     }
-    for (;; ++steps) {
-        norms = residual.compute(matrix, all, first, n);
+    for (;; ++its.refinements) {
+        norms = measure(all, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) {
             Real const now = norms.relative(k);
@@ -60,8 +79,10 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::No
             before[k] = now;
             any = any || wanted.column[k];
         }
-        if (!any || steps == most_refinements(method)) return Status::ok;
-        HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, row_length, n, residual.width}, Progress{}, fault));
+        if (!any || its.refinements == most_refinements(method)) return Status::ok;
+        Index iterations = 0;
+        HARMORPH_TRY(solve_rest(n, iterations, fault));
+        its.iteration.iterations += iterations;
         residual.add_to(matrix, all, first, n, wanted);
     }
 }

@@ -33,7 +33,7 @@ void MedianDual::build(Mesh const& mesh, Points points, Edges const& edges, Span
         };
         add(edges.first[edge].code);
         if (!edges.is_boundary(edge)) add(edges.second[edge]);
-        faces[edge] = {low, high, normal};
+        faces[edge] = {low, high, normal, points[high] - points[low]};
     });
     fill(area, 0.0);
     for (Index i = 0; i < mesh.n_cells; ++i) {

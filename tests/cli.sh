@@ -165,6 +165,12 @@ refuses "export: nothing to write" 2 'nothing to write' export "$ring" "$basis" 
 runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far --operator laplace -o "$tmp/free.basis"
 runs "solve, bounded" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme bounded -o "$tmp/bounded.basis" --json
 check "solve, bounded: no value below 0" says '"min_value": 0,'
+runs "solve, nodal gradients" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme nodal-gradient \
+    -o "$tmp/nodal.basis"
+runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve body="$curve" --operator laplace \
+    --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
+refuses "nodal gradients without correction go with fas" 2 'do not go together' solve "$ring" --curve body="$curve" \
+    --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
 refuses "the bounded scheme has no conformal operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
     --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"

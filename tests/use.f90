@@ -1028,6 +1028,13 @@ contains
         call solve(mesh, other, options=options)
         call other%values(3, a)
         call check(maxval(abs(a - laplace)) < 1e-2_dp .and. maxval(abs(a - laplace)) > 0, "the bounded scheme")
+        options%scheme = hm_nodal_gradient
+        call solve(mesh, other, options=options)
+        call other%values(3, a)
+        call check(maxval(abs(a - laplace)) < 1e-2_dp, "the scheme of nodal gradients")
+        options%scheme = hm_nodal_gradient_plain
+        call plan%analyse(mesh, curves, [hm_condition(body)], options=options, stat=stat, err=err)
+        call check(stat == hm_unsupported, "without correction, and the direct engine: " // err%text)
     end subroutine
 
     ! How far the wall is from where a turn about the origin takes it.

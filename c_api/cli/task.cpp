@@ -112,8 +112,10 @@ std::int32_t scheme_of(const Arguments& arguments) {
     if (!arguments.has("--scheme")) return HM_COMPACT;
     const std::string name = arguments.text("--scheme");
     if (name == "compact") return HM_COMPACT;
+    if (name == "nodal-gradient") return HM_NODAL_GRADIENT;
+    if (name == "nodal-gradient-plain") return HM_NODAL_GRADIENT_PLAIN;
     if (name == "bounded") return HM_BOUNDED;
-    arguments.refuse("--scheme is compact or bounded, found " + quoted(name));
+    arguments.refuse("--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " + quoted(name));
 }
 
 std::int32_t quarters_of(const Arguments& arguments) {
@@ -144,7 +146,8 @@ std::vector<Option> task_options() {
                                "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
     {"--exponent", "Q", "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
     {"--scheme", "SCHEME", "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so that\n"
-                           "laplace and weighted functions stay between 0 and 1"},
+                           "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by averaged\n"
+                           "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
     {"--offset-correction", nullptr, "conformal: what the mesh is off its curve turns with the curve"},
     {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
 }

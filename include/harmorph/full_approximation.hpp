@@ -8,6 +8,7 @@
 
 #include "harmorph/control_volumes.hpp"
 #include "harmorph/iteration.hpp"
+#include "harmorph/nodal_gradient.hpp"
 #include "harmorph/runge_kutta.hpp"
 
 namespace harmorph {
@@ -18,25 +19,37 @@ struct FullApproximation : BlockIteration {
     static constexpr Index finest_vectors = 4, coarse_vectors = 5;         // of a lane, each block_width numbers for each cell
     // dt_P = cfl (0.5 shortest edge)^2, but no longer than what damps all waves of the scheme.
     static constexpr Real cfl = 4;
+    // Nodal gradients without correction hardly see short waves: their largest eigenvalues, a quarter of the compact
+    // scheme's on squares, were 0.35 of them at most on meshes of all kinds. So steps may be longer. With correction they
+    // are those of the compact scheme, within the margin that damping_limit leaves.
+    static constexpr Real plain_stretch = 2.5;
 
     ControlVolumes volumes;                    // of the finest level
+    Index scheme_rows = 0;                     // of nodal gradients; 0: the compact scheme
+    Real stretch = 1;                          // of steps on the finest level
     Span<Real> rate_pool, area_pool;           // of all levels, one behind the other
     Span<Real> rate[Agglomeration::most_levels];  // [n] dt / area of each cell of a level
     Span<Real> area[Agglomeration::most_levels];  // [n]
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration, Executor const& its_executor) noexcept;
+    // The finest level's balances will be those of nodal gradients; comes first.
+    void take_scheme(Index rows, bool corrected) noexcept;
     // What set_up() needs, and what solve() needs: they may be in one place.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void lay_out_vectors(Arena& arena, Index n) noexcept;
 
     // `volumes` must have been measured.
     Status set_up(SymmetricRows const& finest, Fault& fault) noexcept;
-    Status solve(Rows const& values, Progress const& progress, IterationReport& report, Fault& fault) const noexcept;
+    // In place: right-hand sides become solutions. scheme: whose balances the finest level has, rows by position and then
+    // those of known points; null: the compact scheme's. Coarser levels have sums of the compact one's.
+    Status solve(Rows const& values, const NodalGradient* scheme, Progress const& progress, IterationReport& report,
+                 Fault& fault) const noexcept;
 
 private:
-    static Offset lane_rows(Index n) noexcept {
+    static Offset level_rows(Index n) noexcept {
         return Offset{finest_vectors} * n + coarse_vectors * Agglomeration::coarse_cells(n);
     }
+    Offset lane_rows(Index n) const noexcept { return level_rows(n) + 2 * Offset{scheme_rows}; }
     void choose_steps() noexcept;
 };
 

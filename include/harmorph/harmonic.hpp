@@ -2,10 +2,12 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
+#include "harmorph/biconjugate_gradients.hpp"
 #include "harmorph/distance.hpp"
 #include "harmorph/full_approximation.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
+#include "harmorph/nodal_equations.hpp"
 #include "harmorph/region.hpp"
 #include "harmorph/right_hand_sides.hpp"
 
@@ -41,7 +43,9 @@ struct Plan {
     Span<std::uint8_t> faces;     // [entries] which of them are mesh edges, for
     Multigrid multigrid;          // this one
     FullApproximation fas;        // or this one
-    Residual residual;            // in the place of the engine's stack or vectors
+    NodalEquations nodal;         // schemes of nodal gradients only; the matrix is the compact scheme's
+    Residual residual;            // in the place of the engine's stack or vectors, as is
+    BiconjugateGradients biconjugate;  // this one: nodal gradients with the direct engine
 
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
     void init(Analysis const& analysis) noexcept;
@@ -67,8 +71,10 @@ private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
+    Residual::Norms measure(Lines const& all, Index first, Index n) const noexcept;
+    Status solve_rest(Index n, Index& iterations, Fault& fault) noexcept;
     Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
-    Status refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, Index& steps, Fault& fault) noexcept;
+    Status refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, SolveReport& its, Fault& fault) noexcept;
 };
 
 // Makes an unsolved basis in a block that has been laid out for the analysis's counts.

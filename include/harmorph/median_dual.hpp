@@ -12,6 +12,7 @@ struct MedianDual {
     struct Face {
         Index begin, end;  // the points of an edge, the smaller first
         Vec2 normal;       // of the face between their volumes, from begin to end, as long as the face
+        Vec2 along;        // the edge itself
     };
     Span<Face> faces;      // [edges]
     Span<Real> area;       // [n_points] of the volumes; 0: used by no cell, or joined to another point

@@ -9,7 +9,7 @@ namespace harmorph {
 
 // The numbers are those of the C header, which explains them.
 enum class Operator : std::int32_t { conformal = 0, laplace = 1, weighted = 2 };
-enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2 };
+enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2, nodal_gradient_plain = 3 };
 enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
@@ -26,6 +26,7 @@ struct Method {
 
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
     bool bounded() const noexcept { return scheme == Scheme::bounded; }
+    bool nodal_gradients() const noexcept { return scheme == Scheme::nodal_gradient || scheme == Scheme::nodal_gradient_plain; }
 
     // The same functions but for rounding?
     bool agrees_with(Method const& other) const noexcept {

@@ -19,28 +19,35 @@ namespace harmorph {
 // explicit steps then diverge, slowly.
 //
 // With correction it is about as accurate as the compact scheme: 3.0e-5 on those 128 x 128 squares, 3.8e-5 against 4.5e-5
-// on perturbed triangles, but 4.1e-5 against 1.1e-5 on uniform ones; functions of three airfoil meshes differ by 5e-4 to
-// 1.4e-3. It is the one to take of the two.
+// on perturbed triangles, but 4.1e-5 against 1.1e-5 on uniform ones; functions of four airfoil meshes differ by 1.1e-3 to
+// 6.5e-3, at the leading or the trailing edge, and by 5e-5 to 2e-4 in the mean. It is the one to take of the two.
+//
+// Values, gradients and balances are in rows, one for each point, in any order: points that are joined share one.
 struct NodalGradient {
+    struct CellRows {
+        Index row[4];    // of its corners, counter-clockwise; the last one `none` in a triangle
+        Vec2 across[2];  // half of each diagonal, turned: the weight of the difference along the other one
+    };
+
     Mesh mesh;
-    Points points;                // those of build(): apply() reads them
     bool corrected = false;
-    Span<std::uint8_t> reversed;  // [n_cells]
-    Span<Index> representative;   // [n_points]
-    Span<Real> inverse_area;      // [n_points] 1 / area of all cells round a point; 0 where there is none
-    MedianDual dual;
+    Span<const std::uint8_t> reversed;  // [n_cells] the caller's
+    Span<Index> row_of;          // [n_points]
+    Edges edges;                 // a copy: begun once, measured for many coordinates
+    Span<CellRows> cells;        // [n_cells]
+    Span<Real> inverse_area;     // [rows] 1 / area of all cells round a point; 0 where there is none
+    MedianDual dual;             // ends of faces are rows
 
     void lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) noexcept;
-    void build(Mesh const& its_mesh, Points its_points, Edges const& edges, Span<const Index> its_representative,
-               Span<const std::uint8_t> its_reversed, bool with_correction) noexcept;
+    // row_of has been filled: rows from 0, less than n_points.
+    void init(Mesh const& its_mesh, Edges const& its_edges, Span<const std::uint8_t> its_reversed,
+              bool with_correction) noexcept;
+    void measure(Points points) noexcept;
 
-    // Of n functions, a row of n for each point: value, balance [n_points * n]. The balance is the flux into a point's
-    // volume, so that dF/dt = balance / area diffuses; 0 for joined points and those of no cell. gradient
-    // [n_points * 2 n] is working space: sums over a point's cells, n components along x, then n along y.
+    // Of n functions, n numbers in a row: value, balance [rows * n]. The balance is the flux into a point's volume, so
+    // that dF/dt = balance / area diffuses; 0 for rows of no cell. gradient [rows * 2 n] is working space: sums over a
+    // point's cells, n components along x, then n along y.
     void apply(Span<const Real> value, Index n, Span<Real> gradient, Span<Real> balance) const noexcept;
-
-private:
-    void add_cells(Span<const Real> value, Index n, Span<Real> gradient) const noexcept;
 };
 
 }  // namespace harmorph

@@ -1,0 +1,33 @@
+#include "harmorph/biconjugate_gradients.hpp"
+
+namespace harmorph {
+
+void BiconjugateGradients::lay_out(Arena& arena, Index its_n, Index its_width) noexcept {
+    n = its_n;
+    width = its_width;
+    Offset const numbers = Offset{n} * width;
+    arena.take(shadow, numbers);
+    arena.take(direction, numbers);
+    arena.take(image, numbers);
+    arena.take(preconditioned, numbers);
+    arena.take(second, numbers);
+    arena.take(solution, numbers);
+}
+
+BiconjugateGradients::Numbers BiconjugateGradients::dot(Span<const Real> a, Span<const Real> b,
+                                                        Index columns) const noexcept {
+    Numbers sum;
+    for (Offset row = 0; row < Offset{n} * width; row += width) {
+        for (Index k = 0; k < columns; ++k) sum[k] += a[row + k] * b[row + k];
+    }
+    return sum;
+}
+
+void BiconjugateGradients::combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y,
+                                   Index columns) const noexcept {
+    for (Offset row = 0; row < Offset{n} * width; row += width) {
+        for (Index k = 0; k < columns; ++k) y[row + k] = b[k] * y[row + k] + a[k] * x[row + k];
+    }
+}
+
+}  // namespace harmorph

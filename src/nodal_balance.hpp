@@ -1,0 +1,71 @@
+// The balances of nodal gradients for any arrangement of values, so that engines need no copies.
+#pragma once
+
+#include "harmorph/nodal_gradient.hpp"
+
+namespace harmorph {
+
+// The integral of the gradient over a cell, sides by the trapezoidal rule, goes to all its corners. What two cells
+// round a corner say of their common side cancels: the sum is the integral along the line round all of them.
+template <class Width, class ValueOf>
+void add_cell_gradients(NodalGradient const& scheme, Width width, ValueOf value_of, Real* gradient) noexcept {
+    Index const n = width;
+    for (NodalGradient::CellRows const& cell : scheme.cells) {
+        Index const corners = cell.row[3] == none ? 3 : 4;
+        const Real* const first = value_of(cell.row[0]);
+        const Real* const last = corners == 3 ? first : value_of(cell.row[3]);
+        const Real* const second = value_of(cell.row[1]);
+        const Real* const third = value_of(cell.row[2]);
+        Real* to[4];
+        for (Index k = 0; k < corners; ++k) to[k] = gradient + Offset{cell.row[k]} * (2 * n);
+        for (Index f = 0; f < n; ++f) {
+            Real const a = first[f] - third[f], b = second[f] - last[f];
+            Real const x = a * cell.across[1].x + b * cell.across[0].x;
+            Real const y = a * cell.across[1].y + b * cell.across[0].y;
+            for (Index k = 0; k < corners; ++k) {
+                to[k][f] += x;
+                to[k][n + f] += y;
+            }
+        }
+    }
+}
+
+// Of `width` functions, a number or a constant type. value_of(row): its numbers; balance_of(row): where its balance is to be
+// added, or null; gradient [rows * 2 width]: working space.
+template <class Width, class ValueOf, class BalanceOf>
+void add_balances(NodalGradient const& scheme, Width width, ValueOf value_of, Span<Real> gradient,
+                  BalanceOf balance_of) noexcept {
+    Index const n = width;
+    fill(gradient, 0.0);
+    add_cell_gradients(scheme, width, value_of, gradient.data());
+    for (MedianDual::Face const& face : scheme.dual.faces) {
+        Real* const into = balance_of(face.begin);
+        Real* const out_of = balance_of(face.end);
+        if (into == nullptr && out_of == nullptr) continue;
+        const Real* const from = value_of(face.begin);
+        const Real* const to = value_of(face.end);
+        const Real* const from_gradient = gradient.data() + Offset{face.begin} * (2 * n);
+        const Real* const to_gradient = gradient.data() + Offset{face.end} * (2 * n);
+        // g . n, where the component of g along the edge is (F_Q - F_P) / |e|: the rest of g sees the rest of n.
+        Real const share = scheme.corrected ? dot(face.along, face.normal) / square(face.along) : 0;
+        Vec2 const rest = 0.5 * (face.normal - share * face.along);
+        Vec2 const from_weight = scheme.inverse_area[face.begin] * rest, to_weight = scheme.inverse_area[face.end] * rest;
+        auto const flux = [&](Index f) {
+            return from_weight.x * from_gradient[f] + from_weight.y * from_gradient[n + f] +
+                   to_weight.x * to_gradient[f] + to_weight.y * to_gradient[n + f] + share * (to[f] - from[f]);
+        };
+        if (into != nullptr && out_of != nullptr) {
+            for (Index f = 0; f < n; ++f) {
+                Real const its = flux(f);
+                into[f] += its;
+                out_of[f] -= its;
+            }
+        } else if (into != nullptr) {
+            for (Index f = 0; f < n; ++f) into[f] += flux(f);
+        } else {
+            for (Index f = 0; f < n; ++f) out_of[f] -= flux(f);
+        }
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,82 @@
+#include "harmorph/nodal_equations.hpp"
+
+#include "nodal_balance.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real zeros[Residual::widest] = {};
+
+// Columns of a basis's lines, by the scheme's rows.
+struct BasisRows {
+    NodalEquations const& equations;
+    Lines const& lines;
+    Index first;
+
+    const Real* known(Index row) const noexcept {
+        Index const slot = row - equations.n;
+        return slot >= 0 && slot < equations.n_wall ? lines.wall(slot) + first : zeros;
+    }
+    const Real* any(Index row) const noexcept { return row < equations.n ? lines.at(row) + first : known(row); }
+};
+
+}  // namespace
+
+void NodalEquations::init(Mesh const& mesh, Edges const& edges, Matrix const& matrix, Span<const Index> representative,
+                          Span<const std::uint8_t> reversed, bool corrected) noexcept {
+    n = matrix.n;
+    n_wall = matrix.coupling_start.count() - 1;
+    Span<Index> const row_of = scheme.row_of;
+    Index rows = n + n_wall;
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Index const place = matrix.place[point];
+        if (place >= 0) row_of[point] = place;
+        if (Matrix::is_wall(place)) row_of[point] = n + Matrix::wall(place);
+        if (place == none && representative[point] == point) row_of[point] = rows++;
+    }
+    for (Index point = 0; point < mesh.n_points; ++point) row_of[point] = row_of[representative[point]];
+    scheme.init(mesh, edges, reversed, corrected);
+}
+
+void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns, Index width) const noexcept {
+    for (Index first = 0; first < columns; first += width) {
+        Index const count = smaller(width, columns - first);
+        for (Index i = 0; i < n; ++i) fill(Span<Real>(lines.at(i) + first, static_cast<Size>(count)), 0.0);
+        BasisRows const rows{*this, lines, first};
+        add_balances(
+            scheme, count, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient,
+            [&](Index row) { return row < n ? lines.at(row) + first : nullptr; });
+    }
+}
+
+Residual::Norms NodalEquations::compute(Residual const& residual, Lines const& lines, Index first,
+                                        Index columns) const noexcept {
+    BasisRows const rows{*this, lines, first};
+    auto const balance_of = [&](Index row) { return row < n ? residual.value.data() + Offset{row} * residual.width : nullptr; };
+    auto const squares = [&](Real* sums) {
+        for (Index i = 0; i < n; ++i) {
+            for (Index k = 0; k < columns; ++k) sums[k] += balance_of(i)[k] * balance_of(i)[k];
+        }
+    };
+    Residual::Norms norms;
+    fill(residual.value, 0.0);
+    add_balances(
+        scheme, columns, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient, balance_of);
+    squares(norms.right_hand_side);
+    fill(residual.value, 0.0);
+    add_balances(
+        scheme, columns, [&](Index row) { return rows.any(row); }, gradient, balance_of);
+    squares(norms.rest);
+    return norms;
+}
+
+void NodalEquations::apply(const Real* from, Index width, Real* to) const noexcept {
+    Span<Real> const all{to, static_cast<Size>(n) * static_cast<Size>(width)};
+    fill(all, 0.0);
+    add_balances(
+        scheme, width, [&](Index row) { return row < n ? from + Offset{row} * width : zeros; }, gradient,
+        [&](Index row) { return row < n ? to + Offset{row} * width : nullptr; });
+    for (Real& its : all) its = -its;
+}
+
+}  // namespace harmorph

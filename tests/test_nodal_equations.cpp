@@ -1,0 +1,290 @@
+// Nodal gradients as a choice of the plan: exact solutions, the two engines against each other, the compact scheme nearby.
+#include <doctest/doctest.h>
+
+#include <fixtures/executors.hpp>
+#include <fixtures/matrices.hpp>
+#include <fixtures/schemes.hpp>
+
+using namespace fixtures;
+using harmorph::Index;
+
+namespace {
+
+constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
+double const pi = std::acos(-1.0);
+
+hm_options nodal(std::int32_t engine, std::int32_t scheme = HM_NODAL_GRADIENT) {
+    hm_options out = laplace();
+    out.scheme = scheme;
+    out.engine = engine;
+    return out;
+}
+hm_options plain() { return nodal(HM_FAS, HM_NODAL_GRADIENT_PLAIN); }
+
+Case viscous_case(Cells kind) {
+    Case its = airfoil_case(40, 12, Cells::quads);
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24), kind);
+    return its;
+}
+
+// An amount of each control point is a function of the angle on the first circle, as the curve is of degree 1 there.
+Case polygon_case(Mesh const& mesh, int n_points, bool closed) {
+    Case out;
+    out.mesh = mesh;
+    Spline polygon;
+    polygon.degree = 1;
+    for (int k = 0; k < n_points; ++k) {
+        polygon.control.push_back(mesh.x[static_cast<std::size_t>(k)]);
+        polygon.control.push_back(mesh.y[static_cast<std::size_t>(k)]);
+        polygon.indices.push_back(k);
+    }
+    if (closed) polygon.indices.push_back(0);
+    polygon.knots = clamped_knots(1, static_cast<int>(polygon.indices.size()));
+    out.curves = polygon;
+    out.put_on_curves(body);
+    for (int k = 0; k < n_points; ++k) out.give(k, 1.0 * k / (static_cast<int>(polygon.indices.size()) - 1));
+    return out;
+}
+
+// Root mean square of the error of cos(2 angle) on the inner circle; half of it with a free symmetry line.
+double annulus_error(Cells kind, int refine, bool half, double amplitude, hm_options const& options) {
+    double const r0 = 0.5, r1 = 2, q0 = r0 * r0, q1 = r1 * r1;
+    int const n_r = 6 * refine, n_t = (half ? 16 : 32) * refine, n_points = half ? n_t + 1 : n_t;
+    Mesh mesh = half ? half_annulus(n_r, n_t, r0, r1, kind) : annulus(n_r, n_t, r0, r1, kind, true);
+    perturb(mesh, amplitude, 8);
+    Case its = polygon_case(mesh, n_points, !half);
+    if (half) its.set_free(symmetry_line);
+    std::vector<double> cosines;
+    for (int k = 0; k < n_points; ++k) cosines.push_back(std::cos((half ? 2 : 4) * pi * k / n_t));
+    std::vector<double> const found = Solved(its, &options).combined(cosines);
+    double sum = 0;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        Point const p = mesh.point(static_cast<std::int32_t>(k));
+        double const squared = p.x * p.x + p.y * p.y, cosine = (p.x * p.x - p.y * p.y) / squared;
+        sum += std::pow(found[k] - cosine * (q1 * q1 / squared - squared) / (q1 * q1 / q0 - q0), 2);
+    }
+    return std::sqrt(sum / static_cast<double>(found.size()));
+}
+
+double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
+
+// Largest balance that the scheme by itself finds in the volumes of the points that are solved for.
+double balance_of(Case const& its, Solved const& solved, bool corrected, std::int32_t free = -1) {
+    Scheme const scheme(its.mesh, corrected);
+    std::vector<char> known(its.mesh.x.size(), 0);
+    for (std::size_t k = 0; k < its.mesh.faces.size(); ++k)
+        if (its.mesh.face_markers[k / 2] != free) known[static_cast<std::size_t>(its.mesh.faces[k])] = 1;
+    double out = 0;
+    for (std::int32_t i = 0; i < solved.report.functions; ++i) {
+        std::vector<double> const balance = scheme.balance(solved.values(i));
+        for (std::size_t k = 0; k < known.size(); ++k)
+            if (!known[k]) out = std::fmax(out, std::fabs(balance[k]));
+    }
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("nothing is left in any volume: the plan's functions solve the scheme's own equations") {
+    for (Cells const kind : kinds)
+        for (bool const free : {false, true}) {
+            Case its = two_body_case(kind, 8, 6);
+            perturb(its.mesh, 0.3, 3);
+            reverse_some(its.mesh, 4);
+            if (free) its.set_free(far_field);
+            hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
+            std::int32_t const marker = free ? far_field : -1;
+            CHECK(balance_of(its, Solved(its, &direct), true, marker) < 1e-12);
+            CHECK(balance_of(its, Solved(its, &fas), true, marker) < 1e-9);
+            CHECK(balance_of(its, Solved(its), true, marker) > 1e-4);   // the test can fail
+        }
+}
+
+TEST_CASE("second order on an annulus, whole and half with a free symmetry line; perturbed as well") {
+    hm_options const options = nodal(HM_DIRECT);
+    for (bool const half : {false, true})
+        for (double const amplitude : {0.0, 0.3})
+            for (Cells const kind : kinds) {
+                double const coarse = annulus_error(kind, 1, half, amplitude, options);
+                double const fine = annulus_error(kind, 4, half, amplitude, options);
+                INFO("errors " << coarse << " " << fine << ", half " << half << ", amplitude " << amplitude);
+                CHECK(std::log2(coarse / fine) / 2 > (amplitude == 0 ? 1.8 : 1.6));
+                CHECK(fine < 1e-3);
+            }
+}
+
+TEST_CASE("without correction: second order on smooth triangles, a free symmetry line included, with larger errors") {
+    hm_options const options = plain(), corrected = nodal(HM_DIRECT);
+    for (bool const half : {false, true}) {
+        double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
+        double const fine = annulus_error(Cells::triangles, 2, half, 0, options);
+        INFO("errors " << coarse << " " << fine << ", half " << half);
+        CHECK(std::log2(coarse / fine) > 1.5);
+        CHECK(fine > 2 * annulus_error(Cells::triangles, 2, half, 0, corrected));
+    }
+}
+
+TEST_CASE("the difference from the compact scheme falls as the mesh is refined") {
+    hm_options const options = nodal(HM_DIRECT);
+    for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
+        double last = 0;
+        for (int const refine : {1, 2, 4}) {
+            Case its = ring_case(6 * refine, 24 * refine, 0.5, 2, kind);
+            double const now = difference(Solved(its), Solved(its, &options));
+            if (last > 0) CHECK(last / now > 2.5);
+            last = now;
+        }
+        CHECK(last > 1e-7);
+    }
+}
+
+TEST_CASE("both engines find the same functions, also on stretched cells and beside a free boundary") {
+    for (int which = 0; which < 5; ++which) {
+        Case its = which < 3 ? two_body_case(kinds[which], 10, 7) : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
+        if (which == 1) its.set_free(far_field);
+        hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
+        Solved const one(its, &direct), other(its, &fas);
+        INFO("case " << which << ": " << one.report.iterations << " steps, " << other.report.iterations << " cycles");
+        CHECK(difference(one, other) < 1e-8);
+        CHECK(one.report.residual < 1e-12);
+        CHECK((one.report.refinements >= 1 && one.report.iterations >= 1));
+        CHECK((other.report.refinements == 0 && other.report.levels >= 2));
+    }
+}
+
+TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    its.conditions[0].kind = HM_RIGID;
+    its.conditions[0].body = 0;
+    hm_options options = nodal(HM_DIRECT), fas = nodal(HM_FAS), single = options;
+    single.precision = HM_SINGLE;
+    Solved const one(its, &options), other(its, &fas), third(its, &single);
+    CHECK(one.info().numbers_per_value == 2);
+    CHECK(difference(one, other) < 1e-8);
+    CHECK(difference(one, third) < 1e-11);
+
+    Case periodic;
+    periodic.mesh = square(8, Cells::quads, 2, 2);
+    periodic.curves = polyline({{0.375, 0.375}, {0.625, 0.375}, {0.625, 0.625}, {0.375, 0.625}});
+    periodic.put_on_curves(body);
+    periodic.set_periodic(left, right);
+    CHECK(difference(Solved(periodic, &options), Solved(periodic)) < 1e-12);   // rectangles: the same scheme
+    perturb(periodic.mesh, 0.3, 3);
+    Solved const found(periodic, &options);
+    CHECK(difference(found, Solved(periodic, &fas)) < 1e-8);
+    CHECK(difference(found, Solved(periodic)) < 0.05);
+    CHECK(difference(found, Solved(periodic)) > 1e-4);
+    for (int row = 1; row < 8; ++row) {
+        auto const value_at = [&](double x) {
+            std::vector<double> const values = found.values(0);
+            for (std::size_t k = 0; k < values.size(); ++k)
+                if (periodic.mesh.x[k] == x && periodic.mesh.y[k] == row / 8.0) return values[k];
+            return -1.0;
+        };
+        CHECK(value_at(0) == value_at(1));
+    }
+}
+
+TEST_CASE("the functions sum up to 1 where all boundaries are on curves, and carry linear fields exactly") {
+    for (Cells const kind : kinds) {
+        Case its = square_on_curve(9, kind, 0.3, 6);
+        for (hm_options const& options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
+            Solved const solved(its, &options);
+            double const within = options.engine == HM_DIRECT ? 1e-12 : 1e-8;
+            std::vector<double> x, y;
+            for (std::int32_t k = 0; k < its.curves.n_control(); ++k) {
+                x.push_back(its.curves.control[2 * static_cast<std::size_t>(k)]);
+                y.push_back(its.curves.control[2 * static_cast<std::size_t>(k) + 1]);
+            }
+            CHECK(largest_difference(solved.sum(), std::vector<double>(its.mesh.x.size(), 1.0)) < within);
+            CHECK(largest_difference(solved.combined(x), its.mesh.x) < within);
+            CHECK(largest_difference(solved.combined(y), its.mesh.y) < within);
+        }
+    }
+}
+
+TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    Case moved = its;
+    perturb(moved.mesh, 0.3, 2);
+    for (std::int32_t const engine : {HM_DIRECT, HM_FAS}) {
+        hm_options const options = nodal(engine);
+        Solved const fresh(moved, &options);
+        Attempt again(its.problem(), &options);
+        REQUIRE(hm_plan_factor(again.plan, moved.mesh.x.data(), moved.mesh.y.data(), 1, nullptr) == HM_OK);
+        REQUIRE(hm_plan_solve(again.plan, again.basis, nullptr, nullptr) == HM_OK);
+        std::vector<double> values(its.mesh.x.size());
+        REQUIRE(hm_basis_values(again.basis, 3, 0, values.data(), nullptr) == HM_OK);
+        CHECK(largest_difference(values, fresh.values(3)) < 1e-8);
+        CHECK(largest_difference(values, Solved(its, &options).values(3)) > 1e-6);
+        CHECK(again.guards_intact());
+    }
+}
+
+TEST_CASE("threads and blocks change no bit; a basis remembers its scheme") {
+    Case its = two_body_case(Cells::hybrid, 12, 8);
+    for (hm_options options : {nodal(HM_DIRECT), nodal(HM_FAS), plain()}) {
+        options.block_width = 4;
+        options.max_iterations = 40;
+        auto const values_of = [&](Attempt const& attempt) {
+            REQUIRE(attempt.status >= 0);
+            std::vector<double> out(its.mesh.x.size());
+            REQUIRE(hm_basis_values(attempt.basis, 15, 0, out.data(), nullptr) == HM_OK);
+            return out;
+        };
+        Attempt const serial(its.problem(), &options);
+        Backwards backwards;
+        hm_executor const executor = backwards.executor(3);
+        options.executor = &executor;
+        CHECK(same_bits(values_of(Attempt(its.problem(), &options)), values_of(serial)));
+        CHECK(backwards.tasks > 0);
+        hm_basis_info info{};
+        info.struct_size = sizeof info;
+        REQUIRE(hm_basis_info_get(serial.basis, &info, nullptr) == HM_OK);
+        CHECK(info.scheme == options.scheme);
+
+        const hm_basis* attached = nullptr;
+        std::vector<double> copy(info.bytes / sizeof(double) + 1);   // aligned
+        std::memcpy(copy.data(), serial.basis, info.bytes);
+        REQUIRE(hm_basis_attach(&attached, copy.data(), info.bytes, &its.mesh_view(), nullptr) == HM_OK);
+        info.scheme = -1;
+        REQUIRE(hm_basis_info_get(attached, &info, nullptr) == HM_OK);
+        CHECK(info.scheme == options.scheme);
+
+        Attempt compact(its.problem());
+        CHECK(hm_plan_solve(compact.plan, serial.basis, nullptr, nullptr) == HM_BAD_BASIS);
+    }
+}
+
+TEST_CASE("where short waves grow, the paper's text ends with a status before its limit") {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    perturb(its.mesh, 0.3, 3);
+    for (double& y : its.mesh.y) y *= 0.1;
+    for (std::size_t k = 1; k < its.curves.control.size(); k += 2) its.curves.control[k] *= 0.1;
+    hm_options const options = plain();
+    Attempt const attempt(its.problem(), &options);
+    CHECK(attempt.status == HM_NOT_CONVERGED);
+    CHECK(attempt.report.iterations < 2000);
+}
+
+TEST_CASE("what does not go together is refused") {
+    Case its = two_body_case(Cells::quads, 6, 4);
+    auto const refused = [&](hm_options const& options) {
+        Attempt const attempt(its.problem(), &options);
+        return attempt.status == HM_UNSUPPORTED && attempt.reached == "analysis size";
+    };
+    CHECK(refused(nodal(HM_MULTIGRID)));
+    CHECK(refused(nodal(HM_DIRECT, HM_NODAL_GRADIENT_PLAIN)));
+    CHECK(refused(nodal(HM_MULTIGRID, HM_NODAL_GRADIENT_PLAIN)));
+    for (std::int32_t const other : {HM_CONFORMAL, HM_WEIGHTED}) {
+        hm_options options = nodal(HM_FAS);
+        options.operator_kind = other;
+        CHECK(refused(options));
+    }
+    its.set_slip(far_field);
+    CHECK(refused(nodal(HM_DIRECT)));
+    CHECK(refused(nodal(HM_FAS)));
+    hm_options const options = nodal(HM_DIRECT);
+    Attempt const attempt(its.problem(), &options);
+    CHECK(std::string(attempt.error.text).find("nodal gradients") != std::string::npos);
+}
