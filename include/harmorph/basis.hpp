@@ -38,7 +38,7 @@ struct BoundaryFunctions {
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 2, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 3, native_order = 0x01020304;
 
     char magic[8];                // "harmorph"
     std::uint32_t format;
