@@ -109,14 +109,14 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
     Progress const& progress = problem.progress;
     HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
     if (is_direct()) {
-        dissect(graph, problem.mesh.points, dissection_work, order, tree);
+        dissect(graph, problem.mesh.points, dissection_work, problem.executor, order, tree);
     } else {
         order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
     }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
     if (is_direct()) {
-        fronts = count_borders(graph, order, tree, border, border_start);
+        fronts = count_borders(graph, order, tree, border, problem.executor, border_start);
         subtrees.choose(tree, border_start);
     } else {
         for (Index k = 0; k < graph.n; ++k) border.position[order[k]] = k;

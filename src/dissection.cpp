@@ -60,16 +60,30 @@ float median(float* items, Index n) noexcept {
     return items[wanted];
 }
 
+// A part of the order, cut: its left part, its right one from `middle` on, its separator from `pivots` on.
+struct Division {
+    Index middle = 0, pivots = 0;
+};
+
+// Parts that do not overlap may be ordered at the same time: each keeps to its own places of the working arrays, and
+// separators that are done with stand between their unknowns.
 class Dissector {
 public:
-    Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept
-        : graph_(graph), work_(work), order_(order), tree_(tree) {}
+    Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
+        : graph_(graph), work_(work), order_(order) {}
 
     // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
-    Index dissect(Index begin, Index end) noexcept {
+    Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept {
         if (begin == end) return none;
-        if (end - begin <= leaf_size) return add_node(begin, end, none, none);
-        Index middle = 0, pivots = 0;  // order: left part, right part from `middle`, separator from `pivots`
+        if (end - begin <= leaf_size) return add_node(begin, end, none, none, tree);
+        Division const its = divide(begin, end);
+        Index const first = dissect(begin, its.middle, tree);
+        Index const second = dissect(its.middle, its.pivots, tree);
+        return add_node(its.pivots, end, first, second, tree);
+    }
+
+    Division divide(Index begin, Index end) const noexcept {
+        Index middle = 0, pivots = 0;
         Cut const cut = best_cut(begin, end);
         separate(cut, begin, end);
         partition(begin, end, middle, pivots);
@@ -77,33 +91,31 @@ public:
         if (pivots - middle < smallest_child) pivots = middle;
         for (Index k = pivots; k < end; ++k) work_.side[order_[k]] = elsewhere;  // neither part will see them again
         sort_along(cut, order_.from(pivots, end - pivots));
-        Index const first = dissect(begin, middle);
-        Index const second = dissect(middle, pivots);
-        return add_node(pivots, end, first, second);
+        return {middle, pivots};
     }
 
-private:
-    Index add_node(Index begin, Index end, Index first, Index second) noexcept {
-        Index const number = tree_.count++;
+    static Index add_node(Index begin, Index end, Index first, Index second, AssemblyTree& tree) noexcept {
+        Index const number = tree.count++;
         AssemblyTree::Node node;
         node.begin = begin;
         node.end = end;
         node.child = first != none ? first : second;
-        if (first != none && second != none) tree_.nodes[first].sibling = second;
+        if (first != none && second != none) tree.nodes[first].sibling = second;
         Index const children[] = {first, second};
         for (Index const child : children) {
-            if (child != none) tree_.nodes[child].parent = number;
+            if (child != none) tree.nodes[child].parent = number;
         }
-        tree_.nodes[number] = node;
+        tree.nodes[number] = node;
         return number;
     }
 
+private:
     // Moves a tiny left part behind the right one, into the separator.
     void absorb(Index begin, Index& middle, Index& pivots) const noexcept {
         Index const n = middle - begin;
-        for (Index k = 0; k < n; ++k) work_.moved[k] = order_[begin + k];
+        for (Index k = begin; k < middle; ++k) work_.moved[k] = order_[k];
         for (Index k = middle; k < pivots; ++k) order_[k - n] = order_[k];
-        for (Index k = 0; k < n; ++k) order_[pivots - n + k] = work_.moved[k];
+        for (Index k = 0; k < n; ++k) order_[pivots - n + k] = work_.moved[begin + k];
         pivots -= n;
         middle = begin;
     }
@@ -152,7 +164,7 @@ private:
     void separate(Cut const& cut, Index begin, Index end) const noexcept {
         Side const other = cut.separated == left ? right : left;
         Index n_near = 0;
-        Span<Index> const near = work_.moved;
+        Span<Index> const near = work_.moved.from(begin, end - begin);
         for (Index k = begin; k < end; ++k) {
             Index const u = order_[k];
             float const distance = cut.direction == none ? static_cast<float>(k - begin - (end - begin) / 2)
@@ -180,19 +192,20 @@ private:
 
     // Stable, so that memory is still passed through in its own direction.
     void partition(Index begin, Index end, Index& middle, Index& pivots) const noexcept {
+        Span<Index> const moved = work_.moved.from(begin, end - begin), cut_off = work_.where.queue.from(begin, end - begin);
         middle = begin;
         Index n_right = 0, n_cut_off = 0;
         for (Index k = begin; k < end; ++k) {
             Index const u = order_[k];
             switch (work_.side[u]) {
                 case left: order_[middle++] = u; break;
-                case right: work_.moved[n_right++] = u; break;
-                default: work_.where.queue[n_cut_off++] = u;
+                case right: moved[n_right++] = u; break;
+                default: cut_off[n_cut_off++] = u;
             }
         }
         pivots = middle + n_right;
-        copy(order_.from(middle, n_right), Span<const Index>(work_.moved.first(n_right)));
-        copy(order_.from(pivots, n_cut_off), Span<const Index>(work_.where.queue.first(n_cut_off)));
+        copy(order_.from(middle, n_right), Span<const Index>(moved.first(n_right)));
+        copy(order_.from(pivots, n_cut_off), Span<const Index>(cut_off.first(n_cut_off)));
     }
 
     // Along a straight cut; round the middle of a cut between layers.
@@ -226,7 +239,77 @@ private:
     Graph const& graph_;
     DissectionWork const& work_;
     Span<Index> order_;
+};
+
+// The top of the tree, cut level by level; then every part that is left is a task. The same tree for any number of levels.
+class TreeTop {
+public:
+    TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept
+        : dissector_(dissector), executor_(executor), tree_(tree) {}
+
+    void dissect(Index n) noexcept {
+        Index levels = 0;
+        while (!executor_.is_serial() && levels < most_levels && (1 << levels) < 8 * executor_.n_threads) ++levels;
+        part_[1] = {0, n};
+        for (Index level = 0; level < levels; ++level) {
+            executor_.for_each(1 << level, [&](Index i) { divide((1 << level) + i); });
+        }
+        executor_.for_each((2 << levels) - 1, [&](Index i) { plant(part_[1 + i]); });
+        tree_.count = 0;
+        join(1);
+    }
+
+private:
+    static constexpr Index most_levels = 6;
+
+    struct Part {
+        Index begin = 0, end = 0;
+        bool is_cut = false;
+        Index pivots = 0;   // where it is cut, the parts 2 h and 2 h + 1 of part h before them
+        Index n_nodes = 0;  // where not
+        // No part of at least `smallest_child` unknowns has more nodes than half of them.
+        Index first_node() const noexcept { return (begin + 1) / 2; }
+    };
+
+    void divide(Index h) noexcept {
+        Part& its = part_[h];
+        if (its.end - its.begin <= leaf_size) return;
+        Division const division = dissector_.divide(its.begin, its.end);
+        its.is_cut = true;
+        its.pivots = division.pivots;
+        part_[2 * h] = {its.begin, division.middle};
+        part_[2 * h + 1] = {division.middle, division.pivots};
+    }
+
+    void plant(Part& its) const noexcept {
+        if (its.is_cut || its.begin == its.end) return;
+        AssemblyTree own;
+        own.nodes = tree_.nodes.from(its.first_node(), tree_.nodes.count() - its.first_node());
+        dissector_.dissect(its.begin, its.end, own);
+        its.n_nodes = own.count;
+    }
+
+    // Moves nodes up to those that are there already. Returns the root.
+    Index join(Index h) noexcept {
+        Part const& its = part_[h];
+        if (its.is_cut) {
+            Index const first = join(2 * h), second = join(2 * h + 1);
+            return Dissector::add_node(its.pivots, its.end, first, second, tree_);
+        }
+        Index const shift = tree_.count;
+        for (Index k = 0; k < its.n_nodes; ++k) {
+            AssemblyTree::Node node = tree_.nodes[its.first_node() + k];
+            Index* const relatives[] = {&node.parent, &node.child, &node.sibling};
+            for (Index* const other : relatives) *other += *other != none ? shift : 0;
+            tree_.nodes[tree_.count++] = node;
+        }
+        return its.n_nodes > 0 ? tree_.count - 1 : none;
+    }
+
+    Dissector const& dissector_;
+    Executor const& executor_;
     AssemblyTree& tree_;
+    Part part_[2 << most_levels];
 };
 
 }  // namespace
@@ -239,11 +322,11 @@ void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(side, max_unknowns);
 }
 
-void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept {
-    work.where.find(graph, points);
+void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
+             AssemblyTree& tree) noexcept {
+    work.where.find(graph, points, executor);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
-    tree.count = 0;
-    Dissector(graph, work, order, tree).dissect(0, graph.n);
+    TreeTop(Dissector(graph, work, order), executor, tree).dissect(graph.n);
 }
 
 }  // namespace harmorph

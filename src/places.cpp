@@ -27,8 +27,25 @@ void Places::find_layers(Graph const& graph) const noexcept {
     }
 }
 
+void Places::find_reach(Graph const& graph, Index u) const noexcept {
+    constexpr float outwards = 1.000001f;
+    Four ahead[halves] = {}, behind[halves] = {};
+    for (Index const v : graph.of(u)) {
+        for (Index half = 0; half < halves; ++half) {
+            Four const step = four(place[v].at, half) - four(place[u].at, half);
+            ahead[half] = step > ahead[half] ? step : ahead[half];
+            behind[half] = -step > behind[half] ? -step : behind[half];
+        }
+    }
+    for (Index half = 0; half < halves; ++half) {
+        set_four(reach[u].ahead, half, outwards * ahead[half]);
+        set_four(reach[u].behind, half, outwards * behind[half]);
+    }
+}
+
 // Coordinates about the first point, which are small numbers where the mesh is fine.
-void Places::find(Graph const& graph, Points points) const noexcept {
+void Places::find(Graph const& graph, Points points, Executor const& executor) const noexcept {
+    constexpr Index least = 4096;  // unknowns that are worth a task
     Vec2 const origin = points[graph.point(0)];
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
@@ -36,27 +53,17 @@ void Places::find(Graph const& graph, Points points) const noexcept {
         largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
     }
     Real const scale = largest > 1e30 || largest < 1e-30 ? 1 / largest : 1;  // single precision ends at 1e38
-    for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = scale * (points[graph.point(u)] - origin);
-        float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-        place[u] = {{x, y, x + y, x - y}};
-    }
+    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) {
+            Vec2 const p = scale * (points[graph.point(u)] - origin);
+            float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+            place[u] = {{x, y, x + y, x - y}};
+        }
+    });
     find_layers(graph);
-    constexpr float outwards = 1.000001f;
-    for (Index u = 0; u < graph.n; ++u) {
-        Four ahead[halves] = {}, behind[halves] = {};
-        for (Index const v : graph.of(u)) {
-            for (Index half = 0; half < halves; ++half) {
-                Four const step = four(place[v].at, half) - four(place[u].at, half);
-                ahead[half] = step > ahead[half] ? step : ahead[half];
-                behind[half] = -step > behind[half] ? -step : behind[half];
-            }
-        }
-        for (Index half = 0; half < halves; ++half) {
-            set_four(reach[u].ahead, half, outwards * ahead[half]);
-            set_four(reach[u].behind, half, outwards * behind[half]);
-        }
-    }
+    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) find_reach(graph, u);
+    });
 }
 
 }  // namespace harmorph

@@ -14,7 +14,7 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
         Guarded block(counting.bytes());
         harmorph::Arena placing(block.data(), block.size());
         places.lay_out(placing, graph.n());
-        places.find(graph.view(), graph.points());
+        places.find(graph.view(), graph.points(), {});
         CHECK(block.guards_intact());
         int outside = 0, jumps = 0;
         for (Index u = 0; u < graph.n(); ++u)

@@ -1,6 +1,7 @@
 // Where the unknowns are in each of the directions in which a dissection may cut, and how far their neighbours reach.
 #pragma once
 
+#include "harmorph/executor.hpp"
 #include "harmorph/graph.hpp"
 
 namespace harmorph {
@@ -34,10 +35,11 @@ struct Places {
     Span<Index> queue;  // [n] working space
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    void find(Graph const& graph, Points points) const noexcept;
+    void find(Graph const& graph, Points points, Executor const& executor) const noexcept;
 
 private:
     void find_layers(Graph const& graph) const noexcept;
+    void find_reach(Graph const& graph, Index u) const noexcept;
 };
 
 }  // namespace harmorph
