@@ -20,6 +20,8 @@ struct AssemblyTree {
     Index count = 0;
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
+    // A node over roots of the tree that become its children, where they are not none. Returns its number.
+    Index add(Index begin, Index end, Index first, Index second) noexcept;
 };
 
 struct DissectionWork {
