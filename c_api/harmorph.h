@@ -355,8 +355,8 @@ typedef struct hm_mesh_report {
 
 /* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */
 HM_API hm_status hm_analysis_size(const hm_problem *problem, const hm_options *options, size_t *bytes, hm_error *err);
-/* Checks everything, numbers the unknowns, finds the parameters of the curve points. The mesh must have no inverted
- * cell, unless problem.curves is NULL. */
+/* Checks everything, numbers the unknowns, finds the parameters of the curve points; the ordering and the symbolic pass use
+ * the threads of options.executor. The mesh must have no inverted cell, unless problem.curves is NULL. */
 HM_API hm_status hm_analysis_init(hm_analysis **analysis, void *block, size_t bytes, const hm_problem *problem,
                                   const hm_options *options, hm_error *err);
 HM_API hm_status hm_analysis_report(const hm_analysis *analysis, hm_mesh_report *report, hm_error *err);

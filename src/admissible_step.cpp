@@ -3,9 +3,8 @@
 #include "harmorph/cell_ranges.hpp"
 
 namespace harmorph {
-namespace {
 
-// Smallest s > 0 with c + b s + a s^2 = 0, where c > 0; infinite if there is none. The root is taken without cancellation.
+// The root is taken without cancellation.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     if (!is_finite(a + b)) return 0;  // a displacement that is not finite leaves nothing
     if (a >= 0 && b >= 0) return infinity;
@@ -17,29 +16,16 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
-}  // namespace
-
-void AdmissibleStep::add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept {
-    CellCorners const moving(change);
-    Index const n_areas = now.n == 3 ? 1 : 4;
-    for (Index k = 0; k < n_areas; ++k) {
-        Index const before = now.n == 3 ? 0 : (k + 3) & 3, after = now.n == 3 ? 1 : k;  // the sides of this area
-        Real const slope = cross(corners.side[before], moving.side[after]) + cross(moving.side[before], corners.side[after]);
-        Real const area = corners.twice_area[k];
-        // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
-        Real const curvature = moving.twice_area[k];
-        if (area > 0 && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
-        Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
-        if (its < step) *this = {its, number, k};
-    }
-}
-
 AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
                                Executor const& executor) noexcept {
-    return reduce_cells<AdmissibleStep>(mesh.n_cells, executor, [&](Index i, AdmissibleStep& limit) {
-        Cell const cell = mesh.cell(i);
-        CellShape const now(cell, points, reversed[i] != 0);
-        limit.add(i, now, CellShape(cell, displacement, reversed[i] != 0), CellCorners(now));
+    return reduce_ranges<AdmissibleStep>(mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
+        AdmissibleStep limit;
+        mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
+            if (reversed[i] != 0) cell.reverse();
+            CellShape const now(cell, points, false);
+            limit.add(i, now, CellShape(cell, displacement, false), CellCorners(now));
+        });
+        result = limit;
     });
 }
 

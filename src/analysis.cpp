@@ -56,9 +56,9 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
         HARMORPH_TRY(edges.build(mesh, representative, fault));
         HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
     }
-    HARMORPH_TRY(orient(mesh, edges, orientation_work, reversed, fault));
+    HARMORPH_TRY(orient(mesh, edges, orientation_work, reversed, inverted, fault));
     HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
-    classify(mesh, boundary, representative, conditions, kinds);
+    classify(edges, boundary, conditions, kinds);
     return Status::ok;
 }
 
@@ -72,7 +72,6 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
     for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
-    Index const inverted = first_inverted(mesh, mesh.points, reversed);
     if (inverted != none) {
         CellCorners const corners(CellShape(mesh.cell(inverted), mesh.points, reversed[inverted] != 0));
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
@@ -110,14 +109,14 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
     Progress const& progress = problem.progress;
     HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
     if (is_direct()) {
-        dissect(graph, problem.mesh.points, dissection_work, order, tree);
+        dissect(graph, problem.mesh.points, dissection_work, problem.executor, order, tree);
     } else {
         order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
     }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
     if (is_direct()) {
-        fronts = count_borders(graph, order, tree, border, border_start);
+        fronts = count_borders(graph, order, tree, border, problem.executor, border_start);
         subtrees.choose(tree, border_start);
     } else {
         for (Index k = 0; k < graph.n; ++k) border.position[order[k]] = k;
@@ -174,14 +173,6 @@ Index Analysis::count_wall_faces() const noexcept {
     Index n = 0;
     for (Index face = 0; face < boundary.count; ++face) n += is_wall_face(face) ? 1 : 0;
     return n;
-}
-
-Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        CellCorners const corners(CellShape(mesh.cell(i), points, reversed[i] != 0));
-        if (!(corners.smallest() > 0)) return i;
-    }
-    return none;
 }
 
 }  // namespace harmorph

@@ -173,23 +173,25 @@ void Basis::unseal() const noexcept {
 }
 
 std::uint64_t topology_print(Mesh const& mesh) noexcept {
-    Hash hash;
-    hash.add(static_cast<std::uint64_t>(mesh.n_points));
-    hash.add(static_cast<std::uint64_t>(mesh.n_cells));
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        for (Index k = 0; k < cell.n; ++k) hash.add(static_cast<std::uint64_t>(cell.point[k]));
-    }
-    return hash.value();
+    auto const pair = [](Index a, Index b) { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); };
+    Hash front, back;
+    front.add(pair(mesh.n_points, mesh.n_cells));
+    mesh.for_each_cell([&](Index, Cell const& cell) {
+        front.add(pair(cell.point[0], cell.point[1]));
+        back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
+    });
+    front.add(back.value());
+    return front.value();
 }
 
 std::uint64_t coordinates_print(Points points, Index n_points) noexcept {
-    Hash hash;
+    Hash x, y;
     for (Index k = 0; k < n_points; ++k) {
-        hash.add(bits_of(points[k].x));
-        hash.add(bits_of(points[k].y));
+        x.add(bits_of(points[k].x));
+        y.add(bits_of(points[k].y));
     }
-    return hash.value();
+    x.add(y.value());
+    return x.value();
 }
 
 Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {

@@ -93,13 +93,10 @@ const Condition* condition_of(Span<const Condition> conditions, Index marker) no
     return nullptr;
 }
 
-void classify(Mesh const& mesh, Boundary const& boundary, Span<const Index> representative,
-              Span<const Condition> conditions, Span<PointKind> kinds) noexcept {
+void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,
+              Span<PointKind> kinds) noexcept {
     fill(kinds, PointKind::unused);
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        for (Index k = 0; k < cell.n; ++k) kinds[representative[cell.point[k]]] = PointKind::inside;
-    }
+    edges.for_each([&](Index, Index low, Index high) { kinds[low] = kinds[high] = PointKind::inside; });
     auto const strengthen = [&](Index point, PointKind kind) {
         if (kind < kinds[point]) kinds[point] = kind;
     };

@@ -18,25 +18,17 @@ void sort_sides(Span<Edges::Side> sides) noexcept {
     }
 }
 
-// visit(smaller point, side) for every side of every cell; false if a side has no length.
+// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side of no length, or none.
 template <class Visit>
-bool for_each_side(Mesh const& mesh, Span<const Index> representative, Index& bad_cell, Visit visit) noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
+Index for_each_side(Mesh const& mesh, Span<const Index> representative, Visit visit) noexcept {
+    return mesh.find_cell([&](Index i, Cell const& cell) {
         for (Index k = 0; k < cell.n; ++k) {
             Index const a = representative[cell.point[k]], b = representative[cell.next(k)];
-            if (a == b) {
-                bad_cell = i;
-                return false;
-            }
-            if (a < b) {
-                visit(a, Edges::Side{b, 2 * i});
-            } else {
-                visit(b, Edges::Side{a, 2 * i + 1});
-            }
+            if (a == b) return true;
+            visit(smaller(a, b), Edges::Side{larger(a, b), 2 * i + (a < b ? 0 : 1)});
         }
-    }
-    return true;
+        return false;
+    });
 }
 
 }  // namespace
@@ -49,12 +41,12 @@ void Edges::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 
 Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept {
     fill(start, Index{0});
-    Index bad_cell = none;
-    if (!for_each_side(mesh, representative, bad_cell, [&](Index point, Side) { ++start[point]; })) {
+    Index const bad_cell = for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
+    if (bad_cell != none) {
         return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh, bad_cell);
     }
     counts_to_starts(start);
-    for_each_side(mesh, representative, bad_cell, [&](Index point, Side side) { first[start[point]++] = side; });
+    for_each_side(mesh, representative, [&](Index point, Side side) { first[start[point]++] = side; });
     rewind_starts(start);
 
     Index n_edges = 0;

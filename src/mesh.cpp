@@ -5,21 +5,22 @@ namespace {
 
 Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured) return Status::ok;
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
+    mesh.find_cell([&](Index i, Cell const& cell) {
         for (Index k = 0; k < cell.n; ++k) {
             Index const point = cell.point[k];
             if (point < 0 || point >= mesh.n_points) {
-                return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
+                fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
+                return true;
             }
             for (Index earlier = 0; earlier < k; ++earlier) {
-                if (cell.point[earlier] == point) {
-                    return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
-                }
+                if (cell.point[earlier] != point) continue;
+                fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
+                return true;
             }
         }
-    }
-    return Status::ok;
+        return false;
+    });
+    return fault.status;
 }
 
 Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {

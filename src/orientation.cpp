@@ -1,5 +1,7 @@
 #include "harmorph/orientation.hpp"
 
+#include "harmorph/cell_shape.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -35,13 +37,15 @@ private:
     Span<Index> parent_;
 };
 
-// One sense everywhere, and areas of one sign: the case of nearly all files.
+bool is_inverted(Cell const& cell, Points points, bool reversed) noexcept {
+    return !(CellCorners(CellShape(cell, points, reversed)).smallest() > 0);
+}
+
+// One sense everywhere, and no cell inverted: the case of nearly all files.
 bool is_uniform(Mesh const& mesh, Edges const& edges, bool& clockwise) noexcept {
     clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
-    for (Index cell = 1; cell < mesh.n_cells; ++cell) {
-        Real const area = cell_area(mesh.cell(cell), mesh.points);
-        if (clockwise ? area >= 0 : area <= 0) return false;
-    }
+    bool const sense = clockwise;
+    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, sense); }) != none) return false;
     for (Index edge = 0; edge < edges.count(); ++edge) {
         Index const other = edges.second[edge];
         if (other >= 0 && runs_backwards(other) == runs_backwards(edges.first[edge].code)) return false;
@@ -57,8 +61,9 @@ void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 }
 
 Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
-              Fault& fault) noexcept {
+              Index& inverted, Fault& fault) noexcept {
     bool clockwise = false;
+    inverted = none;
     if (is_uniform(mesh, edges, clockwise)) {
         fill(reversed, static_cast<std::uint8_t>(clockwise ? 1 : 0));
         return Status::ok;
@@ -84,6 +89,7 @@ Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work,
         bool const against_root = (root & 1) != 0;
         reversed[cell] = (work.balance[root >> 1] < 0) != against_root ? 1 : 0;
     }
+    inverted = mesh.find_cell([&](Index i, Cell const& cell) { return is_inverted(cell, mesh.points, reversed[i] != 0); });
     return Status::ok;
 }
 

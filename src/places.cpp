@@ -14,13 +14,13 @@ void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
 }
 
 // Breadth first: unknowns of the queue, from `read` on, hand their numbers, plus 1, to neighbours that have none.
-Index Places::spread(Graph const& graph, Index direction, Index read, Index filled) const noexcept {
+Index Places::spread(Graph const& graph, Index direction, Span<Index> its_queue, Index read, Index filled) const noexcept {
     for (; read < filled; ++read) {
-        Index const u = queue[read];
+        Index const u = its_queue[read];
         for (Index const v : graph.of(u)) {
             if (place[v].at[direction] >= 0) continue;
             place[v].at[direction] = place[u].at[direction] + 1;
-            queue[filled++] = v;
+            its_queue[filled++] = v;
         }
     }
     return filled;
@@ -34,29 +34,47 @@ void Places::find_layers(Graph const& graph) const noexcept {
         place[u].at[layer_direction] = is_first ? 0 : unreached;
         if (is_first) queue[filled++] = u;
     }
-    spread(graph, layer_direction, 0, filled);
+    spread(graph, layer_direction, queue, 0, filled);
 }
 
-void Places::find_levels(Graph const& graph, Span<const Index> part) const noexcept {
+void Places::find_levels(Graph const& graph, Span<const Index> part, Span<Index> its_queue) const noexcept {
     auto const level = [&](Index u) -> float& { return place[u].at[level_direction]; };
     auto const spread_from = [&](Index u, float its_level, Index filled) {
         level(u) = its_level;
-        queue[filled] = u;
-        return spread(graph, level_direction, filled, filled + 1);
+        its_queue[filled] = u;
+        return spread(graph, level_direction, its_queue, filled, filled + 1);
     };
     Index start = part[0], filled = 0;
     for (Index sweep = 0; sweep < 2; ++sweep) {  // the second from where the first one ends
         for (Index const u : part) level(u) = unreached;
         filled = spread_from(start, 0, 0);
-        start = queue[filled - 1];
+        start = its_queue[filled - 1];
     }
     for (Index const u : part) {  // what hangs apart comes behind
-        if (level(u) < 0) filled = spread_from(u, level(queue[filled - 1]) + 1, filled);
+        if (level(u) < 0) filled = spread_from(u, level(its_queue[filled - 1]) + 1, filled);
     }
 }
 
+void Places::find_reach(Graph const& graph, Index u) const noexcept {
+    constexpr float outwards = 1.000001f;
+    Four ahead[halves] = {}, behind[halves] = {};
+    for (Index const v : graph.of(u)) {
+        for (Index half = 0; half < halves; ++half) {
+            Four const step = four(place[v].at, half) - four(place[u].at, half);
+            ahead[half] = step > ahead[half] ? step : ahead[half];
+            behind[half] = -step > behind[half] ? -step : behind[half];
+        }
+    }
+    for (Index half = 0; half < halves; ++half) {
+        set_four(reach[u].ahead, half, outwards * ahead[half]);
+        set_four(reach[u].behind, half, outwards * behind[half]);
+    }
+    reach[u].ahead[level_direction] = reach[u].behind[level_direction] = 1;
+}
+
 // Coordinates about the first point, which are small numbers where the mesh is fine.
-void Places::find(Graph const& graph, Points points) const noexcept {
+void Places::find(Graph const& graph, Points points, Executor const& executor) const noexcept {
+    constexpr Index least = 4096;  // unknowns that are worth a task
     Vec2 const origin = points[graph.point(0)];
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
@@ -64,28 +82,17 @@ void Places::find(Graph const& graph, Points points) const noexcept {
         largest = larger(largest, larger(absolute(p.x), absolute(p.y)));
     }
     Real const scale = largest > 1e30 || largest < 1e-30 ? 1 / largest : 1;  // single precision ends at 1e38
-    for (Index u = 0; u < graph.n; ++u) {
-        Vec2 const p = scale * (points[graph.point(u)] - origin);
-        float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-        place[u] = {{x, y, x + y, x - y}};
-    }
+    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) {
+            Vec2 const p = scale * (points[graph.point(u)] - origin);
+            float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
+            place[u] = {{x, y, x + y, x - y}};
+        }
+    });
     find_layers(graph);
-    constexpr float outwards = 1.000001f;
-    for (Index u = 0; u < graph.n; ++u) {
-        Four ahead[halves] = {}, behind[halves] = {};
-        for (Index const v : graph.of(u)) {
-            for (Index half = 0; half < halves; ++half) {
-                Four const step = four(place[v].at, half) - four(place[u].at, half);
-                ahead[half] = step > ahead[half] ? step : ahead[half];
-                behind[half] = -step > behind[half] ? -step : behind[half];
-            }
-        }
-        for (Index half = 0; half < halves; ++half) {
-            set_four(reach[u].ahead, half, outwards * ahead[half]);
-            set_four(reach[u].behind, half, outwards * behind[half]);
-        }
-        reach[u].ahead[level_direction] = reach[u].behind[level_direction] = 1;
-    }
+    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) find_reach(graph, u);
+    });
 }
 
 }  // namespace harmorph

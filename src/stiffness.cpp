@@ -38,12 +38,11 @@ void add_quad(CellShape const& shape, CellCorners const& corners, Real conductiv
 template <class Add>
 Index for_each_conductance(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed,
                            Span<const Real> conductivity, Add add) noexcept {
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell cell = mesh.cell(i);
+    return mesh.find_cell([&](Index i, Cell cell) {
         if (reversed[i] != 0) cell.reverse();
         CellShape const shape(cell, points, false);
         CellCorners const corners(shape);
-        if (!(corners.smallest() > 0)) return i;
+        if (!(corners.smallest() > 0)) return true;
         Real const k = conductivity.empty() ? 1 : conductivity[i];
         auto const add_here = [&](Index a, Index b, Real conductance, bool along_side) {
             add(cell.point[a], cell.point[b], conductance, along_side ? k : 0);
@@ -53,8 +52,8 @@ Index for_each_conductance(Mesh const& mesh, Points points, Span<const std::uint
         } else {
             add_quad(shape, corners, k, add_here);
         }
-    }
-    return none;
+        return false;
+    });
 }
 
 }  // namespace

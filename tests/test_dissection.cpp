@@ -1,7 +1,10 @@
 // The order of elimination is a permutation, its tree a postorder, and separators separate.
 #include <doctest/doctest.h>
 
+#include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
+
+#include <cstring>
 
 using namespace fixtures;
 using harmorph::Index;
@@ -124,8 +127,20 @@ TEST_CASE("a rolled strip is cut across, however its turns lie beside each other
     check_dissection(strip);
 }
 
-TEST_CASE("the same bits again") {
-    HandMadeGraph graph = grid_graph(50, 40);
-    Dissected const a(graph), b(graph);
-    CHECK(a.order == b.order);
+TEST_CASE("any number of threads, in any order of their tasks: the same order and the same tree") {
+    std::vector<HandMadeGraph> graphs = nasty_graphs();
+    graphs.push_back(grid_graph(50, 40));
+    graphs.push_back(grid_graph(3, 2));
+    for (HandMadeGraph& graph : graphs) {
+        Dissected const alone(graph);
+        for (Index const threads : {1, 2, 3, 200}) {
+            Backwards order;
+            Dissected const together(graph, {Backwards::run, &order, threads});
+            CHECK(together.order == alone.order);
+            REQUIRE(together.tree.count == alone.tree.count);
+            CHECK(std::memcmp(together.tree.nodes.data(), alone.tree.nodes.data(),
+                              sizeof(harmorph::AssemblyTree::Node) * static_cast<std::size_t>(alone.tree.count)) == 0);
+            CHECK((order.tasks > 0) == (threads > 1));
+        }
+    }
 }

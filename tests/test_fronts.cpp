@@ -1,6 +1,7 @@
 // The symbolic pass against brute force.
 #include <doctest/doctest.h>
 
+#include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
 
 using namespace fixtures;
@@ -67,6 +68,20 @@ TEST_CASE("borders are what elimination fills, and nothing that no pivot of the 
         CHECK(found.sizes.largest_border == largest_border);
         CHECK(found.sizes.largest_front == largest_front);
         CHECK(found.of(cut.tree.count - 1).empty());   // nothing comes after the root
+    }
+}
+
+TEST_CASE("any number of threads: the same borders") {
+    for (HandMadeGraph& graph : nasty_graphs()) {
+        Dissected const cut(graph);
+        Symbolic const alone(graph, cut);
+        for (Index const threads : {2, 5}) {
+            Backwards order;
+            Symbolic const together(graph, cut, {Backwards::run, &order, threads});
+            CHECK(together.start == alone.start);
+            CHECK(together.border == alone.border);
+            CHECK(together.sizes.factor_entries == alone.sizes.factor_entries);
+        }
     }
 }
 

@@ -23,7 +23,12 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     REQUIRE(a.n_cells == b.n_cells);
     Index different = 0;
     for (Index i = 0; i < a.n_cells; ++i) different += !same_cell(a.cell(i), b.cell(i));
+    Index next = 0;
+    a.for_each_cell([&](Index i, harmorph::Cell const& cell) { different += i != next++ || !same_cell(cell, b.cell(i)); });
+    CHECK(next == a.n_cells);
     CHECK(different == 0);
+    CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) == a.n_cells - 1);
+    CHECK(a.find_cell([](Index, harmorph::Cell const&) { return false; }) == harmorph::none);
     CHECK(topology_print(a) == topology_print(b));
 }
 

@@ -15,7 +15,7 @@ struct PlacedGraph {
         block_ = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block_->data(), block_->size());
         places.lay_out(placing, graph.n());
-        places.find(graph.view(), graph.points());
+        places.find(graph.view(), graph.points(), {});
     }
     ~PlacedGraph() { CHECK(block_->guards_intact()); }
 
@@ -57,7 +57,7 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
         auto const level = [&](Index u) { return its.places.place[u].at[harmorph::level_direction]; };
         std::vector<Index> all(static_cast<std::size_t>(graph.n()));
         for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
-        its.places.find_levels(graph.view(), span(all));
+        its.places.find_levels(graph.view(), span(all), its.places.queue);
         std::set<Index> seen;
         int jumps = 0, falls = 0;
         for (Index k = 0; k < graph.n(); ++k) {
@@ -77,7 +77,7 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
     for (Index u = 0; u < 27; ++u) {
         if (u % 9 > 4) half.push_back(u);
     }
-    its.places.find_levels(grid.view(), span(half));
+    its.places.find_levels(grid.view(), span(half), its.places.queue);
     Index const first = its.places.queue[0];
     for (Index const u : half) {
         float const expected = static_cast<float>(std::abs(u % 9 - first % 9));

@@ -11,11 +11,30 @@ struct AdmissibleStep {
     Index cell = none, corner = none;  // of `cell`, the corner whose area becomes 0 first
 
     // Of `number`, whose points move from `now` by `change`.
-    void add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept;
+    inline void add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept;
     void merge(AdmissibleStep const& later) noexcept {
         if (later.step < step) *this = later;
     }
 };
+
+// Smallest s > 0 with c + b s + a s^2 = 0, where c > 0; infinite if there is none.
+Real smallest_positive_root(Real a, Real b, Real c) noexcept;
+
+inline void AdmissibleStep::add(Index number, CellShape const& now, CellShape const& change,
+                                CellCorners const& corners) noexcept {
+    CellCorners const moving(change);
+    Index const n_areas = now.n == 3 ? 1 : 4;
+    for (Index k = 0; k < n_areas; ++k) {
+        Index const before = now.n == 3 ? 0 : (k + 3) & 3, after = now.n == 3 ? 1 : k;  // the sides of this area
+        Real const slope = cross(corners.side[before], moving.side[after]) + cross(moving.side[before], corners.side[after]);
+        Real const area = corners.twice_area[k];
+        // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
+        Real const curvature = moving.twice_area[k];
+        if (area > 0 && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
+        Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
+        if (its < step) *this = {its, number, k};
+    }
+}
 
 // Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest non-negative root of the
 // corners' quadratics.

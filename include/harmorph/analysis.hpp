@@ -35,6 +35,7 @@ struct Analysis {
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Span<Index> representative;   // [n_points] joined points: the smallest of them
     Span<std::uint8_t> reversed;  // [n_cells]
+    Index inverted = none;        // the first inverted cell
     Edges edges;
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
@@ -88,8 +89,5 @@ private:
     Status check_parts(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;
 };
-
-// First cell with a corner that has no positive area, or none.
-Index first_inverted(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed) noexcept;
 
 }  // namespace harmorph

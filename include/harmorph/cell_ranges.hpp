@@ -5,19 +5,27 @@
 
 namespace harmorph {
 
-// visit(cell, result) for all cells; Result has merge(later).
-template <class Result, class Visit>
-Result reduce_cells(Index n_cells, Executor const& executor, Visit const& visit) noexcept {
+// add(begin, end, result) for ranges that are together 0 .. n-1; Result has merge(later).
+template <class Result, class Add>
+Result reduce_ranges(Index n, Executor const& executor, Add const& add) noexcept {
     constexpr Index ranges = 16;
     Result part[ranges];
-    auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_cells} * i / ranges); };
+    auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / ranges); };
     executor.for_each(ranges, [&](Index range) {
         Result result;
-        for (Index cell = bound(range); cell < bound(range + 1); ++cell) visit(cell, result);
+        add(bound(range), bound(range + 1), result);
         part[range] = result;
     });
     for (Index range = 1; range < ranges; ++range) part[0].merge(part[range]);
     return part[0];
+}
+
+// visit(cell, result) for all cells.
+template <class Result, class Visit>
+Result reduce_cells(Index n_cells, Executor const& executor, Visit const& visit) noexcept {
+    return reduce_ranges<Result>(n_cells, executor, [&](Index begin, Index end, Result& result) {
+        for (Index cell = begin; cell < end; ++cell) visit(cell, result);
+    });
 }
 
 }  // namespace harmorph

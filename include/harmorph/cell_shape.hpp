@@ -11,8 +11,7 @@ struct CellShape {
     Vec2 at[4];
 
     CellShape(Cell const& cell, Points points, bool reversed) noexcept : n(cell.n) {
-        Index const first = reversed ? n - 1 : 0, step = reversed ? -1 : 1;
-        for (Index k = 0; k < n; ++k) at[k] = points[cell.point[first + step * k]];
+        for (Index k = 0; k < n; ++k) at[k] = points[reversed ? cell.point[n - 1 - k] : cell.point[k]];
         if (n == 3) at[3] = at[0];
     }
 };

@@ -41,7 +41,7 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
 const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept;
 
 // kinds [n_points]. Points that are joined to another one count as unused.
-void classify(Mesh const& mesh, Boundary const& boundary, Span<const Index> representative,
-              Span<const Condition> conditions, Span<PointKind> kinds) noexcept;
+void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,
+              Span<PointKind> kinds) noexcept;
 
 }  // namespace harmorph

@@ -20,6 +20,8 @@ struct AssemblyTree {
     Index count = 0;
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
+    // A node over roots of the tree that become its children, where they are not none. Returns its number.
+    Index add(Index begin, Index end, Index first, Index second) noexcept;
 };
 
 struct DissectionWork {
@@ -32,7 +34,9 @@ struct DissectionWork {
 
 // order [n]: the unknowns in the order of elimination. Source of the method: A. George, SIAM J. Numer. Anal. 10 (1973) 345,
 // with cuts through sampled medians, straight or between two layers, and the smaller of the two one-sided separators.
-// Separators are in order along the cut, so that fronts meet in runs of neighbours.
-void dissect(Graph const& graph, Points points, DissectionWork const& work, Span<Index> order, AssemblyTree& tree) noexcept;
+// Separators are in order along the cut, so that fronts meet in runs of neighbours. Order and tree do not depend on the
+// number of threads.
+void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
+             AssemblyTree& tree) noexcept;
 
 }  // namespace harmorph

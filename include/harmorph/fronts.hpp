@@ -25,7 +25,7 @@ struct BorderWork {
 
 // border_start [nodes + 1]: counts, then starts. Fills work.node and work.position for fill_borders.
 FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                         Span<Offset> border_start) noexcept;
+                         Executor const& executor, Span<Offset> border_start) noexcept;
 
 // border [border_entries].
 void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,

@@ -13,12 +13,11 @@ namespace harmorph {
 template <class Visit>
 void for_each_pair(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Visit visit) noexcept {
     edges.for_each([&](Index, Index low, Index high) { visit(representative[low], representative[high]); });
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell const cell = mesh.cell(i);
-        if (cell.n != 4) continue;
+    mesh.for_each_cell([&](Index, Cell const& cell) {
+        if (cell.n != 4) return;
         visit(representative[cell.point[0]], representative[cell.point[2]]);
         visit(representative[cell.point[1]], representative[cell.point[3]]);
-    }
+    });
 }
 
 struct Graph {

@@ -13,8 +13,9 @@ struct OrientationWork {
 };
 
 // reversed [n_cells]: 1 where the cell's points must be read backwards to run counter-clockwise. In each connected part
-// the sense with the larger total area is the right one, so that few inverted cells do not turn the others.
+// the sense with the larger total area is the right one, so that few inverted cells do not turn the others. inverted: the
+// first cell that has a corner of no positive area then, or none.
 Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
-              Fault& fault) noexcept;
+              Index& inverted, Fault& fault) noexcept;
 
 }  // namespace harmorph

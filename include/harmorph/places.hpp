@@ -1,6 +1,7 @@
 // Where the unknowns are in each of the directions in which a dissection may cut, and how far their neighbours reach.
 #pragma once
 
+#include "harmorph/executor.hpp"
 #include "harmorph/graph.hpp"
 
 namespace harmorph {
@@ -35,14 +36,15 @@ struct Places {
     Span<Index> queue;  // [n] working space
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    void find(Graph const& graph, Points points) const noexcept;
-    // Levels of a part: steps from an unknown at its end. Neighbours outside have had theirs. `queue` then begins with the
-    // part by increasing level. (After N. E. Gibbs, W. G. Poole, P. K. Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236.)
-    void find_levels(Graph const& graph, Span<const Index> part) const noexcept;
+    void find(Graph const& graph, Points points, Executor const& executor) const noexcept;
+    // Levels of a part: steps from an unknown at its end. Neighbours outside have had theirs. its_queue [part] is the part
+    // by increasing level. (After N. E. Gibbs, W. G. Poole, P. K. Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236.)
+    void find_levels(Graph const& graph, Span<const Index> part, Span<Index> its_queue) const noexcept;
 
 private:
     void find_layers(Graph const& graph) const noexcept;
-    Index spread(Graph const& graph, Index direction, Index read, Index filled) const noexcept;
+    Index spread(Graph const& graph, Index direction, Span<Index> its_queue, Index read, Index filled) const noexcept;
+    void find_reach(Graph const& graph, Index u) const noexcept;
 };
 
 }  // namespace harmorph

@@ -8,7 +8,18 @@ namespace harmorph {
 
 // Skew quality in 0..1, 1 for an equilateral triangle and a rectangle, 0 if a corner has no positive area.
 // P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of triangles.
-Real skew_quality(Index n, CellCorners const& corners) noexcept;
+inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
+    if (!(corners.smallest() > 0)) return 0;
+    const Vec2* const side = corners.side;
+    if (n == 3) {
+        Real const squares = square(side[0]) + square(side[1]) + square(side[2]);  // = 2 (a.a + b.b - a.b)
+        return 2 * 1.7320508075688772 * corners.twice_area[0] / squares;
+    }
+    Real length[4], sum = 0;
+    for (Index k = 0; k < 4; ++k) length[k] = square_root(square(side[k]));
+    for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / corners.twice_area[k];
+    return 4 / sum;
+}
 
 struct Quality {
     Index inverted = 0, first_inverted = none;
@@ -21,10 +32,31 @@ struct Quality {
     Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
     // reference_area: of the cell on the mesh it is compared with, or 0. sqrt(f_size) f_skew: A. de Boer, M. S. van der
     // Schoot, H. Bijl, Comput. Struct. 85 (2007) 784.
-    void add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept;
+    inline void add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept;
     // Of cells that come later.
     void merge(Quality const& later) noexcept;
 };
+
+inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept {
+    ++cells;
+    Real const twice_smallest = corners.smallest();
+    min_area = smaller(min_area, 0.5 * twice_smallest);
+    Real its = 0;
+    if (twice_smallest > 0) {
+        its = skew_quality(n, corners);
+        if (reference_area != 0) {
+            Real const area = corners.cell_area(n), size = absolute(reference_area);
+            its *= square_root(smaller(area, size) / larger(area, size));
+        }
+    } else {
+        if (inverted++ == 0) first_inverted = cell;
+    }
+    quality_sum += its;
+    if (its < min_quality) {
+        min_quality = its;
+        min_quality_cell = cell;
+    }
+}
 
 // `reference` not given: the skew quality alone.
 Quality measure_quality(Mesh const& mesh, Points points, Points reference, Span<const std::uint8_t> reversed,

@@ -1,0 +1,46 @@
+// Cuts parts of a graph in two, again and again.
+#pragma once
+
+#include "harmorph/dissection.hpp"
+
+namespace harmorph {
+
+// A part of the order, cut: its left part, its right one from `middle` on, its separator from `pivots` on.
+struct Division {
+    Index middle = 0, pivots = 0;
+};
+
+// Parts that do not overlap may be ordered at the same time: each keeps to its own places of the working arrays, and
+// separators that are done with stand between their unknowns.
+class Dissector {
+public:
+    static constexpr Index leaf_size = 20;      // parts up to this size are eliminated densely
+    static constexpr Index smallest_child = 4;  // smaller parts join the separator; with it, nodes <= n / 2
+
+    Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
+        : graph_(graph), work_(work), order_(order) {}
+
+    // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
+    Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept;
+    Division divide(Index begin, Index end) const noexcept;
+
+private:
+    struct Cuts;
+    struct Cut;
+    struct Parts;
+
+    Cut best_cut(Index begin, Index end) const noexcept;
+    bool find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept;
+    void set_levels(Index begin, Index n, Cuts& cuts) const noexcept;
+    Parts separate(Cut const& cut, Index begin, Index end) const noexcept;
+    bool may_touch(Cut const& cut, Index u, float distance) const noexcept;
+    Division partition(Index begin, Index end) const noexcept;
+    void absorb(Index begin, Division& division) const noexcept;
+    void sort_along(Cut const& cut, Span<Index> cut_off) const noexcept;
+
+    Graph const& graph_;
+    DissectionWork const& work_;
+    Span<Index> order_;
+};
+
+}  // namespace harmorph
