@@ -5,11 +5,16 @@
 
 namespace harmorph {
 
-// Row i holds its entries in later columns, as Matrix does. `faces` tells how many mesh edges run between the two cells
+// Row i holds its entries in later columns, as Matrix does, and its excess: the sum of the whole row, which is what couples the
+// cell to known values. The excess and the entries beside the diagonal say more of the matrix than the diagonal does (Q. Ye,
+// SIAM J. Matrix Anal. Appl. 31 (2009) 11): behind thin cells couplings differ by 1e14, and whoever subtracts sums of the
+// large ones has nothing left of the small ones. So products are sums of flux balances, A x = excess x + sums of entry
+// (x_j - x_i), where what one cell gains another loses to the bit; and a contraction sums the excess. `faces` tells how many mesh edges run between the two cells
 // (255: that or more); 0 for the diagonals of quads, which couple cells that do not touch.
 struct SymmetricRows {
     Index n = 0;
-    Span<Real> diagonal;       // [n]
+    Span<Real> diagonal;       // [n] excess - the sum of the row's other entries
+    Span<Real> excess;         // [n]
     Span<Offset> start;        // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -28,7 +33,7 @@ struct SymmetricRows {
 };
 
 // coarse = P^T fine P, P the map from cells to merged cells: conductances between two merged cells are summed, as are the
-// faces between them; what is inside one vanishes from the row sums. cell_of [fine.n] -> 0 .. n-1; last [n]: working space.
+// faces between them and the excesses of what is inside one, whose couplings vanish. cell_of [fine.n] -> 0 .. n-1; last [n]: working space.
 // coarse must have room for n rows and as many entries as `fine` has.
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept;
 
