@@ -32,7 +32,11 @@ public:
         }
         Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
         HARMORPH_TRY(after(0, relative(given, given)));
-        start_from_coarsest();
+        if (engine_.iteration.starts_from_zero) {
+            clear<W>(at_[0].u, n);
+        } else {
+            start_from_coarsest();
+        }
         while (true) {
             take_rest(0);
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);

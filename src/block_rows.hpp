@@ -80,32 +80,35 @@ void combine(Lanes<W> const& a, Real* x, Lanes<W> const& b, const Real* y, Index
     }
 }
 
-// y += A x, flux by flux: what row i gains row j loses.
+// y += sign A x, flux by flux: what row i gains row j loses. Returns x.A x, as a sum of squares.
 template <Index W>
-void add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
+Lanes<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
+    Lanes<W> squares;
     for (Index i = 0; i < rows.n; ++i) {
         Lanes<W> const own = load<W>(x + Offset{i} * W);
         Lanes<W> sum = load<W>(y + Offset{i} * W);
         add<W>(sign * rows.excess[i], own.at, sum.at);
+        for (Index k = 0; k < W; ++k) squares.at[k] += rows.excess[i] * own.at[k] * own.at[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             Offset const j = Offset{rows.column[e]} * W;
             Real const entry = sign * rows.value[e];
             for (Index k = 0; k < W; ++k) {
-                Real const flux = entry * (x[j + k] - own.at[k]);
+                Real const rise = x[j + k] - own.at[k], flux = entry * rise;
                 sum.at[k] += flux;
                 y[j + k] -= flux;
+                squares.at[k] -= rows.value[e] * rise * rise;
             }
         }
         store<W>(sum, y + Offset{i} * W);
     }
+    return squares;
 }
 
 // y = A x; returns x.y
 template <Index W>
 Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
     clear<W>(y, rows.n);
-    add_product<W>(rows, 1, x, y);
-    return dot<W>(x, y, rows.n);
+    return add_product<W>(rows, 1, x, y);
 }
 
 // rest = f - A u

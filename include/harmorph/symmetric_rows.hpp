@@ -6,10 +6,10 @@
 namespace harmorph {
 
 // Row i holds its entries in later columns, as Matrix does, and its excess: the sum of the whole row, which is what couples the
-// cell to known values. The excess and the entries beside the diagonal say more of the matrix than the diagonal does (Q. Ye,
-// SIAM J. Matrix Anal. Appl. 31 (2009) 11): behind thin cells couplings differ by 1e14, and whoever subtracts sums of the
-// large ones has nothing left of the small ones. So products are sums of flux balances, A x = excess x + sums of entry
-// (x_j - x_i), where what one cell gains another loses to the bit; and a contraction sums the excess. `faces` tells how many mesh edges run between the two cells
+// cell to known values. In thin cells couplings differ by 1e14; the entries beside the diagonal and the excess determine what
+// depends on the small ones, the diagonal, in whose rounding they drown, does not (M. Dailey, F. M. Dopico, Q. Ye, Relative
+// perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i = excess_i x_i + sum of entries
+// (x_j - x_i): constants give 0 to the bit where the excess is 0. And a contraction sums the excess. `faces` tells how many mesh edges run between the two cells
 // (255: that or more); 0 for the diagonals of quads, which couple cells that do not touch.
 struct SymmetricRows {
     Index n = 0;
