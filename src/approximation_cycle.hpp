@@ -41,7 +41,8 @@ public:
             take_rest(0);
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
-            if (larger(residual, left_per_change * change()) <= engine_.iteration.tolerance) break;
+            Real const left = estimate_left(report.iterations, change());
+            if (residual <= engine_.iteration.tolerance && left <= engine_.iteration.tolerance) break;
             if (report.iterations >= engine_.iteration.max_iterations || !is_finite(residual)) break;
             cycle(0, true);
             ++report.iterations;
@@ -58,7 +59,7 @@ private:
     // Before and after the coarse correction; they are cheap below the finest level.
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real left_per_change = 10;  // cycles are slow: more is left than one of them takes off
+    static constexpr Index remembered = 4;       // cycles over which the rate of convergence is taken
 
     struct Vectors {
         Real* f;           // right-hand side: sums of flux balances
@@ -82,6 +83,15 @@ private:
             if (size[k] > 0) most = larger(most, (steps[k] + corrected_[k]) / size[k]);
         }
         return most;
+    }
+
+    // Changes shrink by a rate from cycle to cycle: what all that are to come amount to, at least the last one again.
+    Real estimate_left(Index iteration, Real change) noexcept {
+        Real& oldest = changes_[iteration % remembered];
+        Real const rate = iteration < remembered ? 1 : square_root(square_root(change / oldest));
+        oldest = change;
+        if (change == 0) return 0;
+        return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;
     }
 
     Real relative(Lanes<W> const& squares, Lanes<W> const& size) const noexcept {
@@ -196,6 +206,7 @@ private:
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;
+    Real changes_[remembered] = {};
     Lanes<W> corrected_;  // largest change by the last correction on the finest level
     Vectors at_[Agglomeration::most_levels];
 };
