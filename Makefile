@@ -9,7 +9,7 @@
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
-#   make paper            the paper's cases: figures, and a table of engines
+#   make paper            the paper's cases: figures, and a table of engines; MESHES=directory: of the SU2 files there, too
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
 #   make clean
@@ -107,7 +107,7 @@ deform: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/deform/run.sh
 
 paper: all
-	@BUILD='$(BUILD)' sh tests/paper/run.sh
+	@BUILD='$(BUILD)' MESHES='$(MESHES)' sh tests/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/mpi.sh

@@ -282,9 +282,7 @@ enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest. HM_NODAL_GRADIENT: the compact
                                       scheme's factor preconditions biconjugate gradients, 3 to 13 steps on airfoil meshes */
     HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
-                                      20 to 35 iterations, whatever the size, but where cells are so stretched that couplings
-                                      differ by 1e14: there it may end at the limit. A residual tells little of the error
-                                      where weights vary strongly */
+                                      20 to 35 iterations, whatever the size and however stretched the cells */
     HM_FAS = 2                     /* the paper's iteration: pseudo-time, explicit four-stage Runge-Kutta with local steps, full
                                       approximation scheme on agglomerated levels, started from the coarsest (FMG-FAS); one
                                       level: Runge-Kutta alone. The slowest: for comparison with the paper */
@@ -293,6 +291,11 @@ enum {                             /* agglomeration: which cells are merged */
     HM_AGGLOMERATE_AUTO = 0,       /* along the strong couplings where cells are stretched more than 2 to 1, else any */
     HM_AGGLOMERATE_ISOTROPIC = 1,  /* those with most mesh edges between them, however stretched */
     HM_AGGLOMERATE_DIRECTIONAL = 2 /* always the most strongly coupled ones */
+};
+
+enum {                             /* start: of HM_FAS */
+    HM_START_COARSEST = 0,         /* the problem solved on the coarsest level, then on the next finer one, and so on (FMG) */
+    HM_START_ZERO = 1
 };
 
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
@@ -317,7 +320,9 @@ typedef struct hm_options {
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
     int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
-    double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10 */
+    double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10. Engines that iterate
+                                      go on until this share of the largest value is also about what values are still off:
+                                      behind thin cells small residuals hide large errors */
     hm_progress progress;          /* NULL: none; always called on the thread of the call */
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
@@ -338,6 +343,8 @@ typedef struct hm_options {
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
     int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor */
+    int32_t  start;                /* HM_START_...: HM_FAS only */
+    int32_t  reserved;             /* 0 */
 } hm_options;
 
 /* ---- Analysis: everything that does not depend on the size of numbers --------------------------------------------- */

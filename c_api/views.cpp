@@ -157,6 +157,10 @@ Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) n
     if (o.max_iterations < 0 || o.history_length < 0 || (o.history_length > 0 && o.history == nullptr)) {
         return fault.refuse(Status::bad_argument, "options: max_iterations or history_length is negative, or history is NULL");
     }
+    if (o.start < HM_START_COARSEST || o.start > HM_START_ZERO) {
+        return fault.refuse(Status::bad_argument, "options.start is #, which is unknown", Counts::from_zero, o.start);
+    }
+    iteration.starts_from_zero = o.start == HM_START_ZERO;
     iteration.merging = {static_cast<Merging>(o.agglomeration), o.levels};
     if (o.block_width != 0) iteration.block_width = o.block_width;
     iteration.max_iterations = o.max_iterations;

@@ -62,6 +62,7 @@ module harmorph
     integer, parameter, public :: hm_direct = 0, hm_multigrid = 1, hm_fas = 2
     integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
     integer, parameter, public :: hm_double = 0, hm_single = 1
+    integer, parameter, public :: hm_start_coarsest = 0, hm_start_zero = 1
     integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
@@ -144,7 +145,7 @@ module harmorph
         integer(c_int32_t) :: exponent_quarters = 0, offset_correction = 0
         integer(c_int32_t) :: levels = 0, agglomeration = 0, block_width = 0, max_iterations = 0
         type(c_ptr) :: history = c_null_ptr
-        integer(c_int32_t) :: history_length = 0, precision = 0
+        integer(c_int32_t) :: history_length = 0, precision = 0, start = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_mesh_report
@@ -279,6 +280,7 @@ module harmorph
         integer :: precision = hm_double
         ! hm_multigrid and hm_fas only; the history of its residuals must outlive the plan.
         integer :: levels = 0, agglomeration = hm_agglomerate_auto, block_width = 0, max_iterations = 0
+        integer :: start = hm_start_coarsest  ! hm_fas only
         real(c_double), pointer, contiguous :: history(:) => null()
     end type
 
@@ -1990,6 +1992,7 @@ contains
         data%c_options%block_width = int(its%block_width, c_int32_t)
         data%c_options%max_iterations = int(its%max_iterations, c_int32_t)
         data%c_options%precision = int(its%precision, c_int32_t)
+        data%c_options%start = int(its%start, c_int32_t)
         if (associated(its%history)) then
             data%c_options%history_length = int(size(its%history), c_int32_t)
             if (size(its%history) > 0) data%c_options%history = c_loc(its%history)

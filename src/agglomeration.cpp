@@ -5,17 +5,32 @@
 namespace harmorph {
 namespace {
 
-// Couplings weaker than this share of the strongest one do not make a pair: an aspect ratio of 2.
+// Couplings weaker than this share of the strongest one do not make a pair: an aspect ratio of 2. The strongest one of the
+// cell that has the weaker ones: where couplings grow along a line of cells, each is a neighbour's strongest.
 constexpr Real strong = 0.25;
+
+// Bound of what is left for the coarse level to do (A. Napov, Y. Notay, SIAM J. Sci. Comput. 34 (2012) A1079; so is its size).
+constexpr Real most_left = 8;
+
+// a b / (a + b), for numbers above 0.
+Real in_series(Real a, Real b) noexcept { return a > 0 && b > 0 ? a / (a + b) * b : 0; }
 
 // How much two cells want to be one; 0 for those that do not touch.
 struct Preference {
     SymmetricRows const& rows;
+    Span<const Real> diagonal;  // of the cells of the level, sums for those that are pairs already
     Merging merging;
 
     Real coupling(Offset entry) const noexcept {
         if (rows.faces[entry] == 0) return 0;
         return merging == Merging::isotropic ? rows.faces[entry] : -rows.value[entry];
+    }
+    // A merged cell has one value, so what its two parts differ by is the smoother's to remove. It sees the difference in the
+    // units of the diagonals, and does not if the coupling, with what both have to known values, is small beside them: two
+    // stacks of thin cells, say, each merged for its strong couplings, with next to nothing between them.
+    bool is_smoothed(Index i, Index j, Real coupling) const noexcept {
+        if (merging == Merging::isotropic) return true;
+        return 2 * in_series(diagonal[i], diagonal[j]) <= most_left * (coupling + in_series(rows.excess[i], rows.excess[j]));
     }
     bool is_strong(Real coupling, Real strongest) const noexcept {
         return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
@@ -32,6 +47,7 @@ void Agglomeration::lay_out(Arena& arena, Index n) noexcept {
     Offset const cells = coarse_cells(n);
     pool_.n = 0;
     arena.take(pool_.diagonal, cells);
+    arena.take(pool_.excess, cells);
     arena.take(pool_.start, cells + most_levels);
     arena.take(pool_.column, most_couplings * cells);
     arena.take(pool_.value, most_couplings * cells);
@@ -43,6 +59,7 @@ void Agglomeration::lay_out_work(Arena& arena, Index n, Offset entries) noexcept
     work_.rows.lay_out(arena, n, entries);
     arena.take(work_.first, n);
     arena.take(work_.second, n);
+    arena.take(work_.diagonal, n);
     arena.take(work_.strongest, n);
     arena.take(work_.strongest_before, n);
     arena.take(work_.before, n);
@@ -60,8 +77,11 @@ void Agglomeration::build(SymmetricRows const& finest, MergingRules const& rules
 
 bool Agglomeration::add_level(Merging merging) noexcept {
     SymmetricRows const& fine = level[count - 1];
+    copy(work_.diagonal.first(fine.n), Span<const Real>(fine.diagonal));
     Index const n_pairs = pair_up(fine, merging, work_.first);
     contract(fine, work_.first, n_pairs, work_.last, work_.rows);
+    fill(work_.diagonal.first(n_pairs), 0.0);
+    for (Index i = 0; i < fine.n; ++i) work_.diagonal[work_.first[i]] += fine.diagonal[i];
     Index const n = pair_up(work_.rows, merging, work_.second);
     if (n > fine.n / least_reduction) return false;
     Span<Index> const map = cell_pool_.from(maps_used_, fine.n);
@@ -74,11 +94,13 @@ bool Agglomeration::add_level(Merging merging) noexcept {
     SymmetricRows& coarse = level[count];
     coarse.n = n;
     coarse.diagonal = pool_.diagonal.from(cells_used_, n);
+    coarse.excess = pool_.excess.from(cells_used_, n);
     coarse.start = pool_.start.from(cells_used_ + count - 1, n + 1);
     coarse.column = pool_.column.from(entries_used_, entries);
     coarse.value = pool_.value.from(entries_used_, entries);
     coarse.faces = pool_.faces.from(entries_used_, entries);
     copy(coarse.diagonal, Span<const Real>(merged.diagonal.first(n)));
+    copy(coarse.excess, Span<const Real>(merged.excess.first(n)));
     copy(coarse.start, Span<const Offset>(merged.start.first(n + 1)));
     copy(coarse.column, Span<const Index>(merged.column.first(entries)));
     copy(coarse.value, Span<const Real>(merged.value.first(entries)));
@@ -94,8 +116,8 @@ bool Agglomeration::add_level(Merging merging) noexcept {
 // One pass: to [rows.n] receives the merged cell of each; returns their number. They are numbered by their first cells, so
 // that the order stays the front's.
 Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept {
-    Preference const prefers{rows, merging};
     Work const& w = work_;
+    Preference const prefers{rows, w.diagonal, merging};
     fill(w.strongest.first(rows.n), 0.0);
     fill(w.strongest_before.first(rows.n), 0.0);
     rows.for_each([&](Index i, Index j, Offset e) {
@@ -122,7 +144,8 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<In
                 }
                 continue;
             }
-            if (!prefers.is_strong(coupling, larger(w.strongest[i], w.strongest[j]))) continue;
+            if (!prefers.is_strong(coupling, smaller(w.strongest[i], w.strongest[j]))) continue;
+            if (!prefers.is_smoothed(i, j, coupling)) continue;
             Real const weight = prefers.weight(e, coupling);
             if (weight < best || (weight == best && !(coupling > best_coupling))) continue;
             best = weight;
@@ -132,7 +155,7 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<In
         if (partner != none) {
             to[i] = to[partner] = n;
             w.members[n++] = 2;
-        } else if (host != none && w.members[to[host]] < most_members) {
+        } else if (host != none && w.members[to[host]] < most_members && prefers.is_smoothed(i, host, strongest_host)) {
             to[i] = to[host];
             ++w.members[to[i]];
         } else {

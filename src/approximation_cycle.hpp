@@ -52,13 +52,18 @@ public:
         }
         Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
         HARMORPH_TRY(after(0, relative(given, given)));
-        start_from_coarsest();
+        if (engine_.iteration.starts_from_zero) {
+            clear<W>(at_[0].u, n);
+        } else {
+            start_from_coarsest();
+        }
         Real least = infinity;
         while (true) {
             take_rest(0);
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
-            if (larger(residual, left_per_gain * gain()) <= engine_.iteration.tolerance) break;
+            Real const left = estimate_left(report.iterations, change());
+            if (residual <= engine_.iteration.tolerance && left <= engine_.iteration.tolerance) break;
             if (report.iterations >= engine_.iteration.max_iterations || !(residual <= lost * least)) break;
             least = smaller(least, residual);
             cycle(0, true);
@@ -77,7 +82,7 @@ private:
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
     static constexpr Real lost = 1000;           // growth of the residual from its least that will not end
-    static constexpr Real left_per_gain = 10;    // cycles are slow: more is left than one of them takes off
+    static constexpr Index remembered = 4;       // cycles over which the rate of convergence is taken
 
     struct Vectors {
         Real* f;           // right-hand side: sums of flux balances
@@ -87,15 +92,29 @@ private:
         Real* restricted;  // values from the finer level
     };
 
-    // Square root of the share of the solution's energy that the last cycle's correction and a step from here take off the
-    // error. Far from thin cells a small residual may hide a larger error, as their balances dwarf all others.
-    Real gain() const noexcept {
-        Lanes<W> taken = corrected_;
+    // What the last cycle's correction and a step from here change values by at most, beside the largest value. Far from thin
+    // cells a small residual may hide a large error, as their balances dwarf all others.
+    Real change() const noexcept {
+        Lanes<W> steps;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
-            for (Index k = 0; k < W; ++k) taken[k] += engine_.rate[0][i] * rest[k] * rest[k];
+            for (Index k = 0; k < W; ++k) steps[k] = larger(steps[k], engine_.rate[0][i] * absolute(rest[k]));
         }
-        return relative(taken, dot<W>(at_[0].f, at_[0].u, a_.level[0].n));
+        Lanes<W> const size = largest<W>(at_[0].u, a_.level[0].n);
+        Real most = 0;
+        for (Index k = 0; k < width_; ++k) {
+            if (size[k] > 0) most = larger(most, (steps[k] + corrected_[k]) / size[k]);
+        }
+        return most;
+    }
+
+    // Changes shrink by a rate from cycle to cycle: what all that are to come amount to, at least the last one again.
+    Real estimate_left(Index iteration, Real change) noexcept {
+        Real& oldest = changes_[iteration % remembered];
+        Real const rate = iteration < remembered ? 1 : square_root(square_root(change / oldest));
+        oldest = change;
+        if (change == 0) return 0;
+        return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;
     }
 
     Real relative(Lanes<W> const& squares, Lanes<W> const& size) const noexcept {
@@ -182,8 +201,11 @@ private:
         Lanes<W> const along = energy<W>(a_.level[level], change);
         for (Index k = 0; k < W; ++k) {
             Real const share = along[k] > 0 ? length[k] / along[k] : 0;
-            if (level == 0) corrected_[k] = share * length[k];
             length[k] = share;
+        }
+        if (level == 0) {
+            corrected_ = largest<W>(change, n);
+            for (Index k = 0; k < W; ++k) corrected_[k] *= absolute(length[k]);
         }
         add_multiple<W>(length, change, its.u, n);
     }
@@ -213,7 +235,8 @@ private:
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;
-    Lanes<W> corrected_;  // energy that the last correction on the finest level took off
+    Real changes_[remembered] = {};
+    Lanes<W> corrected_;  // largest change by the last correction on the finest level
     Vectors at_[Agglomeration::most_levels];
 };
 

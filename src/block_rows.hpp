@@ -49,6 +49,16 @@ Lanes<W> dot(const Real* x, const Real* y, Index n) noexcept {
     return sum;
 }
 
+// Largest absolute values; NaN where there is one.
+template <Index W>
+Lanes<W> largest(const Real* x, Index n) noexcept {
+    Lanes<W> out;
+    for (Offset i = 0; i < Offset{n} * W; i += W) {
+        for (Index k = 0; k < W; ++k) out.at[k] = absolute(x[i + k]) <= out.at[k] ? out.at[k] : absolute(x[i + k]);
+    }
+    return out;
+}
+
 // y += a x, each function with its own factor; returns the squared norms of y.
 template <Index W>
 Lanes<W> add_multiple(Lanes<W> const& a, const Real* x, Real* y, Index n) noexcept {
@@ -70,57 +80,57 @@ void combine(Lanes<W> const& a, Real* x, Lanes<W> const& b, const Real* y, Index
     }
 }
 
-// y = A x; returns x.y
+// y += sign A x, flux by flux: what row i gains row j loses. Returns x.A x, as a sum of squares.
 template <Index W>
-Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
-    Lanes<W> product;
-    clear<W>(y, rows.n);
+Lanes<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
+    Lanes<W> squares;
     for (Index i = 0; i < rows.n; ++i) {
         Lanes<W> const own = load<W>(x + Offset{i} * W);
         Lanes<W> sum = load<W>(y + Offset{i} * W);
-        add<W>(rows.diagonal[i], own.at, sum.at);
+        add<W>(sign * rows.excess[i], own.at, sum.at);
+        for (Index k = 0; k < W; ++k) squares.at[k] += rows.excess[i] * own.at[k] * own.at[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             Offset const j = Offset{rows.column[e]} * W;
-            add<W>(rows.value[e], x + j, sum.at);
-            add<W>(rows.value[e], own.at, y + j);
+            Real const entry = sign * rows.value[e];
+            for (Index k = 0; k < W; ++k) {
+                Real const rise = x[j + k] - own.at[k], flux = entry * rise;
+                sum.at[k] += flux;
+                y[j + k] -= flux;
+                squares.at[k] -= rows.value[e] * rise * rise;
+            }
         }
         store<W>(sum, y + Offset{i} * W);
-        for (Index k = 0; k < W; ++k) product.at[k] += own.at[k] * sum.at[k];
     }
-    return product;
+    return squares;
+}
+
+// y = A x; returns x.y
+template <Index W>
+Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
+    clear<W>(y, rows.n);
+    return add_product<W>(rows, 1, x, y);
 }
 
 // rest = f - A u
 template <Index W>
 void residual(SymmetricRows const& rows, const Real* f, const Real* u, Real* rest) noexcept {
     copy<W>(f, rest, rows.n);
-    for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W> const own = load<W>(u + Offset{i} * W);
-        Lanes<W> sum = load<W>(rest + Offset{i} * W);
-        add<W>(-rows.diagonal[i], own.at, sum.at);
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            Offset const j = Offset{rows.column[e]} * W;
-            add<W>(-rows.value[e], u + j, sum.at);
-            add<W>(-rows.value[e], own.at, rest + j);
-        }
-        store<W>(sum, rest + Offset{i} * W);
-    }
+    add_product<W>(rows, -1, u, rest);
 }
 
 // x.A x
 template <Index W>
 Lanes<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
-    Lanes<W> product;
+    Lanes<W> sum;
     for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W> sum;
-        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
-            add<W>(2 * rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
-        }
         const Real* const own = x + Offset{i} * W;
-        add<W>(rows.diagonal[i], own, sum.at);
-        for (Index k = 0; k < W; ++k) product.at[k] += own[k] * sum.at[k];
+        for (Index k = 0; k < W; ++k) sum.at[k] += rows.excess[i] * own[k] * own[k];
+        for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+            const Real* const other = x + Offset{rows.column[e]} * W;
+            for (Index k = 0; k < W; ++k) sum.at[k] -= rows.value[e] * (other[k] - own[k]) * (other[k] - own[k]);
+        }
     }
-    return product;
+    return sum;
 }
 
 // A = L + D + L^T. Symmetric Gauss-Seidel from a start of 0 with a coarse correction in between, in one array:

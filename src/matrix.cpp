@@ -61,6 +61,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     kind = sizes.kind;
     arena.take(place, Offset{components()} * n_points);
     arena.take(diagonal, n);
+    arena.take(excess, sizes.with_excess ? n : 0);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries);
     arena.take(value, sizes.entries);
@@ -111,6 +112,7 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
 
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
+    fill(excess, 0.0);
     fill(value, 0.0);
     fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
@@ -138,6 +140,8 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
+    if (i < 0 && j >= 0 && !excess.empty()) excess[j] += conductance;
+    if (j < 0 && i >= 0 && !excess.empty()) excess[i] += conductance;
     Entry const its = entry(i, j);
     if (its.value != nullptr) *its.value -= conductance;
 }

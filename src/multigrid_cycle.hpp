@@ -112,11 +112,12 @@ public:
         }
         clear<W>(x(), rows_.n);
         squares_ = wanted_ = dot<W>(r(), r(), rows_.n);
+        errors_ = {};
         for (Index k = 0; k < W; ++k) wanted_[k] *= engine_.iteration.tolerance * engine_.iteration.tolerance;
         HARMORPH_TRY(after(0, largest_residual()));
         // The residual that is carried along drifts from the true one: it decides only when the true one agrees.
         for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations; ++descents) {
-            HARMORPH_TRY(descend(descents == 0, iterations, after));
+            HARMORPH_TRY(descend(iterations, after));
             take_true_residual();
             if (converged()) break;
         }
@@ -135,9 +136,11 @@ private:
     Real* p() const noexcept { return cycle_.finest[3]; }
     Real* q() const noexcept { return cycle_.finest[4]; }
 
-    // Far from thin cells a small residual may hide a larger error, as their entries dwarf all others: r.B r, which
-    // estimates the error's energy, must have come down as far.
-    bool is_done(Index k) const noexcept { return squares_[k] <= wanted_[k] && energies_[k] <= wanted_energies_[k]; }
+    // Far from thin cells a small residual may hide a large error, as their entries dwarf all others, and so may a small
+    // energy. B r is about what the values are off: its largest number must be small beside theirs.
+    bool is_done(Index k) const noexcept {
+        return squares_[k] <= wanted_[k] && errors_[k] <= engine_.iteration.tolerance * sizes_[k];
+    }
     bool converged() const noexcept {
         for (Index k = 0; k < W; ++k) {
             if (!is_done(k)) return false;
@@ -154,15 +157,13 @@ private:
     }
 
     template <class After>
-    Status descend(bool is_first, Index& iterations, After const& after) noexcept {
+    Status descend(Index& iterations, After const& after) noexcept {
         Index const n = rows_.n;
         Lanes<W> one;
         for (Index k = 0; k < W; ++k) one[k] = 1;
         cycle_.precondition(r(), z());
         energies_ = dot<W>(z(), r(), n);
-        for (Index k = 0; is_first && k < W; ++k) {
-            wanted_energies_[k] = energies_[k] * engine_.iteration.tolerance * engine_.iteration.tolerance;
-        }
+        estimate_errors();
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             Lanes<W> const along = multiply<W>(rows_, p(), q());
@@ -177,11 +178,17 @@ private:
             HARMORPH_TRY(after(iterations, largest_residual()));
             cycle_.precondition(r(), z());
             energies_ = dot<W>(z(), r(), n);
+            estimate_errors();
             Lanes<W> turn = dot<W>(z(), q(), n);
             for (Index k = 0; k < W; ++k) turn[k] = along[k] > 0 ? -turn[k] / along[k] : 0;
             combine<W>(turn, p(), one, z(), n);
         }
         return Status::ok;
+    }
+
+    void estimate_errors() noexcept {
+        errors_ = largest<W>(z(), rows_.n);
+        sizes_ = largest<W>(x(), rows_.n);
     }
 
     void take_true_residual() noexcept {
@@ -203,7 +210,8 @@ private:
     Rows const& values_;
     Index first_, width_;
     Lanes<W> squares_, wanted_;            // squared norms of the residuals, and where they are to be
-    Lanes<W> energies_, wanted_energies_;  // r.B r
+    Lanes<W> energies_;                    // r.B r
+    Lanes<W> errors_, sizes_;              // largest numbers of B r and of x
 };
 
 }  // namespace harmorph::block

@@ -38,6 +38,7 @@ void merge_columns(SymmetricRows& rows, Span<Offset> last) noexcept {
 void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
     n = rows;
     arena.take(diagonal, rows);
+    arena.take(excess, rows);
     arena.take(start, Offset{rows} + 1);
     arena.take(column, entries);
     arena.take(value, entries);
@@ -46,17 +47,13 @@ void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
 
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept {
     coarse.n = n;
-    fill(coarse.diagonal.first(n), 0.0);
+    fill(coarse.excess.first(n), 0.0);
     Span<Offset> const starts = coarse.start.first(n + 1);
     fill(starts, Offset{0});
-    for (Index i = 0; i < fine.n; ++i) coarse.diagonal[cell_of[i]] += fine.diagonal[i];
-    fine.for_each([&](Index i, Index j, Offset e) {
+    for (Index i = 0; i < fine.n; ++i) coarse.excess[cell_of[i]] += fine.excess[i];
+    fine.for_each([&](Index i, Index j, Offset) {
         Index const a = cell_of[i], b = cell_of[j];
-        if (a == b) {
-            coarse.diagonal[a] += 2 * fine.value[e];
-        } else {
-            ++starts[smaller(a, b)];
-        }
+        if (a != b) ++starts[smaller(a, b)];
     });
     counts_to_starts(starts);
     fine.for_each([&](Index i, Index j, Offset e) {
@@ -69,6 +66,11 @@ void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Spa
     });
     rewind_starts(starts);
     merge_columns(coarse, last);
+    copy(coarse.diagonal.first(n), Span<const Real>(coarse.excess.first(n)));
+    coarse.for_each([&](Index i, Index j, Offset e) {
+        coarse.diagonal[i] -= coarse.value[e];
+        coarse.diagonal[j] -= coarse.value[e];
+    });
 }
 
 }  // namespace harmorph

@@ -125,7 +125,7 @@ has_keys "fit: keys" points degree max_error rms_error
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
-    iterations levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
+    iterations sweeps levels setup_seconds factor_seconds solve_seconds plan_bytes basis_bytes storage
 check "solve: functions" says '"functions": 12'
 for engine in multigrid fas; do
     runs "solve: $engine" 0 solve "$ring" --curve body="$curve" --operator laplace --engine $engine --levels 3 \
@@ -141,6 +141,10 @@ refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/
 refuses "an engine that does not go with the operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
     --engine multigrid -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast -o "$tmp/none.basis"
+runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
+    -o "$tmp/fas.basis"
+refuses "a start of an engine that has none" 2 '--start' solve "$ring" --curve body="$curve" --operator laplace \
+    --engine multigrid --start zero -o "$tmp/none.basis"
 refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --curve body="$curve" --levels 3 -o "$tmp/none.basis"
 leaves_nothing "refused engines leave no file" "$tmp/none.basis"
 runs "morph" 0 morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/small.su2" --vtu "$tmp/small.vtu" \

@@ -57,6 +57,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(sizeof(TYPE)); AT(struct_size); AT(operator_kind); AT(scheme); AT(engine); AT(kernel); AT(tolerance);
         AT(progress); AT(progress_user); AT(executor); AT(exponent_quarters); AT(offset_correction); AT(levels);
         AT(agglomeration); AT(block_width); AT(max_iterations); AT(history); AT(history_length); AT(precision);
+        AT(start); AT(reserved);
         break;
 #undef TYPE
 #define TYPE hm_mesh_report
@@ -124,7 +125,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_COMPACT); PUT(HM_NODAL_GRADIENT); PUT(HM_BOUNDED);
         PUT(HM_NODAL_GRADIENT_PLAIN); PUT(HM_DIRECT); PUT(HM_MULTIGRID); PUT(HM_FAS); PUT(HM_AGGLOMERATE_AUTO);
         PUT(HM_AGGLOMERATE_ISOTROPIC); PUT(HM_AGGLOMERATE_DIRECTIONAL); PUT(HM_KERNEL_AUTO); PUT(HM_KERNEL_BASELINE);
-        PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_PHASE_STRUCTURE);
+        PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_START_COARSEST);
+        PUT(HM_START_ZERO); PUT(HM_PHASE_STRUCTURE);
         PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);
         PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_RUNG_LINEAR); PUT(HM_RUNG_OTHER); PUT(HM_RUNG_SUBSTEPS);
         PUT(HM_RUNG_UNTANGLED);

@@ -65,7 +65,8 @@ program layout
         c_loc(options%tolerance), c_loc(options%progress), c_loc(options%progress_user), c_loc(options%executor), &
         c_loc(options%exponent_quarters), c_loc(options%offset_correction), c_loc(options%levels), &
         c_loc(options%agglomeration), c_loc(options%block_width), c_loc(options%max_iterations), &
-        c_loc(options%history), c_loc(options%history_length), c_loc(options%precision)])
+        c_loc(options%history), c_loc(options%history_length), c_loc(options%precision), &
+        c_loc(options%start), c_loc(options%reserved)])
     call compare("hm_mesh_report", 11, c_sizeof(mesh_report), c_loc(mesh_report), [c_loc(mesh_report%struct_size), &
         c_loc(mesh_report%points), c_loc(mesh_report%used_points), c_loc(mesh_report%cells), &
         c_loc(mesh_report%triangles), c_loc(mesh_report%quads), c_loc(mesh_report%edges), &
@@ -121,6 +122,7 @@ program layout
         hm_bounded, hm_nodal_gradient_plain, hm_direct, &
         hm_multigrid, hm_fas, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, &
         hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_double, hm_single, &
+        hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
         hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
+#include <fixtures/c_mesh.hpp>
 #include <fixtures/graphs.hpp>
 
 using namespace fixtures;
@@ -157,6 +158,44 @@ TEST_CASE("on stretched cells the directional and the automatic rule merge along
         }
 }
 
+TEST_CASE("what merged cells differ by inside, smoothing can remove: bounded in the diagonals' units, however stretched") {
+    for (double const first : {1e-3, 1e-5, 1e-7}) {
+        Case its = airfoil_case(40, 12, Cells::quads);
+        its.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
+        Analysed const seen(its);
+        FrontMatrix const front(*seen.operator->());
+        for (Merging const merging : {Merging::automatic, Merging::directional}) {
+            Agglomerated const merged(front.rows, {merging, 0});
+            CHECK(merged.levels.level[merged.levels.count - 1].n <= 150);
+            for (Index l = 0; l + 1 < merged.levels.count; ++l) {
+                // sum of d_i (v_i - mean)^2 <= bound (sum of c_ij (v_i - v_j)^2 + sum of e_i v_i^2) inside each merged cell: for
+                // v = 1 in one of its cells and 0 in the others.
+                harmorph::SymmetricRows const& rows = merged.levels.level[l];
+                harmorph::Span<const Index> const cell = merged.levels.cell_of[l];
+                std::size_t const n = static_cast<std::size_t>(rows.n);
+                std::vector<double> whole(n, 0.0), energy(n, 0.0);
+                for (Index i = 0; i < rows.n; ++i) {
+                    whole[static_cast<std::size_t>(cell[i])] += rows.diagonal[i];
+                    energy[static_cast<std::size_t>(i)] += rows.excess[i];
+                }
+                rows.for_each([&](Index i, Index j, Offset e) {
+                    if (cell[i] != cell[j]) return;
+                    energy[static_cast<std::size_t>(i)] -= rows.value[e];
+                    energy[static_cast<std::size_t>(j)] -= rows.value[e];
+                });
+                double worst = 0;
+                for (Index i = 0; i < rows.n; ++i) {
+                    double const all = whole[static_cast<std::size_t>(cell[i])], own = rows.diagonal[i];
+                    double const spread = own * (1 - own / all);
+                    if (spread > 1e-9 * own) worst = std::max(worst, spread / energy[static_cast<std::size_t>(i)]);
+                }
+                INFO("first cell " << first << ", level " << l);
+                CHECK(worst < 12);
+            }
+        }
+    }
+}
+
 TEST_CASE("on cells as long as high merged cells are about as long as high, and four to one") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (Merging const merging : all_rules) {
@@ -210,7 +249,7 @@ TEST_CASE("the number of levels is a choice") {
 TEST_CASE("graphs that cannot be merged end the levels, and nothing is written beside them") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         harmorph::Graph const& view = graph.view();
-        std::vector<double> diagonal, value;
+        std::vector<double> diagonal, excess(static_cast<std::size_t>(view.n), 1.0), value;
         std::vector<Offset> start;
         std::vector<Index> column;
         for (Index u = 0; u < view.n; ++u) {
@@ -222,7 +261,8 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
         start.push_back(static_cast<Offset>(column.size()));
         value.assign(column.size(), -1.0);
         std::vector<std::uint8_t> faces(column.size(), 1);
-        harmorph::SymmetricRows const rows{view.n, span(diagonal), span(start), span(column), span(value), span(faces)};
+        harmorph::SymmetricRows const rows{view.n,       span(diagonal), span(excess), span(start),
+                                           span(column), span(value),    span(faces)};
         for (Merging const merging : all_rules) {
             Agglomerated const merged(rows, {merging, 0});
             check_partition(merged);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
+#include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 
 #include <harmorph/full_approximation.hpp>
@@ -154,12 +155,13 @@ TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what
 }
 
 TEST_CASE("it converges to the direct engine's functions, on stretched cells too, with either rule") {
-    for (int which = 0; which < 6; ++which) {
+    for (int which = 0; which < 7; ++which) {
         Case its = which < 3 ? two_body_case(static_cast<Cells>(which), 12, 8) : which == 3 ? airfoil_case()
                                                                              : viscous_case(which == 4 ? Cells::quads : Cells::triangles);
         if (which == 1) its.set_free(far_field);
+        if (which == 6) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;  // couplings differ by 1e12
         hm_options iterative = fas(), exact = direct();
-        iterative.agglomeration = which == 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
+        iterative.agglomeration = which >= 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
         Solved const found(its, &iterative), expected(its, &exact);
         INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps << " steps");
         CHECK(difference(found, expected) < 1e-8);
@@ -194,6 +196,22 @@ TEST_CASE("the start from the coarsest level is worth two cycles at least") {
     CHECK(history[1] < std::pow(cycle, 3));
     for (std::int32_t k = 1; k < solved.report.iterations; ++k)
         CHECK(history[static_cast<std::size_t>(k) + 1] < 1.5 * history[static_cast<std::size_t>(k)]);
+}
+
+TEST_CASE("from zero it goes to the same functions, and the first residual that is told is 1 all the same") {
+    Case its = two_body_case(Cells::hybrid, 16, 10);
+    std::vector<double> history(400);
+    hm_options options = fas();
+    Solved const level_by_level(its, &options);
+    options.start = HM_START_ZERO;
+    options.history = history.data();
+    options.history_length = static_cast<std::int32_t>(history.size());
+    Solved const from_zero(its, &options);
+    CHECK(difference(level_by_level, from_zero) < 1e-8);
+    CHECK(from_zero.report.iterations > level_by_level.report.iterations);
+    CHECK((history[0] == doctest::Approx(1) && history[1] > 1e-3));
+    options.start = 2;
+    CHECK(Attempt(its.problem(), &options).status == HM_BAD_ARGUMENT);
 }
 
 TEST_CASE("threads change no bit; limits end with a status") {

@@ -47,7 +47,7 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh, co
     object.add("points", mesh.points()).add("cells", mesh.cells()).add("functions", report.functions);
     object.add("boundary_error", report.boundary_error).add("partition_defect", report.partition_defect);
     object.add("min_value", report.min_value).add("max_value", report.max_value).add("residual", report.residual);
-    object.add("iterations", report.iterations).add("levels", report.levels);
+    object.add("iterations", report.iterations).add("sweeps", report.fine_sweeps).add("levels", report.levels);
     object.add("setup_seconds", times.setup).add("factor_seconds", times.factor).add("solve_seconds", times.solve);
     object.add("plan_bytes", static_cast<std::int64_t>(solver.plan_bytes()));
     object.add("basis_bytes", static_cast<std::int64_t>(stored.bytes()));
@@ -129,8 +129,8 @@ const Command solve_command = {
      {"-o", "BASIS", "file to write (required)"},
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
-                         "max_value, residual, iterations, levels, setup_seconds, factor_seconds,\n"
-                         "solve_seconds, plan_bytes, basis_bytes, storage"}},
+                         "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
+                         "factor_seconds, solve_seconds, plan_bytes, basis_bytes, storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};

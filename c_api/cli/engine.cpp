@@ -17,6 +17,7 @@ std::vector<Option> engine_options() {
         {"--precision", "P", "of the direct engine's factor: double (default), or single: half the memory, refined in double"},
         {"--levels", "N", "multigrid and fas: levels of agglomeration at most (default: fas 5, multigrid all)"},
         agglomeration_option,
+        {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
         {"--history", "F.csv", "multigrid and fas: the largest residual of all functions, cycle by cycle"}};
 }
 
@@ -31,6 +32,8 @@ void set_engine(const Arguments& arguments, hm_options& options) {
     options.precision = arguments.choice("--precision", {{"double", HM_DOUBLE}, {"single", HM_SINGLE}});
     if (options.engine != HM_DIRECT && arguments.has("--precision")) arguments.refuse("--precision goes with --engine direct");
     set_agglomeration(arguments, options);
+    options.start = arguments.choice("--start", {{"fmg", HM_START_COARSEST}, {"zero", HM_START_ZERO}});
+    if (options.engine != HM_FAS && arguments.has("--start")) arguments.refuse("--start goes with --engine fas");
     if (arguments.has("--levels")) options.levels = arguments.whole("--levels", 0, 1, 20);
     for (const char* option : {"--levels", "--agglomeration", "--history"}) {
         if (options.engine == HM_DIRECT && arguments.has(option)) {

@@ -17,7 +17,8 @@ struct MergingRules {
 
 // Rules. Cells are taken in their order, which should be that of an advancing front (order_by_layers). A level is made of
 // two passes. In each, a cell that is still alone is paired with the preferred one of its later neighbours that are still
-// alone; if none is coupled strongly enough, it joins the pair of its strongest neighbour. A merged cell has at most
+// alone; if none is coupled strongly enough, it joins the pair of its strongest neighbour. Neither happens, but with
+// isotropic merging, where smoothing on the level below could not bring the two to one value. A merged cell has at most
 // `most_members` cells of its pass, and so at most the square of that of its level. Only cells that share a mesh edge are
 // merged, so that each stays connected, and merged graphs are planar but for two diagonals in each quad: at most
 // `most_couplings` per cell. The levels end where a level would have more couplings, or more than 1 / least_reduction of
@@ -52,6 +53,7 @@ private:
     struct Work {
         SymmetricRows rows;
         Span<Index> first, second;    // [n] maps of the two passes
+        Span<Real> diagonal;          // [n] of the level that is merged, summed over the cells of a pass
         Span<Real> strongest;         // [n] coupling of each cell
         Span<Real> strongest_before;  // [n] coupling to an earlier cell
         Span<Index> before;           // [n] that cell

@@ -14,7 +14,9 @@ struct Iteration {
     MergingRules merging;
     Index block_width = 8;       // functions that are solved at a time: 4, 8 or 16
     Index max_iterations = 0;
-    Real tolerance = 1e-10;      // relative residual of each function, 2-norms
+    bool starts_from_zero = false;  // full approximation scheme: not with the coarsest level's solution
+    // Of each function: relative residual, in 2-norms, and about what values are off beside the largest one.
+    Real tolerance = 1e-10;
     Span<Real> history;          // the caller's, or empty: largest relative residual before the first iteration and after each
 
     // run(the block's width as a constant type)

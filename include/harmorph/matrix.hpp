@@ -21,12 +21,14 @@ struct Matrix {
         Offset entries = 0;
         Index couplings = 0;
         MatrixKind kind = MatrixKind::real;
+        bool with_excess = false;
     };
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
     Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
     Span<Real> diagonal;         // [n]
+    Span<Real> excess;           // [n] of real matrices, if wanted: SymmetricRows::excess
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -43,8 +45,8 @@ struct Matrix {
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
-        return {graph.start[graph.n] / 2, graph.couplings, kind};
+    static Sizes count(Graph const& graph, MatrixKind kind, bool with_excess) noexcept {
+        return {graph.start[graph.n] / 2, graph.couplings, kind, with_excess};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
@@ -63,7 +65,9 @@ struct Matrix {
 
     // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
-    SymmetricRows rows(Span<std::uint8_t> faces) const noexcept { return {n, diagonal, start, column, value, faces}; }
+    SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
+        return {n, diagonal, excess, start, column, value, faces};
+    }
 
 private:
     // Where two lines meet; nowhere (value null) if neither is unknown, or one's value is 0.

@@ -25,10 +25,10 @@ Mesh iso_mesh(double size) {
 }
 
 // Two thirds as many rings as columns, as RANS meshes have.
-Mesh viscous_mesh(double size) {
+Mesh viscous_mesh(double size, double first) {
     int const n_side = half_of(std::sqrt(1.5 * size));
     int const rings = static_cast<int>(size / (2 * n_side)) - 1;
-    return o_mesh(fixtures::naca4({}, n_side), fixtures::stretched(1e-5, radius, rings));
+    return o_mesh(fixtures::naca4({}, n_side), fixtures::stretched(first, radius, rings));
 }
 
 Mesh unstructured_mesh(double size) {
@@ -45,7 +45,7 @@ Mesh unstructured_mesh(double size) {
 }  // namespace
 
 std::vector<std::string> const& known_kinds() {
-    static std::vector<std::string> const kinds = {"iso", "viscous", "unstructured", "shuffled"};
+    static std::vector<std::string> const kinds = {"iso", "viscous", "thin", "unstructured", "shuffled"};
     return kinds;
 }
 
@@ -53,7 +53,8 @@ Case make_case(std::string const& kind, Index size) {
     Case out;
     out.kind = kind;
     if (kind == "iso") out.mesh = iso_mesh(size);
-    else if (kind == "viscous") out.mesh = viscous_mesh(size);
+    else if (kind == "viscous") out.mesh = viscous_mesh(size, 1e-5);
+    else if (kind == "thin") out.mesh = viscous_mesh(size, 1e-6);
     else if (kind == "unstructured" || kind == "shuffled") out.mesh = unstructured_mesh(size);
     else throw std::invalid_argument("no such kind of mesh: " + kind);
     for (Index const marker : out.mesh.face_markers) out.wall_points += marker == fixtures::body;

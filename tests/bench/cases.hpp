@@ -14,7 +14,7 @@ inline std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
 // A NACA 0012 in a circle of 20 chords.
 struct Case {
-    std::string kind;         // iso, viscous, unstructured or shuffled
+    std::string kind;         // one of known_kinds()
     fixtures::Mesh mesh;
     Index wall_points = 0;    // the first points of the mesh, in order round the airfoil (but for shuffled)
 
@@ -25,6 +25,7 @@ std::vector<std::string> const& known_kinds();
 
 // iso:          O-mesh of quads, as long as they are high
 // viscous:      O-mesh of quads, the first 1e-5 chords high
+// thin:         the same, 1e-6 chords high
 // unstructured: Delaunay triangles that grow with the distance, numbered as a generator lays them down
 // shuffled:     the same, points and cells in random order
 // About `size` points. An unknown kind: std::invalid_argument.

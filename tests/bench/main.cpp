@@ -21,8 +21,8 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve morph\"] [--sizes \"10000 100000 1000000\"]\n"
-    "             [--kinds \"iso viscous unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
+    "usage: bench [--parts \"dense solve iterative morph\"] [--sizes \"10000 100000 1000000\"]\n"
+    "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
     "             [--kernel 0..3] [--json FILE]\n";
 
 template <class T>
@@ -130,6 +130,7 @@ void run(Settings settings) {
     };
     part("dense", [&] { bench_dense(settings, limits, report); });
     part("solve", [&] { bench_solve(settings, report); });
+    part("iterative", [&] { bench_iterative(settings, report); });
     part("morph", [&] { bench_morph(settings, limits, report); });
     if (!settings.json.empty() && !report.write_json(settings.json))
         throw std::runtime_error(settings.json + ": cannot be written");

@@ -32,9 +32,10 @@ struct Ours::Clock {
     }
 };
 
-Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel)
+Ours::Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
+           Index engine)
     : case_(its_case), workspace_(workspace), functions_(functions),
-      executor_(executor), kernel_(kernel), fit_(its_case, functions) {}
+      executor_(executor), kernel_(kernel), engine_(engine), fit_(its_case, functions) {}
 
 Phases Ours::run() {
     hm_condition condition{};
@@ -55,6 +56,8 @@ Phases Ours::run() {
     options.operator_kind = HM_LAPLACE;
     options.executor = executor_;
     options.kernel = kernel_;
+    options.engine = engine_;
+    options.block_width = 4;
     options.progress = Clock::told;
     options.progress_user = &clock;
 
@@ -81,10 +84,8 @@ Phases Ours::run() {
     clock.phases.symbolic += planning.seconds();
 
     done(hm_plan_factor(plan, nullptr, nullptr, 0, &error), "hm_plan_factor");
-    hm_solve_report report{};
-    report.struct_size = sizeof report;
-    done(hm_plan_solve(plan, basis_, &report, &error), "hm_plan_solve");
-    factor_entries_ = static_cast<double>(report.factor_entries);
+    report_.struct_size = sizeof report_;
+    done(hm_plan_solve(plan, basis_, &report_, &error), "hm_plan_solve");
     return clock.phases;
 }
 

@@ -38,7 +38,9 @@ struct Workspace {
 
 class Ours {
 public:
-    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel);
+    // Engines that iterate: functions in blocks of 4. Their report may say that they have not converged.
+    Ours(Case const& its_case, Workspace& workspace, Index functions, hm_executor const* executor, int kernel,
+         Index engine = HM_DIRECT);
     Ours(Ours const&) = delete;
 
     // From the beginning, in the same blocks each time: the first run is the warm-up.
@@ -48,7 +50,8 @@ public:
     Index functions() const { return functions_; }
     double plan_bytes() const { return plan_bytes_; }
     double analysis_bytes() const { return analysis_bytes_; }
-    double factor_entries() const { return factor_entries_; }
+    double factor_entries() const { return static_cast<double>(report_.factor_entries); }
+    hm_solve_report const& report() const { return report_; }
 
 private:
     struct Clock;
@@ -58,10 +61,12 @@ private:
     Index functions_;
     hm_executor const* executor_;
     int kernel_;
+    Index engine_;
     Fit fit_;
     Block basis_block_;
     hm_basis* basis_ = nullptr;
-    double analysis_bytes_ = 0, plan_bytes_ = 0, factor_entries_ = 0;
+    double analysis_bytes_ = 0, plan_bytes_ = 0;
+    hm_solve_report report_{};
 };
 
 // The medians of several runs, phase by phase.

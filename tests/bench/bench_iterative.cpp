@@ -1,0 +1,61 @@
+// The engines that iterate against the direct one: iterations, seconds, memory, and how far their functions are apart.
+#include "ours.hpp"
+#include "settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bench {
+namespace {
+
+struct Engine {
+    char const* name;
+    std::int32_t number;
+};
+constexpr Engine engines[] = {{"direct", HM_DIRECT}, {"multigrid", HM_MULTIGRID}, {"fas", HM_FAS}};
+
+double difference(hm_basis const* a, hm_basis const* b, Index functions, std::size_t points) {
+    std::vector<double> x(points), y(points);
+    hm_error error{};
+    double most = 0;
+    for (Index function = 0; function < functions; ++function) {
+        require(hm_basis_values(a, function, 0, x.data(), &error), error, "hm_basis_values");
+        require(hm_basis_values(b, function, 0, y.data(), &error), error, "hm_basis_values");
+        for (std::size_t k = 0; k < points; ++k) most = std::max(most, std::fabs(x[k] - y[k]));
+    }
+    return most;
+}
+
+}  // namespace
+
+void bench_iterative(Settings const& settings, Report& report) {
+    Table table{"Engines, to 1e-10 (threads: " + std::to_string(settings.threads) + ", functions in blocks of 4)",
+                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds", "plan B/node", "residual",
+                 "from direct"}, {}, {}};
+    Index const functions = settings.functions[0];
+    for (std::string const& kind : settings.kinds) {
+        for (Index const size : settings.sizes) {
+            Case const its_case = make_case(kind, size);
+            double const points = its_case.mesh.n_points();
+            Workspace workspace;
+            Ours direct(its_case, workspace, functions, settings.executor, settings.kernel);
+            for (Engine const& engine : engines) {
+                say(its_case.name() + ": " + engine.name);
+                Ours iterative(its_case, workspace, functions, settings.executor, settings.kernel, engine.number);
+                Ours& ours = engine.number == HM_DIRECT ? direct : iterative;
+                Phases const once = ours.run();
+                hm_solve_report const& its = ours.report();
+                double const apart = engine.number == HM_DIRECT
+                                         ? 0
+                                         : difference(direct.basis(), ours.basis(), functions, its_case.mesh.x.size());
+                table.add({its_case.name(), count(functions), engine.name, count(its.levels), count(its.iterations),
+                           count(its.fine_sweeps), seconds(once.engine()), count(ours.plan_bytes() / points),
+                           residual(its.residual), residual(apart)});
+            }
+        }
+    }
+    table.notes.push_back("Seconds: ordering, symbolic pass, levels or factor, and solution; one cold run, so only roughly.");
+    report.finish(table);
+}
+
+}  // namespace bench
