@@ -53,7 +53,7 @@ public:
 private:
     Blas const& its_;
     int pivots_, front_;
-    std::vector<double> original_, panel_, update_, sides_;
+    Numbers original_, panel_, update_, sides_;
 
     int border() const { return front_ - pivots_; }
     double* below() { return panel_.data() + pivots_; }

@@ -18,15 +18,15 @@ harmorph::Kernel chosen(int kernel) {
     return wanted;
 }
 
-std::vector<double> numbers(harmorph::Offset count, double value = 0) {
-    return std::vector<double>(static_cast<std::size_t>(count + dense::overread), value);
+Numbers numbers(harmorph::Offset count, double value = 0) {
+    return Numbers(static_cast<std::size_t>(count + dense::overread), value);
 }
 
 }  // namespace
 
 struct DenseFront::Inside {
     harmorph::Kernel kernel;
-    std::vector<double> original, panel_data, update_data, packing, sides;
+    Numbers original, panel_data, update_data, packing, sides;
     dense::Panel<double> panel;
     dense::UpdateMatrix<double> update;
 

@@ -2,6 +2,8 @@
 // benchmark that knows the core's inside.
 #pragma once
 
+#include "numbers.hpp"
+
 #include <memory>
 #include <string>
 
