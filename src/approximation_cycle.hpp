@@ -121,7 +121,7 @@ private:
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
             Real const share = square_root(squares[k]) / (size[k] > 0 ? square_root(size[k]) : 1);
-            if (!(share <= largest)) largest = share;  // once NaN, it stays
+            if (exceeds(share, largest)) largest = share;
         }
         return largest;
     }

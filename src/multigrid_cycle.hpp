@@ -151,9 +151,9 @@ private:
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
             Real const share = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
-            largest = larger(largest, square_root(share) * engine_.iteration.tolerance);
+            if (exceeds(share, largest)) largest = share;
         }
-        return largest;
+        return square_root(largest) * engine_.iteration.tolerance;
     }
 
     template <class After>
