@@ -30,7 +30,8 @@ class ApproximationCycles {
 public:
     ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors, Rows const& values,
                         Index first) noexcept
-        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first), width_(smaller(W, values.width - first)) {
+        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first),
+          width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
             Vectors& its = at_[l];
