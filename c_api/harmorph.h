@@ -303,7 +303,7 @@ enum {                             /* start: of HM_FAS */
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
 };
-enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+enum {                             /* precision; HM_SINGLE goes with whatever goes with HM_DIRECT, and nothing else */
     HM_DOUBLE = 0,
     HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
                                       takes a few more solves. For large meshes */
