@@ -60,7 +60,8 @@ extern "C" {
 typedef int32_t hm_status;
 enum {
     HM_OK = 0,
-    HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
+    HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance, or an iteration ended before its values
+                                 were about as near */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */

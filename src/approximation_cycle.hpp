@@ -64,7 +64,8 @@ public:
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
             Real const left = estimate_left(report.iterations, change());
-            if (residual <= engine_.iteration.tolerance && left <= engine_.iteration.tolerance) break;
+            report.settled = left <= engine_.iteration.tolerance;
+            if (residual <= engine_.iteration.tolerance && report.settled) break;
             if (report.iterations >= engine_.iteration.max_iterations || !(residual <= lost * least)) break;
             least = smaller(least, residual);
             cycle(0, true);
