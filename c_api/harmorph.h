@@ -32,8 +32,8 @@
  *                  A field that is 0 has its default. Fields are only ever added at the end; reports are filled as far
  *                  as the caller's struct_size goes.
  * Threads          No hidden state. One thread at a time may write an object (plan, basis) or make others of it
- *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share nothing. The library starts no threads;
- *                  it uses those of an hm_executor where one is given.
+ *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share
+ *                  nothing. The library starts no threads; it uses those of an hm_executor where one is given.
  * Repeatability    Same input and same kernel, same bits: from run to run, for any number of threads, and of
  *                  processes (harmorph_mpi.h).
  */
@@ -60,7 +60,8 @@ extern "C" {
 typedef int32_t hm_status;
 enum {
     HM_OK = 0,
-    HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance */
+    HM_NOT_CONVERGED = 1,     /* solved, but a residual is above options.tolerance, or an iteration ended before its values
+                                 were about as near */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
@@ -129,7 +130,8 @@ typedef struct hm_mesh {
     const int32_t *list_markers;   /* [n_lists] */
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, as O- and C-meshes have along their seam and wake:
- * points of boundary edges on no marker that have equal coordinates are one point to the library and move as one. Faces of one marker may belong to several bodies, and one body may carry several markers. */
+ * points of boundary edges on no marker that have equal coordinates are one point to the library and move as one. Faces of
+ * one marker may belong to several bodies, and one body may carry several markers. */
 
 /* ---- Curves ----------------------------------------------------------------------------------------------------- */
 
@@ -224,7 +226,8 @@ typedef struct hm_condition {
 typedef struct hm_problem {
     uint64_t struct_size;
     const hm_mesh      *mesh;
-    const hm_curves    *curves;    /* NULL, and no rigid body: the analysis stops after the mesh (hm_analysis_report, .._boundary) */
+    const hm_curves    *curves;    /* NULL, and no rigid body: the analysis stops after the mesh (hm_analysis_report,
+                                      hm_analysis_boundary) */
     int32_t             n_conditions;
     const hm_condition *conditions;/* [n_conditions] at least one on a curve or rigid */
     int32_t             n_given;   /* curve points whose parameter is given; the others' are found by projection */
@@ -301,7 +304,7 @@ enum {                             /* start: of HM_FAS */
 enum {                             /* kernel: all agree to rounding; one that the processor lacks is HM_UNSUPPORTED */
     HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
 };
-enum {                             /* precision; goes with everything that goes with HM_DIRECT */
+enum {                             /* precision; HM_SINGLE goes with whatever goes with HM_DIRECT, and nothing else */
     HM_DOUBLE = 0,
     HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
                                       takes a few more solves. For large meshes */
@@ -404,8 +407,8 @@ typedef struct hm_solve_report {
     int32_t  refinements;          /* steps of iterative refinement that the residual called for */
     int32_t  reserved;             /* 0 */
     int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
-    int32_t  iterations;           /* engines that iterate: largest over the functions; HM_DIRECT: 0, or the steps of biconjugate
-                                      gradients for HM_NODAL_GRADIENT */
+    int32_t  iterations;           /* engines that iterate: largest over the functions; HM_DIRECT: 0, or the steps of
+                                      biconjugate gradients for HM_NODAL_GRADIENT */
     int32_t  levels;               /* of agglomeration */
     int32_t  fine_sweeps;          /* over the finest level, largest over the functions: symmetric Gauss-Seidel, or
                                       Runge-Kutta steps */

@@ -184,7 +184,8 @@ hm_status hm_morph(const hm_basis* basis, const double* move, const double* x, c
     Points const from = points_of(x, y, stride);
     MutablePoints const to{x_new, y_new, stride_of(stride_new)};
     if (!failed(open_complete(basis, b, fault)) && !failed(view_executor(executor, threads, fault)) &&
-        !failed(check_move(b, move, fault)) && !failed(check_points({to.x, to.y, to.stride}, fault)) && (!from.given() || !failed(check_points(from, fault)))) {
+        !failed(check_move(b, move, fault)) && !failed(check_points({to.x, to.y, to.stride}, fault)) &&
+        (!from.given() || !failed(check_points(from, fault)))) {
         morph(b, move, from, to, threads);
     }
     return tell(err, fault);
@@ -245,7 +246,8 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x
     Executor threads;
     Mesh view;
     Points const points = points_of(x, y, stride), reference = points_of(x_ref, y_ref, stride_ref);
-    if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) && !failed(check_points(points, fault)) &&
+    if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
+        !failed(check_points(points, fault)) &&
         (!reference.given() || !failed(check_points(reference, fault))) && !failed(view_executor(executor, threads, fault))) {
         Quality const quality = measure_quality(view, points, reference, b.reversed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);

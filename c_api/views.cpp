@@ -193,6 +193,9 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
         return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
     }
     method.precision = static_cast<Precision>(o.precision);
+    if (method.precision == Precision::in_single && method.engine != Engine::direct) {
+        return fault.refuse(Status::unsupported, "options.precision: only the direct engine has a factor to store in single");
+    }
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};

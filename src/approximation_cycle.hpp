@@ -30,7 +30,8 @@ class ApproximationCycles {
 public:
     ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors, Rows const& values,
                         Index first) noexcept
-        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first), width_(smaller(W, values.width - first)) {
+        : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first),
+          width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
             Vectors& its = at_[l];
@@ -63,7 +64,8 @@ public:
             Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
             if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
             Real const left = estimate_left(report.iterations, change());
-            if (residual <= engine_.iteration.tolerance && left <= engine_.iteration.tolerance) break;
+            report.settled = left <= engine_.iteration.tolerance;
+            if (residual <= engine_.iteration.tolerance && report.settled) break;
             if (report.iterations >= engine_.iteration.max_iterations || !(residual <= lost * least)) break;
             least = smaller(least, residual);
             cycle(0, true);
@@ -121,7 +123,7 @@ private:
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
             Real const share = square_root(squares[k]) / (size[k] > 0 ? square_root(size[k]) : 1);
-            if (!(share <= largest)) largest = share;  // once NaN, it stays
+            if (exceeds(share, largest)) largest = share;
         }
         return largest;
     }

@@ -32,6 +32,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
             if (is_alone) status = ended;
             of_lane[lane].iterations = larger(of_lane[lane].iterations, its.iterations);
             of_lane[lane].fine_sweeps = larger(of_lane[lane].fine_sweeps, its.fine_sweeps);
+            of_lane[lane].settled = of_lane[lane].settled && its.settled;
         });
         if (failed(status) || first + n >= blocks) break;
         status = progress.report(Phase::solve, static_cast<Real>(first + n) / blocks, fault);
@@ -41,6 +42,7 @@ Status solve_in_blocks(BlockIteration const& engine, Index functions, Progress c
     for (IterationReport const& its : of_lane) {
         report.iterations = larger(report.iterations, its.iterations);
         report.fine_sweeps = larger(report.fine_sweeps, its.fine_sweeps);
+        report.settled = report.settled && its.settled;
     }
     engine.tell_history();
     return status;

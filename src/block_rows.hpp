@@ -54,7 +54,10 @@ template <Index W>
 Lanes<W> largest(const Real* x, Index n) noexcept {
     Lanes<W> out;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
-        for (Index k = 0; k < W; ++k) out.at[k] = absolute(x[i + k]) <= out.at[k] ? out.at[k] : absolute(x[i + k]);
+        for (Index k = 0; k < W; ++k) {
+            Real const size = absolute(x[i + k]);
+            out.at[k] = exceeds(size, out.at[k]) ? size : out.at[k];
+        }
     }
     return out;
 }

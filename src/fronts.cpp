@@ -39,7 +39,8 @@ void for_each_border_entry(Graph const& graph, Span<const Index> order, Assembly
             for (Index const neighbour : graph.of(order[position])) {
                 Index const earlier = work.position[neighbour];
                 if (earlier >= position) continue;
-                for (Index node = work.node[earlier]; node != own && work.seen[node] != position; node = tree.nodes[node].parent) {
+                Index node = work.node[earlier];
+                for (; node != own && work.seen[node] != position; node = tree.nodes[node].parent) {
                     work.seen[node] = position;
                     visit(node, position);
                 }

@@ -74,12 +74,12 @@ Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme,
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
-        return solve_in_blocks(*this, values.width, progress, report, fault,
-                               [&](Index lane, Index first, IterationReport& its, auto const& after) {
-                                   Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
-                                   block::FinestScheme<w> const finest{scheme, n, its_vectors + level_rows(n) * w};
-                                   return block::ApproximationCycles<w>(*this, finest, its_vectors, values, first).run(its, after);
-                               });
+        auto const solve_block = [&](Index lane, Index first, IterationReport& its, auto const& after) {
+            Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
+            block::FinestScheme<w> const finest{scheme, n, its_vectors + level_rows(n) * w};
+            return block::ApproximationCycles<w>(*this, finest, its_vectors, values, first).run(its, after);
+        };
+        return solve_in_blocks(*this, values.width, progress, report, fault, solve_block);
     };
     return iteration.with_width(run);
 }

@@ -18,14 +18,17 @@ void BlockIteration::note(Index lane, Index its_iteration, Real residual) const 
     Index const length = iteration.history.count();
     if (its_iteration >= length) return;
     Real& its = lane_history[Offset{lane} * length + its_iteration];
-    its = larger(its, residual);
+    if (exceeds(residual, its)) its = residual;
 }
 
 void BlockIteration::tell_history() const noexcept {
     Size const length = iteration.history.size();
     for (Size k = 0; k < length; ++k) {
         Real largest = 0;
-        for (Size lane = 0; lane < static_cast<Size>(lanes); ++lane) largest = larger(largest, lane_history[lane * length + k]);
+        for (Size lane = 0; lane < static_cast<Size>(lanes); ++lane) {
+            Real const its = lane_history[lane * length + k];
+            if (exceeds(its, largest)) largest = its;
+        }
         iteration.history[k] = largest;
     }
 }

@@ -138,6 +138,7 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     Index const i = place[point], j = place[other];
+    if (i == j) return;
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
     if (i < 0 && j >= 0 && !excess.empty()) excess[j] += conductance;
@@ -147,6 +148,7 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
 }
 
 void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
+    if (place[components() * point] == place[components() * other]) return;
     if (is_complex()) return add_complex(point, other, conductance, circulation);
     add_lines(point, other, conductance, circulation);
 }

@@ -74,8 +74,7 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
         Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
-        Real const error = length(to[point] - from[point] - curve_moved);
-        if (worst.point == none || error > worst.error) worst = {error, point};
+        worst.include(length(to[point] - from[point] - curve_moved), point);
     }
     return worst;
 }
@@ -86,9 +85,6 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     Index const n_functions = basis.n_functions();
     Index const n_control = clamp(counts.control - counts.first_held, Index{0}, n_functions);  // of those held
     ValueKind const kind = basis.kind();
-    auto const raise = [](BoundaryError& worst, Real error, Index point) {
-        if (worst.point == none || !(error <= worst.error)) worst = {error, point};  // NaN is the worst
-    };
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
         BoundaryFunctions const functions = basis.held_boundary_functions(slot);
@@ -101,16 +97,16 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
                 for (Index k = 0; k < functions.order; ++k) {
                     expected += functions.function[k] == i ? numbers_of(kind, functions.value[k]).plane[plane] : 0;
                 }
-                raise(measures.value, absolute(value - expected), point);
+                measures.value.include(absolute(value - expected), point);
                 sum += i < n_control ? value : 0;
             }
             if (!basis.is_on_curve(slot) || !counts.complete()) continue;
             Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
-            if (!(defect <= measures.partition_defect)) measures.partition_defect = defect;
+            if (exceeds(defect, measures.partition_defect)) measures.partition_defect = defect;
         }
         if (!basis.is_on_curve(slot)) continue;
         Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
-        raise(measures.distance, length(points[point] - foot), point);
+        measures.distance.include(length(points[point] - foot), point);
     }
     for (Index point = 0; point < basis.n_points(); ++point) {
         for (Real const value : Span<const Real>(basis.row(point), static_cast<Size>(n_control))) {

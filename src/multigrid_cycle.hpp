@@ -121,6 +121,7 @@ public:
             take_true_residual();
             if (converged()) break;
         }
+        for (Index k = 0; k < W; ++k) report.settled = report.settled && is_settled(k);
         report.fine_sweeps = iterations;  // each is a Gauss-Seidel sweep there and one back
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
@@ -138,9 +139,8 @@ private:
 
     // Far from thin cells a small residual may hide a large error, as their entries dwarf all others, and so may a small
     // energy. B r is about what the values are off: its largest number must be small beside theirs.
-    bool is_done(Index k) const noexcept {
-        return squares_[k] <= wanted_[k] && errors_[k] <= engine_.iteration.tolerance * sizes_[k];
-    }
+    bool is_settled(Index k) const noexcept { return errors_[k] <= engine_.iteration.tolerance * sizes_[k]; }
+    bool is_done(Index k) const noexcept { return squares_[k] <= wanted_[k] && is_settled(k); }
     bool converged() const noexcept {
         for (Index k = 0; k < W; ++k) {
             if (!is_done(k)) return false;
@@ -151,9 +151,9 @@ private:
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
             Real const share = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
-            largest = larger(largest, square_root(share) * engine_.iteration.tolerance);
+            if (exceeds(share, largest)) largest = share;
         }
-        return largest;
+        return square_root(largest) * engine_.iteration.tolerance;
     }
 
     template <class After>

@@ -99,3 +99,15 @@ TEST_CASE("after the forward sweep the defect is what the start of 0 left, and a
     CHECK(largest_difference(left, s.x) < 1e-11);
     CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) > 1e-3);   // not trivially
 }
+
+TEST_CASE("the largest numbers of each function: NaN where there is one, wherever it is") {
+    double const nan = std::nan("");
+    for (Index const row : {-1, 0, 1, 2}) {
+        std::vector<double> x = {1, -2, 3, 0, -4, 1, 2, 0, 2, -1, -5, -0.0};
+        if (row >= 0) x[static_cast<std::size_t>(w * row + 1)] = nan;
+        block::Lanes<w> const found = block::largest<w>(x.data(), 3);
+        CHECK(found[0] == 4);
+        CHECK((row < 0 ? found[1] == 2 : std::isnan(found[1])));
+        CHECK((found[2] == 5 && found[3] == 0));
+    }
+}

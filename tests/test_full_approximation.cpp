@@ -234,3 +234,21 @@ TEST_CASE("threads change no bit; limits end with a status") {
     CHECK(same_bits(values(), serial));
     CHECK(backwards.tasks > 0);
 }
+
+TEST_CASE("a small residual alone is no convergence: ended before the values are near, it says so") {
+    Case its = airfoil_case(20, 12);
+    its.mesh = c_mesh(naca4({}, 20), 10, 8, stretched(1e-3, 8, 20)).mesh;
+    hm_options options = fas(), exact = direct();
+    options.operator_kind = exact.operator_kind = HM_WEIGHTED;
+    options.exponent_quarters = exact.exponent_quarters = 9;
+    options.agglomeration = HM_AGGLOMERATE_ISOTROPIC;
+    options.start = HM_START_ZERO;
+    options.max_iterations = 400;
+    Attempt const attempt(its.problem(), &options);
+    std::vector<double> values(its.mesh.x.size());
+    REQUIRE(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_OK);
+    CHECK(attempt.report.residual < 1e-10);
+    CHECK(largest_difference(values, Solved(its, &exact).values(0)) > 1e-8);
+    CHECK(attempt.status == HM_NOT_CONVERGED);
+    CHECK(std::string(attempt.error.text).find("values") != std::string::npos);
+}

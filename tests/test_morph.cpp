@@ -221,6 +221,11 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
                                   wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
         CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
         CHECK(worst == info.curve_point[17]);
+        wrong.x[static_cast<std::size_t>(info.curve_point[3])] = std::nan("");   // and one that is nowhere
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, wrong.x.data(),
+                                  wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        CHECK(std::isnan(error));
+        CHECK(worst == info.curve_point[3]);
     }
 }
 

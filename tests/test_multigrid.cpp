@@ -56,7 +56,8 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
         INFO("case " << which << ": " << found.report.iterations << " iterations to " << found.report.residual);
         CHECK(difference(found, expected) < 2e-9);
         CHECK(found.report.residual <= 1e-10);
-        CHECK((found.report.iterations > 1 && found.report.iterations <= 45 && found.report.levels >= 2 && found.report.factor_entries == 0));
+        CHECK((found.report.iterations > 1 && found.report.iterations <= 45));
+        CHECK((found.report.levels >= 2 && found.report.factor_entries == 0));
         CHECK(found.report.refinements == 0);
         CHECK(found.report.boundary_error == 0);
     }

@@ -1,7 +1,7 @@
 // Periodic pairs: both sides move alike, and one period is all there is to know about many.
 #include <doctest/doctest.h>
 
-#include <fixtures/operators.hpp>
+#include <fixtures/cascade.hpp>
 
 using namespace fixtures;
 
@@ -9,66 +9,6 @@ namespace {
 
 constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
-
-// A square of 8 x 8 cells round a hole of 2 x 2 on a polygon; its left and right sides are a pair.
-Case cascade(Cells kind, double amplitude = 0.3, unsigned seed = 3) {
-    Case out;
-    out.mesh = square(8, kind, 2, 2);
-    perturb(out.mesh, amplitude, seed);
-    out.curves = polyline({{0.375, 0.375}, {0.625, 0.375}, {0.625, 0.625}, {0.375, 0.625}});
-    out.put_on_curves(body);
-    out.set_periodic(left, right);
-    return out;
-}
-
-// n periods side by side as one, each with a body and four control points of its own. Points of the first keep numbers.
-Case periods(Case const& one, int n) {
-    Case out = one;
-    std::vector<std::int32_t> last(one.mesh.x.size());
-    std::iota(last.begin(), last.end(), 0);
-    std::vector<std::int32_t> const on_left = points_on(one.mesh, left), on_right = points_on(one.mesh, right);
-    auto const partner = [&](std::int32_t point) {
-        for (std::int32_t const k : on_right)
-            if (std::fabs(one.mesh.point(k).y - one.mesh.point(point).y) < 1e-9) return k;
-        return -1;
-    };
-    for (int period = 1; period < n; ++period) {
-        std::vector<std::int32_t> number;
-        for (std::int32_t k = 0; k < one.mesh.n_points(); ++k) {
-            bool const shared = std::find(on_left.begin(), on_left.end(), k) != on_left.end();
-            Point const p = one.mesh.point(k);
-            number.push_back(shared ? last[static_cast<std::size_t>(partner(k))] : out.mesh.add_point({p.x + period, p.y}));
-        }
-        auto const at = [&](std::int32_t k) { return number[static_cast<std::size_t>(k)]; };
-        for (std::size_t cell = 0; cell + 1 < one.mesh.cell_start.size(); ++cell) {
-            for (std::int32_t k = one.mesh.cell_start[cell]; k < one.mesh.cell_start[cell + 1]; ++k)
-                out.mesh.cells.push_back(at(one.mesh.cells[static_cast<std::size_t>(k)]));
-            out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
-        }
-        std::size_t const n_faces = out.mesh.face_markers.size();
-        for (std::size_t face = 0; face < n_faces; ++face)   // the right end is inside now
-            if (out.mesh.face_markers[face] == right) out.mesh.face_markers[face] = -1;
-        for (std::size_t face = 0; face < one.mesh.face_markers.size(); ++face) {
-            std::int32_t const marker = one.mesh.face_markers[face];
-            if (marker == left) continue;
-            out.mesh.add_face(at(one.mesh.faces[2 * face]), at(one.mesh.faces[2 * face + 1]),
-                              marker == body ? 100 + period : marker);
-        }
-        std::vector<std::int32_t> faces, markers;
-        for (std::size_t face = 0; face < out.mesh.face_markers.size(); ++face) {
-            if (out.mesh.face_markers[face] == -1) continue;
-            faces.insert(faces.end(), {out.mesh.faces[2 * face], out.mesh.faces[2 * face + 1]});
-            markers.push_back(out.mesh.face_markers[face]);
-        }
-        out.mesh.faces = faces;
-        out.mesh.face_markers = markers;
-        double const x = period;
-        out.curves.add(polyline({{0.375 + x, 0.375}, {0.625 + x, 0.375}, {0.625 + x, 0.625}, {0.375 + x, 0.625}}));
-        out.put_on_curves(100 + period, period);
-        last = number;
-    }
-    return out;
-}
 
 std::vector<double> repeated(std::vector<double> const& move, int n) {
     std::vector<double> out;
@@ -133,6 +73,36 @@ TEST_CASE("without a weight the conformal functions of several periods are those
     Field found = displacement(b, repeated(move, 2));
     found.resize(expected.size());
     CHECK(largest_difference(found, expected) < 1e-13);
+}
+
+TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and engine") {
+    struct {
+        std::int32_t operator_kind, quarters, scheme, engine;
+        bool slip;
+    } const all[] = {{HM_CONFORMAL, HM_NO_WEIGHT, HM_COMPACT, HM_DIRECT, false},
+                     {HM_LAPLACE, 0, HM_COMPACT, HM_DIRECT, true},
+                     {HM_LAPLACE, 0, HM_COMPACT, HM_DIRECT, false},
+                     {HM_LAPLACE, 0, HM_COMPACT, HM_MULTIGRID, false},
+                     {HM_LAPLACE, 0, HM_COMPACT, HM_FAS, false},
+                     {HM_LAPLACE, 0, HM_NODAL_GRADIENT, HM_DIRECT, false},
+                     {HM_LAPLACE, 0, HM_NODAL_GRADIENT, HM_FAS, false}};
+    for (auto const& way : all)
+        for (Cells const kind : kinds) {
+            Case one = one_cell_apart(kind);
+            if (way.slip) one.set_slip(top);
+            Case two = periods(one, 2);
+            hm_options options = options_of(way.operator_kind, way.quarters);
+            options.scheme = way.scheme;
+            options.engine = way.engine;
+            INFO("operator " << way.operator_kind << ", scheme " << way.scheme << ", engine " << way.engine);
+            std::vector<double> const move = some_move(4, 0.3, 7);
+            Field const expected = displacement(Solved(one, &options), move);
+            Field found = displacement(Solved(two, &options), repeated(move, 2));
+            found.resize(expected.size());
+            CHECK(largest_difference(found, expected) < (way.engine == HM_DIRECT ? 1e-13 : 1e-9));
+            CHECK(std::abs(expected[4]) > 1e-3);
+            CHECK(expected[4] == expected[5]);
+        }
 }
 
 TEST_CASE("numbering and orientation, which marker is named, and a pair of slanting sides do not matter") {

@@ -74,8 +74,15 @@ TEST_CASE("the plan takes less than two thirds of the memory") {
     }
 }
 
-TEST_CASE("an unknown precision is refused") {
+TEST_CASE("an unknown precision is refused, and a single one where there is no factor") {
     Case its = tiny_case();
+    for (std::int32_t const engine : {HM_MULTIGRID, HM_FAS}) {
+        hm_options options = with(HM_LAPLACE, HM_SINGLE);
+        options.engine = engine;
+        CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+        options.precision = HM_DOUBLE;
+        CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    }
     for (std::int32_t const precision : {-1, 2}) {
         hm_options const options = with(HM_LAPLACE, precision);
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);

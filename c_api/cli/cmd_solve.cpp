@@ -102,8 +102,9 @@ void run(const Arguments& arguments) {
         print_for_people(solver, stored, mesh, times);
     }
     if (!converged) {
-        throw Failure(exit_unusable, "not converged: the residual " + brief(solver.report().residual) + " is above " +
-                                         brief(task.options.tolerance));
+        const double residual = solver.report().residual, wanted = task.options.tolerance;
+        throw Failure(exit_unusable, "not converged: " + (residual <= wanted ? "values are still off by more than "
+                                                          : "the residual " + brief(residual) + " is above ") + brief(wanted));
     }
 }
 

@@ -35,6 +35,7 @@ struct IterationReport {
     Index iterations = 0;   // largest over the functions
     Index fine_sweeps = 0;  // of the smoother over the finest level, largest over the functions
     Index levels = 0;
+    bool settled = true;    // what values are still off is within the tolerance, as far as it can be told
 };
 
 // Functions are solved in blocks; a lane is one thread's sequence of blocks, with vectors and a history of its own.

@@ -57,7 +57,7 @@ struct Matrix {
 
     void clear() const noexcept;
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
-    // Real matrices only.
+    // One unknown at both, as across a periodic pair one cell apart, has no difference that could flow. Real matrices only.
     void add(Index point, Index other, Real conductance) const noexcept;
     // And a circulation from one to the other: + i circulation in the first one's row, - i in the other's. Not for real
     // matrices.

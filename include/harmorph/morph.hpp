@@ -12,6 +12,10 @@ void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, 
 struct BoundaryError {
     Real error = 0;
     Index point = none;
+
+    void include(Real its_error, Index its_point) noexcept {
+        if (point == none || exceeds(its_error, error)) *this = {its_error, its_point};
+    }
 };
 // What the points of the wall moved against what the B-spline did.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
