@@ -327,7 +327,7 @@ typedef struct hm_options {
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
     int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4 (weighted) */
-    int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
+    int32_t  offset_correction;    /* 0 or 1; conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
                                       its curve, so that the offset turns with the curve: rigid motions of all control points
                                       then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
                                       and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
@@ -614,6 +614,8 @@ typedef struct hm_safe_options {
                                       angle-preserving functions scale them with the wall's stretch. A closed form at the end,
                                       along the normals, fading out where the wall's curvature or another wall begins to
                                       matter; as much of it as no cell inverts for. Not part of the derivative */
+    double  *reached;              /* [2*functions] receives the movement that x_new has: short of the target not `move` times
+                                      step_fraction, as bodies turn on the way. NULL: not wanted */
 } hm_safe_options;
 
 typedef struct hm_safe_report {

@@ -28,12 +28,16 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
     }
+    if (o.offset_correction < 0 || o.offset_correction > 1) {
+        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #", Counts::from_zero,
+                            o.offset_correction);
+    }
     if (o.offset_correction != 0 && !method.conformal()) {
         return fault.refuse(Status::unsupported, "the offset correction goes with the conformal operator only");
     }
     constexpr std::int32_t usual[] = {6, 0, 4};
     method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, 0);
-    method.offset_correction = o.offset_correction != 0 ? 1 : 0;
+    method.offset_correction = o.offset_correction;
     return Status::ok;
 }
 

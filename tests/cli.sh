@@ -486,6 +486,8 @@ refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis"
 refuses "--safe: a boundary that crosses itself" 1 'crosses itself' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/away.txt" --safe -o "$tmp/away.su2"
 leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/away.su2"
+runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/away.txt" --safe --json
+check "--safe: a boundary that crosses itself: nothing moved, nothing is off" says '"boundary_error": 0,'
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
@@ -493,7 +495,10 @@ has_keys "--safe: short of the target: JSON all the same" inverted admissible_st
     mean_quality morph_seconds step_fraction steps resolves rung
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
-    -o "$tmp/outside.su2"
+    -o "$tmp/outside.su2" --json
+check "--safe: short of the target: only part of the way" grep -E '"step_fraction": 0\.[0-9]*[1-9]' "$tmp/out"
+check "--safe: short of the target: the boundary is the B-spline's, as far as it went" \
+    grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
 runs "--safe: short of the target, --force: the last valid mesh" 0 check "$tmp/outside.su2"
 check "--safe: short of the target, --force: which moved" sh -c "! cmp -s '$box' '$tmp/outside.su2'"
 leaves_nothing "refused commands leave no file" "$tmp/x"

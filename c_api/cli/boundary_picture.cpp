@@ -38,10 +38,10 @@ void draw_legend(Plot& plot) {
 
 } // namespace
 
-std::string boundary_picture(const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
+std::string boundary_picture(const Basis& basis, const Morph& morph) {
     const hm_curves& before = basis.curves();
     std::vector<double> control(before.control, before.control + 2 * before.n_control);
-    for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
+    for (std::size_t i = 0; i < control.size(); ++i) control[i] += morph.moves[i];
     hm_curves after = before;
     after.control = control.data();
 

@@ -27,8 +27,7 @@ PointData displacement_data(const Field& displacement) {
     return data;
 }
 
-void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
-                 const Morph& morph) {
+void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
     OutputFiles files;
     const Field& moved = morph.moved;
     if (arguments.has("-o")) write_su2(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
@@ -37,11 +36,11 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     }
     if (arguments.has("--svg")) {
         files.add(arguments.text("--svg"))
-            << (has_window(arguments) ? morph_picture(mesh, basis, moves, morph, window_of(arguments))
-                                      : morph_picture(mesh, basis, moves, morph));
+            << (has_window(arguments) ? morph_picture(mesh, basis, morph, window_of(arguments))
+                                      : morph_picture(mesh, basis, morph));
     }
     if (arguments.has("--boundary-svg")) {
-        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, moves, morph);
+        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
     files.commit();
 }
@@ -127,7 +126,7 @@ void run(const Arguments& arguments) {
     const bool safe = arguments.has("--safe");
     const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
     const bool reached = morph.valid() && morph.refusal.empty();
-    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
+    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
         print_json(morph, safe);
     } else {
@@ -159,7 +158,8 @@ const Command morph_command = {
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
                          "(exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
-                         "boundary_error, min_quality, mean_quality, morph_seconds; with --safe step_fraction,\n"
+                         "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
+                         "morph_seconds; with --safe step_fraction (1: all of the movement),\n"
                          "steps, resolves, rung (linear, other, substeps, untangled)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};

@@ -65,10 +65,11 @@ public:
         }
         return low;
     }
-    void draw(const std::string& stem, const Moves& moves, const cli::Morph& morph) const {
+    void draw(const std::string& stem, const cli::Morph& morph) const {
+        const Moves& moves = morph.moves;
         const hm_curves& curves = basis_->curves();
         cli::OutputFiles files;
-        files.add(stem + ".svg") << cli::morph_picture(mesh_, *basis_, moves, morph);
+        files.add(stem + ".svg") << cli::morph_picture(mesh_, *basis_, morph);
         if (curves.n_control > 4) {  // an airfoil: both of its edges, where they are now
             for (const bool leading : {true, false}) {
                 std::size_t edge = 0;
@@ -78,7 +79,7 @@ public:
                 }
                 const cli::Point at = {curves.control[edge] + moves[edge], curves.control[edge + 1] + moves[edge + 1]};
                 const cli::Box window = cli::Box{at, at}.widened(.05);
-                files.add(stem + (leading ? "-leading.svg" : "-trailing.svg")) << cli::morph_picture(mesh_, *basis_, moves, morph, window);
+                files.add(stem + (leading ? "-leading.svg" : "-trailing.svg")) << cli::morph_picture(mesh_, *basis_, morph, window);
             }
         }
         files.commit();
@@ -112,7 +113,7 @@ bool print_safe(const std::string& name, const Case& its, const Moves& moves, co
                 report.steps, report.resolves, rungs[report.rung], morph.quality.inverted, morph.quality.min_quality,
                 morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
-    its.draw(picture, moves, morph);
+    its.draw(picture, morph);
     return good;
 }
 
