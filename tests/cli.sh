@@ -138,7 +138,7 @@ done
 runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/level.svg"
 check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
 refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 --svg "$tmp/none.svg"
-refuses "an engine that does not go with the operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "an engine that does not go with the operator" 2 'goes with the direct engine only' solve "$ring" --curve body="$curve" \
     --engine multigrid -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
@@ -173,9 +173,9 @@ runs "solve, nodal gradients" 0 solve "$ring" --curve body="$curve" --operator l
     -o "$tmp/nodal.basis"
 runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve body="$curve" --operator laplace \
     --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
-refuses "nodal gradients without correction go with fas" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "nodal gradients without correction go with fas" 2 'go with the engine fas only' solve "$ring" --curve body="$curve" \
     --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
-refuses "the bounded scheme has no conformal operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "the bounded scheme has no conformal operator" 2 'goes with the compact scheme only' solve "$ring" --curve body="$curve" \
     --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"

@@ -141,8 +141,9 @@ const Command morph_command = {
     "morph",
     {"MESH", "BASIS"},
     "Moves control points, and the mesh with them",
-    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement. Points of the mesh on the\n"
-    "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for the bodies of solve --rigid\n"
+    "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the curve move\n"
+    "exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The morphed mesh keeps the text of its file; only coordinates that changed are new.\n",
     {{"--move", "MOVES", "movement of the control points (required)"},
      {"-o", "MESH", "morphed mesh to write, SU2"},
@@ -151,7 +152,8 @@ const Command morph_command = {
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
-     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another exponent (may be repeated)"},
+     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
+                         "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
      threads_option,
