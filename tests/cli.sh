@@ -440,7 +440,10 @@ refuses "--periodic: no translates" 2 'periodic' solve "$tmp/bent.su2" $on_block
 runs "--rigid" 0 solve "$box" --rigid block -o "$tmp/rigid.basis" --json
 check "--rigid: functions" says '"functions": 2'
 printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"
-runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe
+runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe \
+    --svg "$tmp/rigid.svg" --boundary-svg "$tmp/rigid-boundary.svg"
+runs "--rigid: export" 0 export "$box" "$tmp/rigid.basis" --function 2 --svg "$tmp/rigid-turn.svg"
+check "--rigid: pictures without a curve have a size" sh -c "! grep -E 'nan|inf' '$tmp'/rigid*.svg"
 check "--rigid: turned and scaled about its middle, and moved" near $(place 4 5 "$tmp/rigid.su2") 7.75 3.25
 runs "--rigid with a centre" 0 solve "$box" --rigid block=4,5 -o "$tmp/hinge.basis"
 printf 'rigid block 0 0 20\n' >"$tmp/hinge.txt"

@@ -158,7 +158,8 @@ std::string boundary_values(const hm_curves& curves, std::int32_t function) {
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
                              const Column& column) {
-    return function_picture(mesh, basis, function, column, window_round({&basis.curves()}, .4));
+    const Box window = window_round({box_of(basis.curves()), box_of_bodies(basis.info(), mesh.x, mesh.y)}, .4);
+    return function_picture(mesh, basis, function, column, window);
 }
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,

@@ -89,7 +89,10 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& mor
     const std::vector<double> control = moved_control(basis, morph.moves);
     hm_curves after = basis.curves();
     after.control = control.data();
-    return morph_picture(mesh, basis, morph, window_round({&basis.curves(), &after}, .25));
+    const Box bodies_before = box_of_bodies(basis.info(), mesh.x, mesh.y);
+    const Box bodies_after = box_of_bodies(basis.info(), morph.moved.x, morph.moved.y);
+    const Box window = window_round({box_of(basis.curves()), box_of(after), bodies_before, bodies_after}, .25);
+    return morph_picture(mesh, basis, morph, window);
 }
 
 std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph, const Box& window) {
