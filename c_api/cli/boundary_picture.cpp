@@ -46,7 +46,8 @@ std::string boundary_picture(const Basis& basis, const Morph& morph) {
     after.control = control.data();
 
     const Box bodies = box_of_bodies(basis.info(), morph.moved.x, morph.moved.y);
-    Plot plot(window_round({box_of(before), box_of(after), bodies}, .1), "The boundary, by the B-spline and by the functions",
+    const Box window = window_round({box_of(before), box_of(after), bodies}, .1);
+    Plot plot(window, "The boundary, by the B-spline and by the functions",
               plural(basis.info().curve_points, "point") + " of the mesh; largest difference between their movement and " +
                   "the B-spline's: " + brief(morph.boundary_error));
     plot.begin_inside();

@@ -141,9 +141,9 @@ const Command morph_command = {
     "morph",
     {"MESH", "BASIS"},
     "Moves control points, and the mesh with them",
-    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for the bodies of solve --rigid\n"
-    "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the curve move\n"
-    "exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for bodies of solve --rigid\n"
+    "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the\n"
+    "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The morphed mesh keeps the text of its file; only coordinates that changed are new.\n",
     {{"--move", "MOVES", "movement of the control points (required)"},
      {"-o", "MESH", "morphed mesh to write, SU2"},

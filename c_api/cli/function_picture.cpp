@@ -20,8 +20,8 @@ struct Range {
     double share(double value) const { return high > low ? (value - low) / (high - low) : 0; }
 };
 
-// A function is linear on each triangle. What lies between two of its levels is painted in one colour, all of it as one path:
-// small files, and bands whose edges are the function's level lines.
+// A function is linear on each triangle. What lies between two of its levels is painted in one colour, all of it as one
+// path: small files, and bands whose edges are the function's level lines.
 class BandPainter {
 public:
     BandPainter(Plot& plot, Range range) : plot_(plot), range_(range) {}
@@ -30,7 +30,8 @@ public:
         Piece triangle;
         for (std::size_t i = 0; i < 3; ++i) triangle.push_back({corners[i], range_.share(values[i]) * bands});
         const auto [low, high] = std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
-        const auto first = static_cast<std::size_t>(low), last = std::max(first, static_cast<std::size_t>(std::ceil(high)) - 1);
+        const auto first = static_cast<std::size_t>(low);
+        const auto last = std::max(first + 1, static_cast<std::size_t>(std::ceil(high))) - 1;
         for (std::size_t band = first; band <= last; ++band) {
             Piece piece = triangle;
             if (band > first) piece = part_above(piece, static_cast<double>(band), 1);
@@ -84,14 +85,15 @@ private:
 void paint_cells(Plot& plot, const Mesh& mesh, const std::vector<double>& values, Range range) {
     BandPainter painter(plot, range);
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        const auto point = [&](std::int32_t i) { return static_cast<std::size_t>(mesh.cell_points[static_cast<std::size_t>(i)]); };
-        const std::int32_t first = mesh.cell_start[cell];
-        for (std::int32_t i = first + 1; i + 1 < mesh.cell_start[cell + 1]; ++i) { // one triangle, or a quad's two
+        const auto first = static_cast<std::size_t>(mesh.cell_start[cell]);
+        const auto end = static_cast<std::size_t>(mesh.cell_start[cell + 1]);
+        for (std::size_t i = first + 1; i + 1 < end; ++i) { // one triangle, or a quad's two
             std::array<Point, 3> corners;
             std::array<double, 3> at_corners;
             Box box;
             std::size_t k = 0;
-            for (const std::size_t corner : {point(first), point(i), point(i + 1)}) {
+            for (const std::size_t place : {first, i, i + 1}) {
+                const auto corner = static_cast<std::size_t>(mesh.cell_points[place]);
                 corners[k] = {mesh.x[corner], mesh.y[corner]};
                 box.include(corners[k]);
                 at_corners[k++] = values[corner];

@@ -66,14 +66,22 @@ void draw_legend(Plot& plot) {
     entry("B-spline after, with its control polygon", new_curve_style, new_point_style, 0);
 }
 
-std::string subtitle(const Basis& basis, const Morph& morph) {
-    double largest = 0;
-    for (std::size_t i = 0; i + 1 < morph.moves.size(); i += 2) {
-        largest = std::max(largest, std::hypot(morph.moves[i], morph.moves[i + 1]));
+std::string what_moved(const Basis& basis, const Morph& morph) {
+    std::string text;
+    if (basis.curves().n_control > 0) {
+        double largest = 0;
+        for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(basis.curves().n_control); i += 2) {
+            largest = std::max(largest, std::hypot(morph.moves[i], morph.moves[i + 1]));
+        }
+        text = plural(basis.curves().n_control, "control point") + ", moved by up to " + brief(largest) + "; ";
     }
-    return plural(basis.functions(), "control point") + ", moved by up to " + brief(largest) + "; " +
-           plural(morph.quality.inverted, "inverted cell") + "; size-skew quality " + brief(morph.quality.min_quality) +
-           " at least, " + brief(morph.quality.mean_quality) + " on average";
+    if (basis.info().bodies == 0) return text;
+    return text + std::to_string(basis.info().bodies) + " rigid " + (basis.info().bodies == 1 ? "body; " : "bodies; ");
+}
+
+std::string subtitle(const Basis& basis, const Morph& morph) {
+    return what_moved(basis, morph) + plural(morph.quality.inverted, "inverted cell") + "; size-skew quality " +
+           brief(morph.quality.min_quality) + " at least, " + brief(morph.quality.mean_quality) + " on average";
 }
 
 std::vector<double> moved_control(const Basis& basis, const std::vector<double>& moves) {

@@ -79,7 +79,8 @@ public:
                 }
                 const cli::Point at = {curves.control[edge] + moves[edge], curves.control[edge + 1] + moves[edge + 1]};
                 const cli::Box window = cli::Box{at, at}.widened(.05);
-                files.add(stem + (leading ? "-leading.svg" : "-trailing.svg")) << cli::morph_picture(mesh_, *basis_, morph, window);
+                const std::string name = stem + (leading ? "-leading.svg" : "-trailing.svg");
+                files.add(name) << cli::morph_picture(mesh_, *basis_, morph, window);
             }
         }
         files.commit();

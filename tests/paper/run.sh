@@ -188,7 +188,7 @@ header() {
 }
 echo "== Engines, to 1e-10. The operator is Laplace's, the scheme compact; each row solves all functions of a case."
 echo "   levels       from 2 to 6; agglomeration ends at 48 cells: \"4 of 6\" is 4 where 6 were asked for"
-echo "   iterations   steps of Runge-Kutta alone, cycles of multigrid, steps of conjugate gradients: the most of any function"
+echo "   iterations   steps of Runge-Kutta alone, cycles of FAS, steps of conjugate gradients: the most of any function"
 echo "   sweeps       over the finest mesh in these: four-stage Runge-Kutta steps, or symmetric Gauss-Seidel"
 echo "   fewer        how many times fewer these are than Runge-Kutta's on a single grid"
 echo "   from direct  the largest difference from the direct engine's functions"
@@ -196,8 +196,8 @@ header
 table two-bodies two_bodies "$case1"
 table airfoil diffuser_airfoil "$case2"
 table diffuser axisymmetric_diffuser "$figure1"
-echo "  multigrid takes $least times fewer sweeps than Runge-Kutta alone, or more; no function is farther than $farthest from" \
-    "the direct engine's"
+echo "  multigrid takes $least times fewer sweeps than Runge-Kutta alone, or more; no function is farther than" \
+    "$farthest from the direct engine's"
 awk -v least="$least" 'BEGIN { exit !(least >= 10) }' || fail "multigrid must save nine sweeps of ten"
 awk -v off="$farthest" 'BEGIN { exit !(off <= 1e-8) }' || fail "engines must agree to 1e-8"
 
