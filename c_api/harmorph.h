@@ -330,9 +330,9 @@ typedef struct hm_options {
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
     int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4 (weighted) */
     int32_t  offset_correction;    /* 0 or 1; conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh
-                                      point is off its curve, so that the offset turns with the curve: rigid motions of all control points
-                                      then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
+                                      point is off its curve, so that the offset turns with the curve: rigid motions of all
+                                      control points then move every wall point rigidly; other motions add e dC' / C'. Left
+                                      out at corners and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
     int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: HM_FAS 5, otherwise all */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
