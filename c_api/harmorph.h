@@ -284,8 +284,9 @@ enum {                             /* scheme: how fluxes are formed; all reprodu
 enum {                             /* engine */
     HM_DIRECT = 0,                 /* nested dissection and multifrontal Cholesky; the fastest. HM_NODAL_GRADIENT: the compact
                                       scheme's factor preconditions biconjugate gradients, 3 to 13 steps on airfoil meshes */
-    HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid: a third of the memory.
-                                      20 to 35 iterations, whatever the size and however stretched the cells */
+    HM_MULTIGRID = 1,              /* conjugate gradients, preconditioned by agglomeration multigrid. 15 to 35 iterations,
+                                      whatever the size and however stretched the cells. Plan and analysis take 730 bytes
+                                      a point, 500 with block_width 4; HM_DIRECT 840 for 10 000 points, 1090 for a million */
     HM_FAS = 2                     /* the paper's iteration: pseudo-time, explicit four-stage Runge-Kutta with local steps, full
                                       approximation scheme on agglomerated levels, started from the coarsest (FMG-FAS); one
                                       level: Runge-Kutta alone. The slowest: for comparison with the paper */
@@ -306,8 +307,9 @@ enum {                             /* kernel: all agree to rounding; one that th
 };
 enum {                             /* precision; HM_SINGLE goes with whatever goes with HM_DIRECT, and nothing else */
     HM_DOUBLE = 0,
-    HM_SINGLE = 1                  /* the factor takes half the memory; the functions are as accurate: they are refined, which
-                                      takes a few more solves. For large meshes */
+    HM_SINGLE = 1                  /* the factor takes half the memory, the plan .6 of it; the functions are as accurate:
+                                      they are refined, which takes a few more solves. For large meshes. HM_NOT_POSITIVE
+                                      (hm_plan_factor) where cells are too thin for it, as on some viscous meshes */
 };
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */
@@ -330,10 +332,10 @@ typedef struct hm_options {
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
     int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4 (weighted) */
-    int32_t  offset_correction;    /* conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh point is off
-                                      its curve, so that the offset turns with the curve: rigid motions of all control points
-                                      then move every wall point rigidly; other motions add e dC' / C'. Left out at corners
-                                      and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
+    int32_t  offset_correction;    /* 0 or 1; conformal only; 1: boundary functions N_i + e N_i' / C', e how far the mesh
+                                      point is off its curve, so that the offset turns with the curve: rigid motions of all
+                                      control points then move every wall point rigidly; other motions add e dC' / C'. Left
+                                      out at corners and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
     /* Engines that iterate, only: */
     int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: HM_FAS 5, otherwise all */
     int32_t  agglomeration;        /* HM_AGGLOMERATE_... */
@@ -617,6 +619,8 @@ typedef struct hm_safe_options {
                                       angle-preserving functions scale them with the wall's stretch. A closed form at the end,
                                       along the normals, fading out where the wall's curvature or another wall begins to
                                       matter; as much of it as no cell inverts for. Not part of the derivative */
+    double  *reached;              /* [2*functions] receives the movement that x_new has: short of the target not `move`
+                                      times step_fraction, as bodies turn on the way. NULL: not wanted */
 } hm_safe_options;
 
 typedef struct hm_safe_report {

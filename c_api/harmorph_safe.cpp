@@ -1,4 +1,6 @@
 // The C interface, part 4: morphs that need the plan.
+#include <cstring>
+
 #include "fault_text.hpp"
 #include "harmorph/quality.hpp"
 #include "harmorph/safe_morph.hpp"
@@ -11,7 +13,8 @@ constexpr Index most_others = 64;
 
 Index numbered(Index item, Index base) noexcept { return item == none ? none : item + base; }
 
-Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options, Fault& fault) noexcept {
+Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options, double*& reached,
+                         Fault& fault) noexcept {
     hm_safe_options o = {};
     if (given != nullptr && !read_struct(given, o)) {
         return fault.refuse(Status::bad_argument, "safe options: struct_size is not set");
@@ -26,6 +29,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             none, none, o.heights);
     }
     options.heights = o.heights;
+    reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_rungs);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) return fault.refuse(Status::bad_argument, "basis # of others is NULL", Counts::from_zero, i);
@@ -91,7 +95,8 @@ Status run(Plan& plan, Basis const& basis, const double* move, MutablePoints to,
     HARMORPH_TRY(check_target(basis, move, to, fault));
     Basis others[most_others];
     SafeOptions options;
-    HARMORPH_TRY(view_safe_options(given, {others, most_others}, options, fault));
+    double* reached_movement = nullptr;
+    HARMORPH_TRY(view_safe_options(given, {others, most_others}, options, reached_movement, fault));
     Arena arena(work, bytes);
     Span<SafeMorph> place;
     SafeMorph safe;
@@ -101,7 +106,11 @@ Status run(Plan& plan, Basis const& basis, const double* move, MutablePoints to,
     Status const status = safe.run(plan, basis, move, options, derivative, reached, fault);
     if (failed(status) && status != Status::crossing) return status;
     if (report != nullptr) write_struct(report_of(reached, plan, basis, plan.mesh.points, safe.result()), report);
-    if (!failed(status)) safe.write(to);
+    if (failed(status)) return status;
+    safe.write(to);
+    if (reached_movement != nullptr) {
+        std::memcpy(reached_movement, safe.reached.data(), static_cast<Size>(safe.reached.count()) * sizeof(double));
+    }
     return status;
 }
 

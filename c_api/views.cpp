@@ -5,19 +5,39 @@ namespace {
 
 Status missing(Fault& fault, const char* sentence) noexcept { return fault.refuse(Status::bad_argument, sentence); }
 
-// Operator, weight, scheme and engine, and whether they go together.
-Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
-    bool const real = o.operator_kind != HM_CONFORMAL;
-    bool const known = o.operator_kind >= HM_CONFORMAL && o.operator_kind <= HM_WEIGHTED;
-    bool const plain = o.scheme == HM_COMPACT && o.engine == HM_DIRECT;
-    bool const bounded = real && o.scheme == HM_BOUNDED && o.engine == HM_DIRECT;
-    bool const iterative = real && o.scheme == HM_COMPACT && (o.engine == HM_MULTIGRID || o.engine == HM_FAS);
-    bool const nodal = o.scheme == HM_NODAL_GRADIENT && (o.engine == HM_DIRECT || o.engine == HM_FAS);
-    bool const nodal_plain = o.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine == HM_FAS;
-    bool const papers = o.operator_kind == HM_LAPLACE && (nodal || nodal_plain);
-    if (!known || !(plain || bounded || iterative || papers)) {
-        return fault.refuse(Status::unsupported, "this operator, scheme and engine do not go together");
+// The header's table of what goes together; what does not is answered with what would.
+Status check_combination(hm_options const& o, Fault& fault) noexcept {
+    if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED) {
+        return fault.refuse(Status::unsupported, "options.operator_kind is #, which is unknown", Counts::from_zero,
+                            o.operator_kind);
     }
+    if (o.scheme < HM_COMPACT || o.scheme > HM_NODAL_GRADIENT_PLAIN) {
+        return fault.refuse(Status::unsupported, "options.scheme is #, which is unknown", Counts::from_zero, o.scheme);
+    }
+    if (o.engine < HM_DIRECT || o.engine > HM_FAS) {
+        return fault.refuse(Status::unsupported, "options.engine is #, which is unknown", Counts::from_zero, o.engine);
+    }
+    bool const nodal = o.scheme == HM_NODAL_GRADIENT || o.scheme == HM_NODAL_GRADIENT_PLAIN;
+    const char* wrong = nullptr;
+    if (o.operator_kind == HM_CONFORMAL && o.scheme != HM_COMPACT) {
+        wrong = "the conformal operator goes with the compact scheme only; laplace goes with all schemes";
+    } else if (o.operator_kind == HM_CONFORMAL && o.engine != HM_DIRECT) {
+        wrong = "the conformal operator goes with the direct engine only; laplace and weighted go with all";
+    } else if (nodal && o.operator_kind != HM_LAPLACE) {
+        wrong = "nodal gradients go with the operator laplace only";
+    } else if (o.scheme == HM_BOUNDED && o.engine != HM_DIRECT) {
+        wrong = "the bounded scheme goes with the direct engine only";
+    } else if (nodal && o.engine == HM_MULTIGRID) {
+        wrong = "nodal gradients do not go with the engine multigrid; fas goes with them";
+    } else if (o.scheme == HM_NODAL_GRADIENT_PLAIN && o.engine != HM_FAS) {
+        wrong = "nodal gradients without correction (plain) go with the engine fas only";
+    }
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
+}
+
+// Operator, weight, scheme and engine.
+Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept {
+    HARMORPH_TRY(check_combination(o, fault));
     if (o.exponent_quarters < HM_NO_WEIGHT || o.exponent_quarters > 16) {
         return fault.refuse(Status::bad_argument, "options.exponent_quarters must be between -1 and 16, not #",
                             Counts::from_zero, o.exponent_quarters);
@@ -28,12 +48,16 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     if (method.operator_kind == Operator::laplace && o.exponent_quarters > 0) {
         return fault.refuse(Status::unsupported, "the Laplace operator has no weight; HM_WEIGHTED has one");
     }
+    if (o.offset_correction < 0 || o.offset_correction > 1) {
+        return fault.refuse(Status::bad_argument, "options.offset_correction must be 0 or 1, not #", Counts::from_zero,
+                            o.offset_correction);
+    }
     if (o.offset_correction != 0 && !method.conformal()) {
         return fault.refuse(Status::unsupported, "the offset correction goes with the conformal operator only");
     }
     constexpr std::int32_t usual[] = {6, 0, 4};
     method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, 0);
-    method.offset_correction = o.offset_correction != 0 ? 1 : 0;
+    method.offset_correction = o.offset_correction;
     return Status::ok;
 }
 

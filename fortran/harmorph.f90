@@ -200,6 +200,7 @@ module harmorph
         integer(c_int32_t) :: max_resolves = 0, skipped_rungs = 0, n_others = 0, reserved = 0
         type(c_ptr) :: others = c_null_ptr
         real(c_double) :: heights = 0
+        type(c_ptr) :: reached = c_null_ptr
     end type
 
     type, bind(c), public :: hm_safe_report
@@ -288,6 +289,8 @@ module harmorph
         integer :: max_resolves = 0
         integer :: skipped_rungs = 0          ! sum of 2**hm_rung_... of those not to be tried
         real(c_double) :: heights = 0         ! 0 .. 1: how far distances from the walls are brought back
+        ! (2, :) like move: receives the movement that x_new has; short of the target it is not all of move.
+        real(c_double), pointer, contiguous :: reached(:, :) => null()
     end type
 
     ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=0.25d0), hm_condition(6, hm_periodic_pair,
@@ -2433,6 +2436,10 @@ contains
             c_options%max_resolves = int(options%max_resolves, c_int32_t)
             c_options%skipped_rungs = int(options%skipped_rungs, c_int32_t)
             c_options%heights = options%heights
+            if (associated(options%reached)) then
+                call check_pairs_of_control(basis, options%reached, status, e)
+                c_options%reached = c_loc(options%reached)
+            end if
         end if
         if (present(others)) then
             allocate(handles(size(others)))

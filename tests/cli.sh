@@ -138,7 +138,7 @@ done
 runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/level.svg"
 check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
 refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 --svg "$tmp/none.svg"
-refuses "an engine that does not go with the operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "an engine that does not go with the operator" 2 'goes with the direct engine only' solve "$ring" --curve body="$curve" \
     --engine multigrid -o "$tmp/none.basis"
 refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
@@ -173,9 +173,9 @@ runs "solve, nodal gradients" 0 solve "$ring" --curve body="$curve" --operator l
     -o "$tmp/nodal.basis"
 runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve body="$curve" --operator laplace \
     --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
-refuses "nodal gradients without correction go with fas" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "nodal gradients without correction go with fas" 2 'go with the engine fas only' solve "$ring" --curve body="$curve" \
     --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
-refuses "the bounded scheme has no conformal operator" 2 'do not go together' solve "$ring" --curve body="$curve" \
+refuses "the bounded scheme has no conformal operator" 2 'goes with the compact scheme only' solve "$ring" --curve body="$curve" \
     --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
@@ -440,7 +440,10 @@ refuses "--periodic: no translates" 2 'periodic' solve "$tmp/bent.su2" $on_block
 runs "--rigid" 0 solve "$box" --rigid block -o "$tmp/rigid.basis" --json
 check "--rigid: functions" says '"functions": 2'
 printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"
-runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe
+runs "--rigid: morph" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" -o "$tmp/rigid.su2" --safe \
+    --svg "$tmp/rigid.svg" --boundary-svg "$tmp/rigid-boundary.svg"
+runs "--rigid: export" 0 export "$box" "$tmp/rigid.basis" --function 2 --svg "$tmp/rigid-turn.svg"
+check "--rigid: pictures without a curve have a size" sh -c "! grep -E 'nan|inf' '$tmp'/rigid*.svg"
 check "--rigid: turned and scaled about its middle, and moved" near $(place 4 5 "$tmp/rigid.su2") 7.75 3.25
 runs "--rigid with a centre" 0 solve "$box" --rigid block=4,5 -o "$tmp/hinge.basis"
 printf 'rigid block 0 0 20\n' >"$tmp/hinge.txt"
@@ -486,6 +489,8 @@ refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis"
 refuses "--safe: a boundary that crosses itself" 1 'crosses itself' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/away.txt" --safe -o "$tmp/away.su2"
 leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/away.su2"
+runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/away.txt" --safe --json
+check "--safe: a boundary that crosses itself: nothing moved, nothing is off" says '"boundary_error": 0,'
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
@@ -493,7 +498,10 @@ has_keys "--safe: short of the target: JSON all the same" inverted admissible_st
     mean_quality morph_seconds step_fraction steps resolves rung
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
-    -o "$tmp/outside.su2"
+    -o "$tmp/outside.su2" --json
+check "--safe: short of the target: only part of the way" grep -E '"step_fraction": 0\.[0-9]*[1-9]' "$tmp/out"
+check "--safe: short of the target: the boundary is the B-spline's, as far as it went" \
+    grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
 runs "--safe: short of the target, --force: the last valid mesh" 0 check "$tmp/outside.su2"
 check "--safe: short of the target, --force: which moved" sh -c "! cmp -s '$box' '$tmp/outside.su2'"
 leaves_nothing "refused commands leave no file" "$tmp/x"

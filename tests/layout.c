@@ -101,7 +101,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_safe_options
     case 17:
         PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_rungs); AT(n_others); AT(reserved); AT(others);
-        AT(heights);
+        AT(heights); AT(reached);
         break;
 #undef TYPE
 #define TYPE hm_safe_report

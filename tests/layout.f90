@@ -102,7 +102,8 @@ program layout
         c_loc(quality_report%crossing_points)])
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
         c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_rungs), c_loc(safe_options%n_others), &
-        c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights)])
+        c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights), &
+        c_loc(safe_options%reached)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
         c_loc(safe_report%rung), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
         c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &

@@ -1,8 +1,9 @@
 #!/bin/sh
 # usage: readme.sh BUILD   (MAKE, CC, FC, ... from the environment)
 # The programs in README.md, saved as it says, beside the checkout and an empty home; then its shell lines, one block after
-# the other. The programs are also those of the examples.
-: "${MAKE:=make}" "${CC:=cc}" "${FC:=gfortran}"
+# the other. The programs are also those of the examples. The lines for several processes run inside readme_mpi.f90.
+: "${MAKE:=make}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
+: "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
 build=$(cd "$1" && pwd)
 source=$(pwd)
 dir=$build/readme
@@ -49,6 +50,22 @@ solver_lines() {   # as they stand in the example, up to indentation
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
 check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
 check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
+
+# As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
+export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
+several_processes() {
+    block fortran 3 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
+    (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
+        for file in "$source/fortran/harmorph.f90" "$source/fortran/harmorph_mpi.f90" readme_mpi.f90; do
+            $MPIFC $FFLAGS -c "$file" || exit 1
+        done &&
+        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1
+    case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
+    $MPIRUN $local -np 2 "$dir/readme_mpi" >"$dir/out" 2>&1
+    cat "$dir/out"
+    grep -q "agree on processes: 2" "$dir/out"
+}
+if command -v $MPIFC >/dev/null; then check "the lines for several processes" several_processes; fi
 
 echo "$passed passed, $failed failed"
 if [ $failed = 0 ]; then rm -rf "$dir"; fi

@@ -152,6 +152,16 @@ TEST_CASE("where the curve stands still, nothing is known to turn either: no inf
         CHECK(std::fabs(value) < 2);   // what is added is smaller than 1
 }
 
+TEST_CASE("the correction is on or off: other numbers are refused") {
+    Case its = tiny_case();
+    for (std::int32_t const correction : {-1, 2, 1 << 30}) {
+        hm_options const options = corrected(correction);
+        Attempt const attempt(its.problem(), &options);
+        CHECK(attempt.status == HM_BAD_ARGUMENT);
+        CHECK(std::string(attempt.error.text).find("offset_correction") != std::string::npos);
+    }
+}
+
 TEST_CASE("only the conformal operator can turn anything: others refuse the correction") {
     Case its = tiny_case();
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {

@@ -248,6 +248,8 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     std::vector<double> const move = turn_of(its, 150);
     safe.safe_options.skipped_rungs = without({HM_RUNG_UNTANGLED});
     safe.safe_options.max_resolves = 1;
+    std::vector<double> reached(move.size(), -1);
+    safe.safe_options.reached = reached.data();
     REQUIRE(safe.run(move) == HM_SHORT);
     double const t = safe.report.step_fraction;
     CHECK((t > 0.05 && t < 1 && safe.report.steps == 2 && safe.report.resolves == 1));
@@ -255,6 +257,7 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     CHECK((safe.report.cell >= 0 && safe.report.cell < its.mesh.n_cells() && safe.error.item == safe.report.cell));
     CHECK(safe.is_valid());
     CHECK(safe.boundary_error(turn_of(its, 150 * t)) < 1e-11);   // a turn is a turn all the way
+    CHECK(safe.boundary_error(reached) < 1e-15);
     for (int const resolves : {-1, 2, 4}) {   // the more is allowed, the farther
         double const before = resolves < 0 ? 0 : t;
         safe.safe_options.max_resolves = resolves;

@@ -1165,6 +1165,7 @@ contains
         real(dp) :: move(2, n_control), error, ratio, block_x(around, rings), block_y(around, rings)
         real(c_float) :: x4(n_points), y4(n_points), block_x4(around, rings), block_y4(around, rings)
         real(dp), allocatable, target :: work(:)
+        real(dp), pointer, contiguous :: reached(:, :)
         integer :: top
         call basis%curves(curves)
         call solve(mesh, laplace, options=hm_options(operator_kind=hm_laplace))
@@ -1200,10 +1201,16 @@ contains
         call others(1)%morph_to(move, x, y, x_other, y_other)
         call check(report%rung == hm_rung_other .and. report%other == 1 .and. maxval(abs(x_new - x_other)) < 1e-14_dp, &
             "conformal functions do it at once")
+        allocate(reached(2, size(move, 2)))
         call plan%morph_safe(laplace, move, x_new, y_new, options=hm_safe_options(max_resolves=-1, &
-            skipped_rungs=2**hm_rung_untangled), report=report, stat=stat, err=err)
+            skipped_rungs=2**hm_rung_untangled, reached=reached), report=report, stat=stat, err=err)
         call check(stat == hm_short .and. report%step_fraction > 0 .and. report%step_fraction < 1, &
             "not all: " // err%text)
+        call laplace%boundary_error(reached, x, y, x_new, y_new, error)
+        call check(error < 1e-12_dp, "the wall is where the movement that was reached takes it")
+        call plan%morph_safe(laplace, move, x_new, y_new, options=hm_safe_options(reached=reached(:, 2:)), stat=stat)
+        call check(stat == hm_bad_argument, "reached is too short")
+        deallocate(reached)
         call laplace%quality(mesh, x_new, y_new, quality)
         call check(quality%inverted == 0 .and. report%cell >= 1 .and. report%resolves == 0, &
             "what was possible is valid")

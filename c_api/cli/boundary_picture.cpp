@@ -38,14 +38,16 @@ void draw_legend(Plot& plot) {
 
 } // namespace
 
-std::string boundary_picture(const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
+std::string boundary_picture(const Basis& basis, const Morph& morph) {
     const hm_curves& before = basis.curves();
     std::vector<double> control(before.control, before.control + 2 * before.n_control);
-    for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
+    for (std::size_t i = 0; i < control.size(); ++i) control[i] += morph.moves[i];
     hm_curves after = before;
     after.control = control.data();
 
-    Plot plot(window_round({&before, &after}, .1), "The boundary, by the B-spline and by the functions",
+    const Box bodies = box_of_bodies(basis.info(), morph.moved.x, morph.moved.y);
+    const Box window = window_round({box_of(before), box_of(after), bodies}, .1);
+    Plot plot(window, "The boundary, by the B-spline and by the functions",
               plural(basis.info().curve_points, "point") + " of the mesh; largest difference between their movement and " +
                   "the B-spline's: " + brief(morph.boundary_error));
     plot.begin_inside();

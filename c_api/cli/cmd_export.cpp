@@ -59,7 +59,8 @@ void export_level(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments.operand(0));
     const Basis basis(arguments.operand(1), mesh);
     OutputFiles files;
-    const Box window = has_window(arguments) ? window_of(arguments) : window_round({&basis.curves()}, .4);
+    const Box bodies = box_of_bodies(basis.info(), mesh.x, mesh.y);
+    const Box window = has_window(arguments) ? window_of(arguments) : window_round({box_of(basis.curves()), bodies}, .4);
     files.add(path) << level_picture(mesh, basis.curves(), level_of(arguments, mesh, basis), window);
     files.commit();
 }

@@ -27,8 +27,7 @@ PointData displacement_data(const Field& displacement) {
     return data;
 }
 
-void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
-                 const Morph& morph) {
+void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
     OutputFiles files;
     const Field& moved = morph.moved;
     if (arguments.has("-o")) write_su2(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
@@ -37,11 +36,11 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     }
     if (arguments.has("--svg")) {
         files.add(arguments.text("--svg"))
-            << (has_window(arguments) ? morph_picture(mesh, basis, moves, morph, window_of(arguments))
-                                      : morph_picture(mesh, basis, moves, morph));
+            << (has_window(arguments) ? morph_picture(mesh, basis, morph, window_of(arguments))
+                                      : morph_picture(mesh, basis, morph));
     }
     if (arguments.has("--boundary-svg")) {
-        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, moves, morph);
+        files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
     files.commit();
 }
@@ -127,7 +126,7 @@ void run(const Arguments& arguments) {
     const bool safe = arguments.has("--safe");
     const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
     const bool reached = morph.valid() && morph.refusal.empty();
-    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, moves, morph);
+    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
         print_json(morph, safe);
     } else {
@@ -142,7 +141,8 @@ const Command morph_command = {
     "morph",
     {"MESH", "BASIS"},
     "Moves control points, and the mesh with them",
-    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement. Points of the mesh on the\n"
+    "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for bodies of solve --rigid\n"
+    "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the\n"
     "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The morphed mesh keeps the text of its file; only coordinates that changed are new.\n",
     {{"--move", "MOVES", "movement of the control points (required)"},
@@ -152,14 +152,16 @@ const Command morph_command = {
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
-     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another exponent (may be repeated)"},
+     {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
+                         "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
      threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
                          "(exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
-                         "boundary_error, min_quality, mean_quality, morph_seconds; with --safe step_fraction,\n"
+                         "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
+                         "morph_seconds; with --safe step_fraction (1: all of the movement),\n"
                          "steps, resolves, rung (linear, other, substeps, untangled)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};

@@ -66,15 +66,28 @@ Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
 
 } // namespace
 
-Box window_round(const std::vector<const hm_curves*>& curves, double chords) {
+Box box_of(const hm_curves& curves) {
     Box box;
-    for (const hm_curves* set : curves) {
-        for (std::int32_t i = 0; i < set->n_curves; ++i) {
-            for (const Point point : outline(*set, i)) box.include(point);
-        }
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        for (const Point point : outline(curves, i)) box.include(point);
     }
-    const double chord = std::max(box.width(), box.height());
-    return box.widened(chord > 0 ? chords * chord : 1); // control points moved into one spot still make a picture
+    return box;
+}
+
+Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x, const std::vector<double>& y) {
+    Box box;
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        const auto point = static_cast<std::size_t>(info.curve_point[k]);
+        if (info.point_curve[k] >= info.curves) box.include(Point{x[point], y[point]});
+    }
+    return box;
+}
+
+Box window_round(const std::vector<Box>& boxes, double chords) {
+    Box all;
+    for (const Box& box : boxes) all.include(box);
+    const double chord = std::max(all.width(), all.height());
+    return all.widened(chord > 0 ? chords * chord : 1); // control points moved into one spot still make a picture
 }
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes) {

@@ -6,8 +6,11 @@
 
 namespace cli {
 
-// The part of the plane that shows the curves (not all of their control points) and so many chords round them.
-Box window_round(const std::vector<const hm_curves*>& curves, double chords);
+// What holds the curves (not all of their control points), and the mesh's points on rigid bodies.
+Box box_of(const hm_curves& curves);
+Box box_of_bodies(const hm_basis_info& info, const std::vector<double>& x, const std::vector<double>& y);
+// The part of the plane that shows the boxes and so many chords round them.
+Box window_round(const std::vector<Box>& boxes, double chords);
 
 void draw_outlines(Plot& plot, const hm_curves& curves, const std::string& attributes);
 void draw_control_polygons(Plot& plot, const hm_curves& curves, const std::string& attributes);

@@ -12,7 +12,7 @@ const Option agglomeration_option = {
 
 std::vector<Option> engine_options() {
     return {
-        {"--engine", "ENGINE", "direct (default): the fastest; multigrid: conjugate gradients with a third of its memory;\n"
+        {"--engine", "ENGINE", "direct (default): the fastest; multigrid: conjugate gradients, less memory on large meshes;\n"
                                "fas: the paper's iteration, slow (the last two with laplace and weighted)"},
         {"--precision", "P", "of the direct engine's factor: double (default), or single: half the memory, refined in double"},
         {"--levels", "N", "multigrid and fas: levels of agglomeration at most (default: fas 5, multigrid all)"},

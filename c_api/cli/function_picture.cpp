@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace cli {
 
@@ -19,48 +20,86 @@ struct Range {
     double share(double value) const { return high > low ? (value - low) / (high - low) : 0; }
 };
 
-// Cells are painted in so many colours, each of them one path: small files, and steps too fine to be seen.
-class CellPainter {
+// A function is linear on each triangle. What lies between two of its levels is painted in one colour, all of it as one
+// path: small files, and bands whose edges are the function's level lines.
+class BandPainter {
 public:
-    CellPainter(Plot& plot, Range range) : plot_(plot), range_(range) {}
+    BandPainter(Plot& plot, Range range) : plot_(plot), range_(range) {}
 
-    void add(const std::vector<Point>& corners, double value) {
-        const auto level = static_cast<std::size_t>(range_.share(value) * (levels - 1) + .5);
-        SvgPath& path = paths_[std::min<std::size_t>(level, levels - 1)];
-        path.move_to(plot_.pixel(corners[0]));
-        for (std::size_t i = 1; i < corners.size(); ++i) path.line_to(plot_.pixel(corners[i]));
-        path.close();
+    void add(const std::array<Point, 3>& corners, const std::array<double, 3>& values) {
+        Piece triangle;
+        for (std::size_t i = 0; i < 3; ++i) triangle.push_back({corners[i], range_.share(values[i]) * bands});
+        const auto [low, high] = std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
+        const auto first = static_cast<std::size_t>(low);
+        const auto last = std::max(first + 1, static_cast<std::size_t>(std::ceil(high))) - 1;
+        for (std::size_t band = first; band <= last; ++band) {
+            Piece piece = triangle;
+            if (band > first) piece = part_above(piece, static_cast<double>(band), 1);
+            if (band < last) piece = part_above(piece, static_cast<double>(band + 1), -1);
+            if (piece.size() > 2) add(piece, std::min<std::size_t>(band, bands - 1));
+        }
     }
     void paint() {
-        for (std::size_t level = 0; level < levels; ++level) {
-            const std::string shade = colour(static_cast<double>(level) / (levels - 1));
+        for (std::size_t band = 0; band < bands; ++band) {
+            const std::string shade = colour((static_cast<double>(band) + .5) / bands);
             // The line of the same colour covers the hair lines that renderers leave between neighbours.
-            plot_.svg().path(paths_[level], "fill=\"" + shade + "\" stroke=\"" + shade + "\" stroke-width=\".5\"");
+            plot_.svg().path(paths_[band], "fill=\"" + shade + "\" stroke=\"" + shade + "\" stroke-width=\".5\"");
         }
     }
 
 private:
-    static constexpr std::size_t levels = 128;
+    static constexpr std::size_t bands = 40;
+
+    struct Corner {
+        Point at;
+        double level;
+    };
+    using Piece = std::vector<Corner>;
+
+    // The part of a convex piece that lies above a level; with the sign -1 below it.
+    static Piece part_above(const Piece& piece, double level, double sign) {
+        Piece part;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const Corner& a = piece[i];
+            const Corner& b = piece[(i + 1) % piece.size()];
+            const double from = sign * (a.level - level), to = sign * (b.level - level);
+            if (from >= 0) part.push_back(a);
+            if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+                const double t = from / (from - to);
+                part.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)}, level});
+            }
+        }
+        return part;
+    }
+    void add(const Piece& piece, std::size_t band) {
+        paths_[band].move_to(plot_.pixel(piece[0].at));
+        for (std::size_t i = 1; i < piece.size(); ++i) paths_[band].line_to(plot_.pixel(piece[i].at));
+        paths_[band].close();
+    }
 
     Plot& plot_;
     Range range_;
-    std::array<SvgPath, levels> paths_;
+    std::array<SvgPath, bands> paths_;
 };
 
 void paint_cells(Plot& plot, const Mesh& mesh, const std::vector<double>& values, Range range) {
-    CellPainter painter(plot, range);
-    std::vector<Point> corners;
+    BandPainter painter(plot, range);
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        corners.clear();
-        Box box;
-        double sum = 0;
-        for (std::int32_t i = mesh.cell_start[cell]; i < mesh.cell_start[cell + 1]; ++i) {
-            const auto point = static_cast<std::size_t>(mesh.cell_points[static_cast<std::size_t>(i)]);
-            corners.push_back({mesh.x[point], mesh.y[point]});
-            box.include(corners.back());
-            sum += values[point];
+        const auto first = static_cast<std::size_t>(mesh.cell_start[cell]);
+        const auto end = static_cast<std::size_t>(mesh.cell_start[cell + 1]);
+        for (std::size_t i = first + 1; i + 1 < end; ++i) { // one triangle, or a quad's two
+            std::array<Point, 3> corners;
+            std::array<double, 3> at_corners;
+            Box box;
+            std::size_t k = 0;
+            for (const std::size_t place : {first, i, i + 1}) {
+                const auto corner = static_cast<std::size_t>(mesh.cell_points[place]);
+                corners[k] = {mesh.x[corner], mesh.y[corner]};
+                box.include(corners[k]);
+                at_corners[k++] = values[corner];
+            }
+            if (box.overlaps(plot.window())) painter.add(corners, at_corners);
         }
-        if (box.overlaps(plot.window())) painter.add(corners, sum / static_cast<double>(corners.size()));
     }
     painter.paint();
 }
@@ -102,11 +141,27 @@ std::string operator_name(const hm_basis_info& info) {
            brief(info.exponent_quarters / 4.0) + ",";
 }
 
+// Which of a value's numbers the column has.
+std::string number_name(const hm_basis_info& info, const Column& column) {
+    if (info.numbers_per_value == 1) return "";
+    if (info.numbers_per_value == 2) return column.name == "value" ? ", real part" : ", imaginary part";
+    return ", component " + column.name;
+}
+
+// Each rigid body has a function for its shift and one for its turn, after those of the control points.
+std::string boundary_values(const hm_curves& curves, std::int32_t function) {
+    if (function < curves.n_control) {
+        return "on the curve it is the B-spline basis function of control point " + std::to_string(function + 1);
+    }
+    return std::string("it ") + ((function - curves.n_control) % 2 == 0 ? "shifts" : "turns") + " a rigid body";
+}
+
 } // namespace
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
                              const Column& column) {
-    return function_picture(mesh, basis, function, column, window_round({&basis.curves()}, .4));
+    const Box window = window_round({box_of(basis.curves()), box_of_bodies(basis.info(), mesh.x, mesh.y)}, .4);
+    return function_picture(mesh, basis, function, column, window);
 }
 
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,
@@ -117,9 +172,9 @@ std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t 
     const Range range = {*ends.first, *ends.second};
     Plot plot(window,
               "Function " + std::to_string(function + 1) + " of " + std::to_string(basis.functions()) +
-                  (basis.info().numbers_per_value > 1 ? ", " + column.name : ""),
-              operator_name(basis.info()) + " in the mesh; on the curve it is the B-spline basis function of control point " +
-                  std::to_string(function + 1) + "; values " + brief(range.low) + " to " + brief(range.high),
+                  number_name(basis.info(), column),
+              operator_name(basis.info()) + " in the mesh; " + boundary_values(curves, function) + "; values " +
+                  brief(range.low) + " to " + brief(range.high),
               bar_space);
     plot.begin_inside();
     paint_cells(plot, mesh, values, range);

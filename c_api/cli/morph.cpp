@@ -42,18 +42,18 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
     return report;
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
              const Threads& threads)
-    : displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()), step(sized<hm_step_report>()),
-      quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
+    : moves(its_moves), displacement(cli::displacement(basis, mesh, moves, threads)), moved(mesh.x.size()),
+      step(sized<hm_step_report>()), quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
     if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
     seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
-    judge(basis, mesh, moves, threads);
+    judge(basis, mesh, threads);
 }
 
-Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const hm_safe_options& options,
+Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
              const Threads& threads)
-    : displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
+    : moves(target.size()), displacement(mesh.x.size()), moved(mesh.x.size()), step(sized<hm_step_report>()),
       quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
     const Stopwatch watch;
     const Task task = task_of(basis);
@@ -64,9 +64,10 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;
+    options.reached = moves.data(); // stays 0 where the target is refused
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), moves.data(), moved.x.data(), moved.y.data(), 1, nullptr,
-                                           work.data(), bytes, &options, &safe, &error);
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), moved.x.data(), moved.y.data(), 1,
+                                           nullptr, work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     if (status != HM_OK) refusal = error.text;
     seconds = watch.seconds();
@@ -74,10 +75,10 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& mo
         displacement.x[point] = moved.x[point] - mesh.x[point];
         displacement.y[point] = moved.y[point] - mesh.y[point];
     }
-    judge(basis, mesh, moves, threads);
+    judge(basis, mesh, threads);
 }
 
-void Morph::judge(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
+void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const hm_mesh view = mesh.view();
     call(mesh, hm_assess, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
          threads.executor(), &step, &quality);

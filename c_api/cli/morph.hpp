@@ -21,23 +21,24 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
                                const Threads& threads);
 
 struct Morph {
+    std::vector<double> moves; // of the control points, as far as the mesh followed: dx,dy pairs
     Field displacement, moved;
     hm_step_report step;
     hm_quality_report quality; // relative to the mesh as it was
-    double boundary_error = 0;
+    double boundary_error = 0; // against the B-spline moved by `moves`
     double seconds = 0;        // of one hm_morph: the median; of hm_morph_safe
     hm_safe_report safe;       // where it went the safe way
     std::string refusal;       // of the safe way: why it did not reach the target
 
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, std::int32_t repeats,
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
           const Threads& threads);
     // Solves again where it must.
-    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const hm_safe_options& options,
+    Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
           const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
 
 private:
-    void judge(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads);
+    void judge(const Basis& basis, const Mesh& mesh, const Threads& threads);
 };
 
 } // namespace cli

@@ -66,12 +66,22 @@ void draw_legend(Plot& plot) {
     entry("B-spline after, with its control polygon", new_curve_style, new_point_style, 0);
 }
 
-std::string subtitle(const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
-    double largest = 0;
-    for (std::size_t i = 0; i + 1 < moves.size(); i += 2) largest = std::max(largest, std::hypot(moves[i], moves[i + 1]));
-    return plural(basis.functions(), "control point") + ", moved by up to " + brief(largest) + "; " +
-           plural(morph.quality.inverted, "inverted cell") + "; size-skew quality " + brief(morph.quality.min_quality) +
-           " at least, " + brief(morph.quality.mean_quality) + " on average";
+std::string what_moved(const Basis& basis, const Morph& morph) {
+    std::string text;
+    if (basis.curves().n_control > 0) {
+        double largest = 0;
+        for (std::size_t i = 0; i < 2 * static_cast<std::size_t>(basis.curves().n_control); i += 2) {
+            largest = std::max(largest, std::hypot(morph.moves[i], morph.moves[i + 1]));
+        }
+        text = plural(basis.curves().n_control, "control point") + ", moved by up to " + brief(largest) + "; ";
+    }
+    if (basis.info().bodies == 0) return text;
+    return text + std::to_string(basis.info().bodies) + " rigid " + (basis.info().bodies == 1 ? "body; " : "bodies; ");
+}
+
+std::string subtitle(const Basis& basis, const Morph& morph) {
+    return what_moved(basis, morph) + plural(morph.quality.inverted, "inverted cell") + "; size-skew quality " +
+           brief(morph.quality.min_quality) + " at least, " + brief(morph.quality.mean_quality) + " on average";
 }
 
 std::vector<double> moved_control(const Basis& basis, const std::vector<double>& moves) {
@@ -83,20 +93,22 @@ std::vector<double> moved_control(const Basis& basis, const std::vector<double>&
 
 } // namespace
 
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph) {
-    const std::vector<double> control = moved_control(basis, moves);
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph) {
+    const std::vector<double> control = moved_control(basis, morph.moves);
     hm_curves after = basis.curves();
     after.control = control.data();
-    return morph_picture(mesh, basis, moves, morph, window_round({&basis.curves(), &after}, .25));
+    const Box bodies_before = box_of_bodies(basis.info(), mesh.x, mesh.y);
+    const Box bodies_after = box_of_bodies(basis.info(), morph.moved.x, morph.moved.y);
+    const Box window = window_round({box_of(basis.curves()), box_of(after), bodies_before, bodies_after}, .25);
+    return morph_picture(mesh, basis, morph, window);
 }
 
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph,
-                          const Box& window) {
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph, const Box& window) {
     const hm_curves& before = basis.curves();
-    const std::vector<double> control = moved_control(basis, moves);
+    const std::vector<double> control = moved_control(basis, morph.moves);
     hm_curves after = before;
     after.control = control.data();
-    Plot plot(window, "Mesh and airfoil, morphed together", subtitle(basis, moves, morph));
+    Plot plot(window, "Mesh and B-spline, morphed together", subtitle(basis, morph));
     plot.begin_inside();
     draw_mesh(plot, mesh, mesh.x, mesh.y, before_style);
     draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, after_style);

@@ -10,17 +10,15 @@
 namespace cli {
 
 // The mesh before in blue and after in red, with the curves and their numbered control points, zoomed to the body.
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph);
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph);
 // The same, of what lies in the window.
-std::string morph_picture(const Mesh& mesh, const Basis& basis, const std::vector<double>& moves, const Morph& morph,
-                          const Box& window);
+std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& morph, const Box& window);
 
 // The boundary alone: the moved B-spline, and on it the mesh's points as the functions moved them.
-std::string boundary_picture(const Basis& basis, const std::vector<double>& moves, const Morph& morph);
+std::string boundary_picture(const Basis& basis, const Morph& morph);
 
 // One function (from 0) as filled cells, with a colour bar. values: at the mesh's points.
-std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function,
-                             const Column& column);
+std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column);
 std::string function_picture(const Mesh& mesh, const Basis& basis, std::int32_t function, const Column& column,
                              const Box& window);
 
