@@ -1,7 +1,23 @@
 #include "harmorph/residual.hpp"
 
+#include "kernel_call.hpp"
+
 namespace harmorph {
+
+#define HARMORPH_DECLARE(kernel)                                                                                        \
+    namespace kernel {                                                                                                  \
+    void add_inner_flows(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,      \
+                         Real* squares) noexcept;                                                                       \
+    }
+HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
+
 namespace {
+
+// value += what flows between unknowns; squares: of the rows then.
+void add_inner_flows(Kernel kernel, Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,
+                     Real* squares) noexcept {
+    HARMORPH_CALL(kernel, add_inner_flows(matrix, lines, first, n, value, width, squares))
+}
 
 // Real arithmetic for one plane of numbers, complex for two: the second plane follows `plane` numbers after the first.
 template <Index planes>
@@ -19,22 +35,15 @@ struct Columns {
             }
         }
     }
-    // What flows from x to own along a coupling: own_row -= (re + i im) (x - own), and the other's row, if there is one, gains
-    // as much of the conjugate.
-    template <bool two_sided>
-    void flow(Real re, Real im, const Real* own, const Real* x, Real* own_row, Real* row) const noexcept {
+    // What flows from x to own along a coupling: row -= (re + i im) (x - own)
+    void take_flow(Real re, Real im, const Real* own, const Real* x, Real* row) const noexcept {
         for (Index k = 0; k < n; ++k) {
             Real const rise = x[k] - own[k];
-            if constexpr (planes == 1) {
-                own_row[k] -= re * rise;
-                if (two_sided) row[k] += re * rise;
-            } else {
-                Real const other = x[plane + k] - own[plane + k];
-                own_row[k] -= re * rise - im * other;
-                own_row[width + k] -= re * other + im * rise;
-                if (!two_sided) continue;
-                row[k] += re * rise + im * other;
-                row[width + k] += re * other - im * rise;
+            row[k] -= re * rise;
+            if constexpr (planes == 2) {
+                Real const turned = x[plane + k] - own[plane + k];
+                row[k] += im * turned;
+                row[width + k] -= re * turned + im * rise;
             }
         }
     }
@@ -49,19 +58,19 @@ struct Columns {
 template <Index planes>
 class Balances {
 public:
-    Balances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value) noexcept
-        : matrix_(matrix), lines_(lines), first_(first), columns_{n, width, lines.columns(matrix)}, value_(value) {}
+    Balances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value,
+             Kernel kernel) noexcept
+        : matrix_(matrix), lines_(lines), first_(first), columns_{n, width, lines.columns(matrix)}, value_(value), kernel_(kernel) {}
 
     Residual::Norms run() const noexcept {
         Residual::Norms norms;
         fill(value_, 0.0);
         take_right_hand_sides(norms.right_hand_side);
         if (matrix_.kind == MatrixKind::two_lines) {
-            add_products();
+            add_products(norms.rest);
         } else {
-            add_flows();
+            add_flows(norms.rest);
         }
-        for (Index i = 0; i < matrix_.n; ++i) columns_.add_squares(row_of(i), norms.rest);
         return norms;
     }
 
@@ -94,25 +103,18 @@ private:
         }
     }
 
-    void add_flows() const noexcept {
+    void add_flows(Real* squares) const noexcept {
         for_each_coupling([&](Index c, Index i, const Real* known) {
-            columns_.template flow<false>(matrix_.coupling_value[c], imaginary(matrix_.coupling_imaginary, c), at(i), known,
-                                          row_of(i), nullptr);
+            columns_.take_flow(matrix_.coupling_value[c], imaginary(matrix_.coupling_imaginary, c), at(i), known, row_of(i));
         });
         for (Index h = 0; h < matrix_.held_row.count(); ++h) {
             Index const i = matrix_.held_row[h];
             columns_.subtract(-matrix_.held_value[h], -imaginary(matrix_.held_imaginary, h), at(i), row_of(i));
         }
-        for (Index i = 0; i < matrix_.n; ++i) {
-            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
-                Index const j = matrix_.column[e];
-                columns_.template flow<true>(matrix_.value[e], imaginary(matrix_.imaginary, e), at(i), at(j), row_of(i),
-                                             row_of(j));
-            }
-        }
+        add_inner_flows(kernel_, matrix_, lines_, first_, columns_.n, value_.data(), columns_.width, squares);
     }
 
-    void add_products() const noexcept {
+    void add_products(Real* squares) const noexcept {
         for_each_coupling([&](Index c, Index i, const Real* known) {
             columns_.subtract(matrix_.coupling_value[c], 0, known, row_of(i));
         });
@@ -123,6 +125,7 @@ private:
                 columns_.subtract(matrix_.value[e], 0, at(j), row_of(i));
                 columns_.subtract(matrix_.value[e], 0, at(i), row_of(j));
             }
+            columns_.add_squares(row_of(i), squares);
         }
     }
 
@@ -131,6 +134,7 @@ private:
     Index first_;
     Columns<planes> columns_;
     Span<Real> value_;
+    Kernel kernel_;
 };
 
 }  // namespace
@@ -140,8 +144,8 @@ Real Residual::Norms::relative(Index k) const noexcept {
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    return matrix.is_complex() ? Balances<2>(matrix, lines, first, n, width, value).run()
-                               : Balances<1>(matrix, lines, first, n, width, value).run();
+    return matrix.is_complex() ? Balances<2>(matrix, lines, first, n, width, value, kernel).run()
+                               : Balances<1>(matrix, lines, first, n, width, value, kernel).run();
 }
 
 Residual::Changes Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n,

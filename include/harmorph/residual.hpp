@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/processor.hpp"
 
 namespace harmorph {
 
@@ -31,6 +32,7 @@ struct Residual {
     static constexpr Index widest = 24;
 
     Index width = 6;   // at most `widest`
+    Kernel kernel = Kernel::baseline;  // any gives the same bits
     Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
 
     void lay_out(Arena& arena, Index unknowns, bool complex, Index its_width = 6) noexcept {
