@@ -185,3 +185,23 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         CHECK(largest > 0);
     }
 }
+
+TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts of one") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = thin_case(1e-3, false);   // 12 functions
+        hm_options const options = with(kind, HM_DIRECT);
+        Solved const solved(its, &options);
+        harmorph::Plan const& plan = inside(solved.plan);
+        harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
+        harmorph::Residual residual = plan.residual;
+        for (Index n = 1; n <= residual.width; ++n) {
+            residual.kernel = harmorph::Kernel::baseline;
+            harmorph::Residual::Norms const plain = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            std::vector<double> const expected(residual.value.begin(), residual.value.end());
+            residual.kernel = harmorph::best_kernel();
+            harmorph::Residual::Norms const fast = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
+            for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
+        }
+    }
+}
