@@ -16,8 +16,8 @@ constexpr Index most_refinements(Method const& method) noexcept {
     return 8;
 }
 
-// The largest ratio of a diagonal, whose rounding is at stake, to what is left of it when its turn comes: on even cells about
-// 5, beside thin ones thousands.
+// The largest ratio of a diagonal, whose rounding is at stake, to what is left of it when its turn comes: on even cells
+// about 5, beside thin ones thousands.
 constexpr Real even_below = 30;
 
 template <class Number>
@@ -79,14 +79,17 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
     return Status::ok;
 }
 
-// Beside thin cells a small residual may hide a large error, as their entries dwarf all others, and so may the diagonal's
-// rounding. But one solution is known: of values that are all 1 where they are known. What the factor is off there is what it
-// is off elsewhere, and what a step of refinement leaves of an error. It costs a solve: pivots tell where there is no need.
+// Beside thin cells a small residual may hide a large error, as their entries dwarf all others, and so may the
+// diagonal's rounding. But one solution is known: of values that are all 1 where they are known. What the factor is off
+// there is what it is off elsewhere, and what a step of refinement leaves of an error. It costs a solve: pivots tell
+// where there is no need.
 Status Plan::measure_factor(Fault& fault) noexcept {
     factor_error = 0;
-    if (method.engine != Engine::direct || method.nodal_gradients() || matrix.kind == MatrixKind::two_lines) return Status::ok;
+    if (method.engine != Engine::direct || method.nodal_gradients()) return Status::ok;
+    if (matrix.kind == MatrixKind::two_lines) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
-    if ((in_single ? worst_pivot<float>(engine, matrix) : worst_pivot<double>(engine, matrix)) < even_below) return Status::ok;
+    Real const worst = in_single ? worst_pivot<float>(engine, matrix) : worst_pivot<double>(engine, matrix);
+    if (worst < even_below) return Status::ok;
     residual.set_constant(matrix);
     HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, engine.planes, 1, 1}, Progress{}, fault));
     factor_error = residual.off_constant(matrix);
@@ -111,7 +114,8 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::No
         for (Index k = 0; k < n; ++k) {
             Real const now = norms.relative(k);
             bool const large = now > refined_above && now < 0.5 * before[k];
-            bool const off = factor_error * change.column[k] > certain_within && change.column[k] < 0.5 * last.column[k];
+            Real const error = factor_error * change.column[k];
+            bool const off = error > certain_within && change.column[k] < 0.5 * last.column[k];
             wanted.column[k] = wanted.column[k] && (large || off);
             before[k] = now;
             any = any || wanted.column[k];

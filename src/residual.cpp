@@ -4,18 +4,18 @@
 
 namespace harmorph {
 
-#define HARMORPH_DECLARE(kernel)                                                                                        \
-    namespace kernel {                                                                                                  \
-    void add_inner_flows(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,      \
-                         Real* squares) noexcept;                                                                       \
+#define HARMORPH_DECLARE(kernel)                                                                              \
+    namespace kernel {                                                                                        \
+    void add_inner_flows(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,\
+                         Real* squares) noexcept;                                                             \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
 namespace {
 
 // value += what flows between unknowns; squares: of the rows then.
-void add_inner_flows(Kernel kernel, Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,
-                     Real* squares) noexcept {
+void add_inner_flows(Kernel kernel, Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value,
+                     Index width, Real* squares) noexcept {
     HARMORPH_CALL(kernel, add_inner_flows(matrix, lines, first, n, value, width, squares))
 }
 
@@ -60,7 +60,8 @@ class Balances {
 public:
     Balances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value,
              Kernel kernel) noexcept
-        : matrix_(matrix), lines_(lines), first_(first), columns_{n, width, lines.columns(matrix)}, value_(value), kernel_(kernel) {}
+        : matrix_(matrix), lines_(lines), first_(first), columns_{n, width, lines.columns(matrix)}, value_(value),
+          kernel_(kernel) {}
 
     Residual::Norms run() const noexcept {
         Residual::Norms norms;
@@ -105,7 +106,8 @@ private:
 
     void add_flows(Real* squares) const noexcept {
         for_each_coupling([&](Index c, Index i, const Real* known) {
-            columns_.take_flow(matrix_.coupling_value[c], imaginary(matrix_.coupling_imaginary, c), at(i), known, row_of(i));
+            Real const turned = imaginary(matrix_.coupling_imaginary, c);
+            columns_.take_flow(matrix_.coupling_value[c], turned, at(i), known, row_of(i));
         });
         for (Index h = 0; h < matrix_.held_row.count(); ++h) {
             Index const i = matrix_.held_row[h];

@@ -1,6 +1,6 @@
-// Flows between unknowns for one kind of vector register; see dense_kernel.hpp for what the including file defines, and here
-// HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros; HARMORPH_STORE_PART(to, n, v): the first n.
-// A column's arithmetic is the same in all kernels, and so are its bits.
+// Flows between unknowns for one kind of vector register; see dense_kernel.hpp for what the including file defines, and
+// here HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros; HARMORPH_STORE_PART(to, n, v):
+// the first n. A column's arithmetic is the same in all kernels, and so are its bits.
 #include "harmorph/residual.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
@@ -65,7 +65,8 @@ void add_block(Matrix const& matrix, Lines const& lines, Index first, Row<whole>
                 } else {
                     Real const im = matrix.imaginary[e];
                     Vector const turned = row.load(other + plane, v) - own[1][v];
-                    Vector const along = rise * re, across = turned * im, turned_along = turned * re, turned_across = rise * im;
+                    Vector const along = rise * re, across = turned * im;
+                    Vector const turned_along = turned * re, turned_across = rise * im;
                     rest[0][v] -= along - across;
                     rest[1][v] -= turned_along + turned_across;
                     row.store(its, v, row.load(its, v) + (along + across));

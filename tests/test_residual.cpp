@@ -134,8 +134,8 @@ TEST_CASE("thin cells: the direct engine's functions sum to 1 where the far fiel
             Case its = thin_case(first, free);
             hm_options const exact = with(HM_LAPLACE, HM_DIRECT), iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
-            INFO("first cell " << first << ", free " << free << ": the factor is off by " << inside(found.plan).factor_error
-                               << ", " << found.report.refinements << " steps");
+            INFO("first cell " << first << ", free " << free << ": the factor is off by "
+                               << inside(found.plan).factor_error << ", " << found.report.refinements << " steps");
             CHECK(inside(found.plan).factor_error > 1e-9);
             CHECK((found.report.refinements >= 1 && found.report.refinements <= 4));
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);

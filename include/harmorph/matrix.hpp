@@ -15,10 +15,10 @@ namespace harmorph {
 enum class MatrixKind : std::int32_t { real, complex, two_lines };
 
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
-// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an unknown to
-// the points that are held is summed, as all their values are 0. With it a row's entries, couplings and diagonal sum to 0,
-// but for the rounding of the diagonal, and A F is a sum of differences along couplings: two lines are turned against each
-// other, and have no such sums.
+// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
+// unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
+// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings: two lines
+// are turned against each other, and have no such sums.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
@@ -77,7 +77,8 @@ struct Matrix {
     }
 
 private:
-    // Where two lines meet; nowhere (value null) if neither is unknown, or there is no room for what couples to held ones.
+    // Where two lines meet; nowhere (value null) if neither is unknown, or there is no room for what couples to held
+    // ones.
     struct Entry {
         Real* value = nullptr;
         Real* imaginary = nullptr;
