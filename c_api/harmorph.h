@@ -406,7 +406,7 @@ typedef struct hm_solve_report {
     double   max_distance;         /* [length] of a curve point from its curve: the mesh's offset from the fit, kept */
     int32_t  max_distance_point;
     int32_t  curve_points;         /* mesh points on curves */
-    int32_t  refinements;          /* steps of iterative refinement that the residual called for */
+    int32_t  refinements;          /* steps of iterative refinement that the residual, or a factor of thin cells, called for */
     int32_t  reserved;             /* 0 */
     int64_t  factor_entries;       /* numbers in the factor; 0: there is none */
     int32_t  iterations;           /* engines that iterate: largest over the functions; HM_DIRECT: 0, or the steps of

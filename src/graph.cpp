@@ -55,11 +55,11 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
-    couplings = 0;
+    couplings = held = 0;
     auto const couple = [&](Index u, Index other) {
-        if (kinds[other / n_components] != PointKind::on_wall) return;
-        beside_curve[u] = 1;
-        ++couplings;
+        bool const on_wall = kinds[other / n_components] == PointKind::on_wall;
+        if (on_wall) beside_curve[u] = 1;
+        ++(on_wall ? couplings : held);
     };
     for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index p, Index j, Index q) {
         if (i != none && j != none) {

@@ -11,7 +11,8 @@ Index residual_width(Analysis const& analysis, Matrix const& matrix, Index colum
     Offset const stack_bytes = stack * static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const room = stack_bytes / (Offset{larger(matrix.n, 1)} * static_cast<Offset>(sizeof(Real)));
     Offset const least = in_single ? 8 : 6;
-    return static_cast<Index>(smaller(larger(room, least), Offset{smaller(columns, Residual::widest)}));
+    Offset const its = room >= 8 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
+    return static_cast<Index>(smaller(its, Offset{smaller(columns, Residual::widest)}));
 }
 
 }  // namespace
@@ -72,6 +73,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
+    engine.kernel = residual.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
@@ -97,7 +99,6 @@ void Plan::build_matrix(Analysis const& analysis) noexcept {
 }
 
 void Plan::init_engine(Analysis const& analysis) noexcept {
-    engine.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     engine.tree.count = analysis.tree.count;
     copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
     copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
@@ -115,6 +116,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     Status const status = factor_engine(points, fault);
     if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
+    HARMORPH_TRY(measure_factor(fault));
     if (method.nodal_gradients()) nodal.scheme.measure(points);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));

@@ -70,6 +70,9 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(coupling_row, sizes.couplings);
     arena.take(coupling_value, sizes.couplings);
     arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
+    arena.take(held_row, sizes.held);
+    arena.take(held_value, sizes.held);
+    arena.take(held_imaginary, is_complex() ? sizes.held : 0);
     arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
@@ -108,6 +111,14 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
     for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
         sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
+
+    if (held_row.empty()) return;
+    Index held = 0;
+    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        if (place[a] == none && place[b] >= 0) held_row[held++] = place[b];
+        if (place[b] == none && place[a] >= 0) held_row[held++] = place[a];
+    });
+    sort_row(held_row);
 }
 
 void Matrix::clear() const noexcept {
@@ -117,6 +128,8 @@ void Matrix::clear() const noexcept {
     fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
     fill(coupling_imaginary, 0.0);
+    fill(held_value, 0.0);
+    fill(held_imaginary, 0.0);
 }
 
 // i, j: their places.
@@ -127,7 +140,12 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
         i = j;
         j = first;
     }
-    if (i < 0 || j == none) return {};
+    if (i < 0) return {};
+    if (j == none) {
+        if (held_row.empty()) return {};
+        Index const at = find_in_row<Index>(held_row, 0, held_row.count(), i);
+        return {held_value.data() + at, held_imaginary.data() + at, turned};
+    }
     if (j >= 0) {
         Offset const at = find_in_row<Offset>(column, start[i], start[i + 1], j);
         return {value.data() + at, imaginary.data() + at, turned};

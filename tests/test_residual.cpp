@@ -1,6 +1,7 @@
 // The residual sees what is wrong, and refinement takes it away.
 #include <doctest/doctest.h>
 
+#include <fixtures/c_mesh.hpp>
 #include <fixtures/matrices.hpp>
 
 #include <harmorph/harmonic.hpp>
@@ -91,6 +92,116 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         } else {
             CHECK(status == HM_NOT_CONVERGED);   // and says so where it does not help
             CHECK(attempt.report.residual > 1e-10);
+        }
+    }
+}
+
+namespace {
+
+// Cells of the wake's cut are `first` high and longer than the chord: next to their couplings those around drown.
+Case thin_case(double first, bool free) {
+    Case out = airfoil_case(40, 12, Cells::quads);
+    out.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(first, 60, 60)).mesh;
+    if (free) out.set_free(far_field);
+    return out;
+}
+
+hm_options with(std::int32_t operator_kind, std::int32_t engine) {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = operator_kind;
+    out.engine = engine;
+    return out;
+}
+
+// Of the sum of all functions from 1.
+double worst_defect(Solved const& solved, std::size_t n) {
+    std::vector<double> const values = solved.all_values();
+    double worst = 0;
+    for (std::size_t point = 0; point < n; ++point) {
+        double sum = -1;
+        for (std::size_t k = point; k < values.size(); k += n) sum += values[k];
+        worst = std::max(worst, std::fabs(sum));
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("thin cells: the direct engine's functions sum to 1 where the far field is free, and are multigrid's") {
+    for (double const first : {1e-7, 1e-9, 1e-11}) {
+        for (bool const free : {true, false}) {
+            Case its = thin_case(first, free);
+            hm_options const exact = with(HM_LAPLACE, HM_DIRECT), iterative = with(HM_LAPLACE, HM_MULTIGRID);
+            Solved const found(its, &exact), other(its, &iterative);
+            INFO("first cell " << first << ", free " << free << ": the factor is off by "
+                               << inside(found.plan).factor_error << ", " << found.report.refinements << " steps");
+            CHECK(inside(found.plan).factor_error > 1e-9);
+            CHECK((found.report.refinements >= 1 && found.report.refinements <= 4));
+            CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
+            if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-8);
+        }
+    }
+}
+
+TEST_CASE("even cells are not refined, and their factor takes no solve to see that") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
+        for (bool const free : {false, true}) {
+            if (free && kind == HM_CONFORMAL) continue;
+            Case its = two_body_case(Cells::hybrid, 16, 10);
+            if (free) its.set_free(far_field);
+            hm_options const options = with(kind, HM_DIRECT);
+            Solved const solved(its, &options);
+            CHECK(solved.report.refinements == 0);
+            CHECK(inside(solved.plan).factor_error == 0);
+        }
+    }
+}
+
+TEST_CASE("constants leave nothing, to the bit, of complex equations too, but beside known values") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = thin_case(1e-9, false);
+        hm_options const options = with(kind, HM_DIRECT);
+        Solved const solved(its, &options);
+        harmorph::Plan const& plan = inside(solved.plan);
+        harmorph::Matrix const& matrix = plan.matrix;
+        harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
+        harmorph::Lines const lines{basis, plan.line_of, 1};
+        std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
+        for (Index const row : matrix.held_row) beside_known[static_cast<std::size_t>(row)] = true;
+        for (Index const row : matrix.coupling_row) beside_known[static_cast<std::size_t>(row)] = true;
+        for (Index i = 0; i < matrix.n; ++i) {
+            for (Index k = 0; k < lines.length(); ++k) lines.at(i)[k] = 1;
+        }
+        Index const n = plan.residual.width, planes = matrix.is_complex() ? 2 : 1;
+        plan.residual.compute(matrix, lines, 0, n);
+        double worst = 0, largest = 0;
+        for (Index i = 0; i < matrix.n; ++i) {
+            const double* const row = plan.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
+            double& most = beside_known[static_cast<std::size_t>(i)] ? largest : worst;
+            for (Index k = 0; k < planes * n; ++k) most = std::max(most, std::fabs(row[k]));
+        }
+        CHECK(worst == 0);
+        CHECK(largest > 0);
+    }
+}
+
+TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts of one") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = thin_case(1e-3, false);   // 12 functions
+        hm_options const options = with(kind, HM_DIRECT);
+        Solved const solved(its, &options);
+        harmorph::Plan const& plan = inside(solved.plan);
+        harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
+        harmorph::Residual residual = plan.residual;
+        for (Index n = 1; n <= residual.width; ++n) {
+            residual.kernel = harmorph::Kernel::baseline;
+            harmorph::Residual::Norms const plain = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            std::vector<double> const expected(residual.value.begin(), residual.value.end());
+            residual.kernel = harmorph::best_kernel();
+            harmorph::Residual::Norms const fast = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
+            for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
         }
     }
 }

@@ -24,6 +24,7 @@ struct Graph {
     Index n = 0;             // unknowns
     Index components = 1;    // lines of a point
     Index couplings = 0;     // pairs of an unknown and a line of a point on the wall
+    Index held = 0;          // pairs of an unknown and a line whose value is 0
     Span<Index> line;        // [n] of each unknown, increasing
     Span<Index> unknown;     // [components * n_points] unknown of each line, or none
     Span<Offset> start;      // [n + 1]

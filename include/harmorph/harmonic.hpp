@@ -32,6 +32,7 @@ struct Plan {
     RegionCounts region_counts;     // for untangling
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
+    Real factor_error = 0;          // of the direct engine, beside the largest value; 0 on even cells
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
     FaceDistance wall;            // faces that move
@@ -71,6 +72,7 @@ private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
+    Status measure_factor(Fault& fault) noexcept;
     Residual::Norms measure(Lines const& all, Index first, Index n) const noexcept;
     Status solve_rest(Index n, Index& iterations, Fault& fault) noexcept;
     Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;

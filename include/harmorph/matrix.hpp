@@ -15,11 +15,14 @@ namespace harmorph {
 enum class MatrixKind : std::int32_t { real, complex, two_lines };
 
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
-// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side.
+// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
+// unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
+// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings: two lines
+// are turned against each other, and have no such sums.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
-        Index couplings = 0;
+        Index couplings = 0, held = 0;
         MatrixKind kind = MatrixKind::real;
         bool with_excess = false;
     };
@@ -37,6 +40,9 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
+    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated
+    Span<Real> held_value;
+    Span<Real> held_imaginary;
     Span<Vec2> frame;            // [n_points] two lines only: direction of a point's first line; its second is normal to it
 
     Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
@@ -46,7 +52,8 @@ struct Matrix {
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
     static Sizes count(Graph const& graph, MatrixKind kind, bool with_excess) noexcept {
-        return {graph.start[graph.n] / 2, graph.couplings, kind, with_excess};
+        Index const held = kind == MatrixKind::two_lines ? 0 : graph.held;
+        return {graph.start[graph.n] / 2, graph.couplings, held, kind, with_excess};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
@@ -70,7 +77,8 @@ struct Matrix {
     }
 
 private:
-    // Where two lines meet; nowhere (value null) if neither is unknown, or one's value is 0.
+    // Where two lines meet; nowhere (value null) if neither is unknown, or there is no room for what couples to held
+    // ones.
     struct Entry {
         Real* value = nullptr;
         Real* imaginary = nullptr;

@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/processor.hpp"
 
 namespace harmorph {
 
@@ -24,11 +25,14 @@ struct Lines {
     }
 };
 
-// Residuals of a few columns at a time, in whole rows.
+// Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
+// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
+// lines a point they are sums of products, as those of coupled x and y where one slips know no such differences.
 struct Residual {
     static constexpr Index widest = 24;
 
     Index width = 6;   // at most `widest`
+    Kernel kernel = Kernel::baseline;  // any gives the same bits
     Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
 
     void lay_out(Arena& arena, Index unknowns, bool complex, Index its_width = 6) noexcept {
@@ -46,8 +50,18 @@ struct Residual {
     struct Choice {
         bool column[widest];
     };
-    // The chosen ones of columns first .. first+n-1 of F += those of value, as corrections.
-    void add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
+    // The chosen ones of columns first .. first+n-1 of F += those of value, as corrections. Returns the largest of
+    // those beside the largest number that F has become.
+    struct Changes {
+        Real column[widest];
+    };
+    Changes add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
+
+    // value = one column, b of the function that is 1 wherever values are known, and so everywhere; not of two lines a
+    // point.
+    void set_constant(Matrix const& matrix) const noexcept;
+    // How far the column is off 1 everywhere.
+    Real off_constant(Matrix const& matrix) const noexcept;
 };
 
 }  // namespace harmorph
