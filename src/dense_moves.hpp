@@ -31,6 +31,12 @@ HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
     for (; i < n; ++i) to[i] = static_cast<To>(from[i]);
 }
 
+// The numbers that may be padding. A constant number of them: else the compiler calls memset, for every row.
+template <class Number>
+HARMORPH_INLINE void clear_last(Number* end) noexcept {
+    for (Index i = 1; i <= row_multiple; ++i) end[-i] = 0;
+}
+
 HARMORPH_INLINE Real* row_at(Real* data, const Index* row_of, Offset length, Index position) noexcept {
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
@@ -79,8 +85,8 @@ void gather(harmorph::Rows const& from, const Index* positions, Index begin, Ind
         if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
         const Real* its = values(k);
         for (Index plane = 0; plane < planes; ++plane, its += from.plane, y += row) {
+            if (from.width < row) clear_last(y + row);
             convert_run(its, from.width, y);
-            for (Index i = from.width; i < row; ++i) y[i] = 0;
         }
     }
 }
