@@ -10,15 +10,19 @@ namespace harmorph::dense {
     /* The rows of the strip that begins at pivot `first`, columns from .. to-1, minus what earlier strips contribute. */ \
     template <class Number, Index planes>                                                                                 \
     void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept;       \
-    /* Factors the strip's own columns. */                                                                                \
+    /* Of the strip's rows from .. to-1: what is behind its own columns, summed; see TailSums. */                          \
     template <class Number, Index planes>                                                                                 \
-    Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* least) noexcept;                         \
-    /* And then any others. */                                                                                            \
+    void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) noexcept;       \
+    /* Factors the strip's own columns; sums: of the front's rows, of which the strip's become U^-H of them. */           \
     template <class Number, Index planes>                                                                                 \
-    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept;         \
+    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails,                 \
+                          Number floor) noexcept;                                                                         \
+    /* And then any others, taken off their rows' sums. */                                                                \
+    template <class Number, Index planes>                                                                                 \
+    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) noexcept;            \
     /* The band of the update matrix that begins at row `first`. */                                                       \
     template <class Number, Index planes>                                                                                 \
-    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,                         \
+    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first, const Number* sums,     \
                      Number* packing) noexcept;                                                                           \
     /* Right-hand sides: a strip's own pivots, and what they contribute to rows from .. to-1 or receive in them. */       \
     template <class Number, Index planes>                                                                                 \
@@ -58,15 +62,19 @@ struct Chosen {
     void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) const noexcept {
         HARMORPH_CALL(kernel, take_off_earlier<Number, planes>(panel, first, from, to, packing))
     }
-    Index factor_diagonal(Panel<Number> const& panel, Index first, const Number* least) const noexcept {
-        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, least))
+    void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) const noexcept {
+        HARMORPH_CALL(kernel, sum_tails<Number, planes>(panel, first, from, to, tails))
     }
-    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) const noexcept {
-        HARMORPH_CALL(kernel, finish_columns<Number, planes>(panel, first, from, to, packing))
+    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails,
+                          Number floor) const noexcept {
+        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, sums, tails, floor))
     }
-    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
+    void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) const noexcept {
+        HARMORPH_CALL(kernel, finish_columns<Number, planes>(panel, first, from, to, sums))
+    }
+    void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first, const Number* sums,
                      Number* packing) const noexcept {
-        HARMORPH_CALL(kernel, update_band<Number, planes>(panel, update, first, packing))
+        HARMORPH_CALL(kernel, update_band<Number, planes>(panel, update, first, sums, packing))
     }
     void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) const noexcept {
         HARMORPH_CALL(kernel, solve_strip_forward<Number, planes>(panel, first, y, row))
@@ -123,6 +131,12 @@ Index own_end(Panel<Number> const& panel, Index first) noexcept { return smaller
 
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept {
+    Number* const sums = workers.sums;
+    for (Index k = 0; k < panel.front; ++k) {
+        const Number* const diagonal = k < panel.pivots ? panel.row(k) + k : nullptr;
+        sums[k] = diagonal != nullptr ? *diagonal : 0;
+        if (panel.planes == 2) sums[panel.front + k] = diagonal != nullptr ? diagonal[panel.plane(k)] : 0;
+    }
     return with_kernels(kernel, panel, [&](auto const& kernels) {
         for (Index first = 0; first < panel.pivots; first += strip) {
             Index const end = own_end(panel, first);
@@ -130,18 +144,19 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
             auto const begin_of = [&](Index chunk) { return end + chunk * chunk_columns; };
             auto const end_of = [&](Index chunk) { return smaller(panel.front, end + (chunk + 1) * chunk_columns); };
             Offset const multiplications = cost(panel) * (end - first) * (panel.front - first);
-            Number least[strip];
-            for (Index k = first; k < end; ++k) least[k - first] = floor * panel.row(k)[k];
             if (first > 0) {
                 spread(workers, panel.planes, multiplications * first, n_chunks + 1, [&](Index i, Number* packing) {
                     if (i == 0) return kernels.take_off_earlier(panel, first, first, end, packing);
                     kernels.take_off_earlier(panel, first, begin_of(i - 1), end_of(i - 1), packing);
                 });
             }
-            Index const bad = kernels.factor_diagonal(panel, first, least);
+            TailSums<Number> tails;
+            spread_rows(workers.executor, 0, end - first, cost(panel) * (panel.front - end),
+                        [&](Index from, Index to) { kernels.sum_tails(panel, first, from, to, tails); });
+            Index const bad = kernels.factor_diagonal(panel, first, sums, tails, floor);
             if (bad != none) return bad;
-            spread(workers, panel.planes, multiplications * strip / 2, n_chunks, [&](Index i, Number* packing) {
-                kernels.finish_columns(panel, first, begin_of(i), end_of(i), packing);
+            spread(workers, panel.planes, multiplications * strip / 2, n_chunks, [&](Index i, Number*) {
+                kernels.finish_columns(panel, first, begin_of(i), end_of(i), sums);
             });
         }
         return none;
@@ -153,7 +168,9 @@ void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Numbe
                    Workers<Number> const& workers) noexcept {
     with_kernels(kernel, panel, [&](auto const& kernels) {
         spread(workers, panel.planes, cost(panel) * update_entries(update.n) * panel.pivots, pieces(update.n, strip),
-               [&](Index band, Number* packing) { kernels.update_band(panel, update, band * strip, packing); });
+               [&](Index band, Number* packing) {
+                   kernels.update_band(panel, update, band * strip, workers.sums + panel.pivots, packing);
+               });
     });
 }
 

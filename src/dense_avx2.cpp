@@ -28,6 +28,11 @@ struct Registers<double> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_pd(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector load_first(const double* from, Index n) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
+        return v;
+    }
     static HARMORPH_INLINE void store_first(double* to, Vector v, Index n) noexcept {
         for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
     }
@@ -40,6 +45,11 @@ struct Registers<float> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector load_first(const float* from, Index n) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
+        return v;
+    }
     static HARMORPH_INLINE void store_first(float* to, Vector v, Index n) noexcept {
         for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
     }

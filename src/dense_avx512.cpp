@@ -28,6 +28,9 @@ struct Registers<double> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_pd(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm512_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector load_first(const double* from, Index n) noexcept {
+        return _mm512_maskz_loadu_pd(static_cast<__mmask8>((1u << n) - 1), from);
+    }
     static HARMORPH_INLINE void store_first(double* to, Vector v, Index n) noexcept {
         _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1u << n) - 1), v);
     }
@@ -40,6 +43,9 @@ struct Registers<float> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_ps(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm512_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector load_first(const float* from, Index n) noexcept {
+        return _mm512_maskz_loadu_ps(static_cast<__mmask16>((1u << n) - 1), from);
+    }
     static HARMORPH_INLINE void store_first(float* to, Vector v, Index n) noexcept {
         _mm512_mask_storeu_ps(to, static_cast<__mmask16>((1u << n) - 1), v);
     }

@@ -12,7 +12,8 @@
 namespace harmorph::dense::baseline {
 namespace {
 
-// What one register holds, numbers that may begin anywhere: c + a b, c - a b, and a store of the first n < lanes numbers.
+// What one register holds, numbers that may begin anywhere: c + a b, c - a b, and the first n numbers, read
+// (then zeros) or written.
 template <class Number>
 struct Registers {
     typedef Number Vector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
@@ -34,6 +35,11 @@ struct Registers {
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
 #endif
+    static HARMORPH_INLINE Vector load_first(const Number* from, Index n) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
+        return v;
+    }
     static HARMORPH_INLINE void store_first(Number* to, Vector v, Index n) noexcept {
         for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
     }

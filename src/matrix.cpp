@@ -61,7 +61,8 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     kind = sizes.kind;
     arena.take(place, Offset{components()} * n_points);
     arena.take(diagonal, n);
-    arena.take(excess, sizes.with_excess ? n : 0);
+    arena.take(excess, n);
+    arena.take(excess_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries);
     arena.take(value, sizes.entries);
@@ -124,6 +125,7 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
     fill(excess, 0.0);
+    fill(excess_imaginary, 0.0);
     fill(value, 0.0);
     fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
@@ -159,8 +161,8 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     if (i == j) return;
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
-    if (i < 0 && j >= 0 && !excess.empty()) excess[j] += conductance;
-    if (j < 0 && i >= 0 && !excess.empty()) excess[i] += conductance;
+    if (i < 0 && j >= 0) excess[j] += conductance;
+    if (j < 0 && i >= 0) excess[i] += conductance;
     Entry const its = entry(i, j);
     if (its.value != nullptr) *its.value -= conductance;
 }
@@ -175,6 +177,14 @@ void Matrix::add_complex(Index point, Index other, Real conductance, Real circul
     Index const i = place[point], j = place[other];
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
+    if (i >= 0 && j < 0) {
+        excess[i] += conductance;
+        excess_imaginary[i] -= circulation;
+    }
+    if (j >= 0 && i < 0) {
+        excess[j] += conductance;
+        excess_imaginary[j] += circulation;
+    }
     Entry const its = entry(i, j);
     if (its.value == nullptr) return;
     *its.value -= conductance;
@@ -189,9 +199,14 @@ void Matrix::add_lines(Index point, Index other, Real conductance, Real circulat
         Index const i = place[2 * point + p], own_j = place[2 * other + p];
         if (i >= 0) diagonal[i] += conductance;
         if (own_j >= 0) diagonal[own_j] += conductance;
+        if (i >= 0) excess[i] += conductance;
+        if (own_j >= 0) excess[own_j] += conductance;
         for (Index q = 0; q < 2; ++q) {
             Entry const at = entry(i, place[2 * other + q]);
             if (at.value != nullptr) *at.value += block[p][q];
+            Index const own = place[2 * other + q];
+            if (i >= 0 && own >= 0) excess[i] += block[p][q];
+            if (i >= 0 && own >= 0) excess[own] += block[p][q];
         }
     }
 }

@@ -7,6 +7,7 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalN
     Offset const lanes = subtrees.lanes;
     arena.take(its.factor, planes * factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
     arena.take(its.packing, lanes * planes * dense::packing_entries);
+    arena.take(its.sums, lanes * planes * largest_front);
     Offset const stacks = lanes > 1 ? lanes + 1 : 1;
     arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length() + dense::overread);
 }
@@ -17,6 +18,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     precision = its_precision;
     planes = complex ? 2 : 1;
     largest_border = sizes.largest_border;
+    largest_front = sizes.largest_front;
     padded_width = dense::padded(width);
     Offset const lanes = subtrees.lanes;
     arena.take(tree.nodes, nodes);

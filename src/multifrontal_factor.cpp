@@ -34,7 +34,7 @@ public:
             engine_.find_targets(child, node, lane.targets);
             dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
         }
-        dense::Workers<Number> const workers{lane.executor, lane.packing};
+        dense::Workers<Number> const workers{lane.executor, lane.packing, lane.sums};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
@@ -55,7 +55,7 @@ private:
         assemble(node, panel);
     }
 
-    // The matrix's own entries in the pivots' rows.
+    // The matrix's own entries in the pivots' rows, and in the diagonal's place the sums of the whole rows.
     void assemble(Index node, Panel const& panel) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
@@ -63,7 +63,8 @@ private:
             Index const pivot = i - its.begin;
             Number* const row = panel.row(pivot);
             Number* const imaginary_row = row + panel.plane(pivot);
-            row[pivot] = static_cast<Number>(matrix_.diagonal[i]);
+            row[pivot] = static_cast<Number>(matrix_.excess[i]);
+            if (panel.planes == 2) imaginary_row[pivot] = static_cast<Number>(matrix_.excess_imaginary[i]);
             for (Offset k = matrix_.start[i]; k < matrix_.start[i + 1]; ++k) {
                 Index const j = matrix_.column[k];
                 Index const column = j < its.end ? j - its.begin : panel.pivots + place_in(border, j);

@@ -1,6 +1,10 @@
 // Dense kernels of the direct engine, on row-major blocks. A front's panel holds its pivots' rows; factored, it is the upper
 // factor U (A = U^H U), with each diagonal block of `block` pivots replaced by the inverse of its conjugate transpose, so that
 // solves are products.
+// Diagonals are never stored: in their places stand the sums of whole rows, A 1. A diagonal is what its row's other entries
+// leave of the sum. Where those are negative and sums are not, as for conductances, nothing cancels, and the factor is
+// exact to rounding in every entry however uneven the matrix is. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
+// Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
 //             pivots         border
 //           +----+-------+-----------+
@@ -91,20 +95,28 @@ struct Targets {
     Index* ends = nullptr;
 };
 
-// The caller's threads, and planes * packing_entries numbers for each of them.
+// The caller's threads, planes * packing_entries numbers for each of them, and planes * front numbers for row sums.
 template <class Number>
 struct Workers {
     Executor executor;
     Number* packing = nullptr;
+    Number* sums = nullptr;
+};
+
+// Of a strip's rows, what is behind the strip's own columns: [plane][row] summed, and summed without signs.
+template <class Number>
+struct TailSums {
+    Number sum[2][strip], size[strip];
 };
 
 // What follows is there for double and float.
 
-// Factors in place. Returns the first pivot that is not above `floor` times its value in the front as it is given, or none.
+// Factors in place. Returns the first pivot that is not above `floor` times what it is summed of, or none. Leaves in
+// workers.sums what update_border() needs.
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
 
-// Takes U^H U of the border's columns off the update matrix.
+// Takes U^H U of the border's columns off the update matrix, whose diagonal are row sums too.
 template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;

@@ -24,14 +24,14 @@ struct Matrix {
         Offset entries = 0;
         Index couplings = 0, held = 0;
         MatrixKind kind = MatrixKind::real;
-        bool with_excess = false;
     };
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
     Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
     Span<Real> diagonal;         // [n]
-    Span<Real> excess;           // [n] of real matrices, if wanted: SymmetricRows::excess
+    Span<Real> excess;           // [n] what each row's entries sum to
+    Span<Real> excess_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -51,9 +51,9 @@ struct Matrix {
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind, bool with_excess) noexcept {
+    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
         Index const held = kind == MatrixKind::two_lines ? 0 : graph.held;
-        return {graph.start[graph.n] / 2, graph.couplings, held, kind, with_excess};
+        return {graph.start[graph.n] / 2, graph.couplings, held, kind};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip

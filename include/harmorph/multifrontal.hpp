@@ -21,6 +21,7 @@ struct FrontalNumbers {
     Span<Number> stack;
     Span<Number> rows;
     Span<Number> packing;  // [lanes x planes x dense::packing_entries]
+    Span<Number> sums;     // [lanes x planes x largest front]
 };
 
 struct Multifrontal {
@@ -35,7 +36,7 @@ struct Multifrontal {
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
     Index planes = 1;           // 1: real; 2: complex
-    Index largest_border = 0;
+    Index largest_border = 0, largest_front = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
@@ -58,12 +59,14 @@ struct Multifrontal {
         Number* stack;
         Number* rows;
         Number* packing;
+        Number* sums;
         dense::Targets targets;
     };
     template <class Number>
     Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
         FrontalNumbers<Number> const& its = numbers<Number>();
-        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), {target.data(), run_end.data()}};
+        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), its.sums.data(),
+                {target.data(), run_end.data()}};
     }
     template <class Number>
     Lane<Number> lane(Index number) const noexcept {
@@ -73,6 +76,7 @@ struct Multifrontal {
                 its.stack.data() + planes * (kept + n * subtrees.stack_entries),
                 its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
                 its.packing.data() + n * planes * dense::packing_entries,
+                its.sums.data() + n * planes * largest_front,
                 {target.data() + n * largest_border, run_end.data() + n * largest_border}};
     }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
