@@ -72,7 +72,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
     arena.take(held_row, sizes.held);
     arena.take(held_value, sizes.held);
-    arena.take(held_imaginary, is_complex() ? sizes.held : 0);
+    arena.take(held_imaginary, kind != MatrixKind::real ? sizes.held : 0);
     arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
@@ -112,13 +112,19 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
         sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
 
-    if (held_row.empty()) return;
     Index held = 0;
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (place[a] == none && place[b] >= 0) held_row[held++] = place[b];
-        if (place[b] == none && place[a] >= 0) held_row[held++] = place[a];
+        if (is_held_by(a, b)) held_row[held++] = place[components() * a];
+        if (is_held_by(b, a)) held_row[held++] = place[components() * b];
     });
+    held_row = held_row.first(held);
     sort_row(held_row);
+}
+
+bool Matrix::is_held_by(Index point, Index other) const noexcept {
+    if (place[components() * point] < 0 || place[components() * point] == place[components() * other]) return false;
+    if (place[components() * other] == none) return true;
+    return kind == MatrixKind::two_lines && slips(point) && slips(other) && turns(point, other);
 }
 
 void Matrix::clear() const noexcept {
@@ -142,7 +148,6 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
     }
     if (i < 0) return {};
     if (j == none) {
-        if (held_row.empty()) return {};
         Index const at = find_in_row<Index>(held_row, 0, held_row.count(), i);
         return {held_value.data() + at, held_imaginary.data() + at, turned};
     }
@@ -190,10 +195,20 @@ void Matrix::add_lines(Index point, Index other, Real conductance, Real circulat
         if (i >= 0) diagonal[i] += conductance;
         if (own_j >= 0) diagonal[own_j] += conductance;
         for (Index q = 0; q < 2; ++q) {
-            Entry const at = entry(i, place[2 * other + q]);
+            Index const j = place[2 * other + q];
+            if (i == none || j == none) continue;
+            Entry const at = entry(i, j);
             if (at.value != nullptr) *at.value += block[p][q];
         }
     }
+    if (is_held_by(point, other)) hold(point, conductance, circulation);
+    if (is_held_by(other, point)) hold(other, conductance, -circulation);
+}
+
+void Matrix::hold(Index point, Real conductance, Real circulation) const noexcept {
+    Entry const at = entry(place[2 * point], none);
+    *at.value -= conductance;
+    *at.imaginary += circulation;
 }
 
 void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {

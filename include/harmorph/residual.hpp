@@ -27,7 +27,7 @@ struct Lines {
 
 // Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
 // what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
-// lines a point they are sums of products, as those of coupled x and y where one slips know no such differences.
+// lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
 struct Residual {
     static constexpr Index widest = 24;
 
