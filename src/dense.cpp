@@ -15,8 +15,8 @@ namespace harmorph::dense {
     void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) noexcept;       \
     /* Factors the strip's own columns; sums: of the front's rows, of which the strip's become U^-H of them. */           \
     template <class Number, Index planes>                                                                                 \
-    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails,                 \
-                          Number floor) noexcept;                                                                         \
+    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor,   \
+                          Number& least_left) noexcept;                                                                         \
     /* And then any others, taken off their rows' sums. */                                                                \
     template <class Number, Index planes>                                                                                 \
     void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) noexcept;            \
@@ -65,9 +65,9 @@ struct Chosen {
     void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) const noexcept {
         HARMORPH_CALL(kernel, sum_tails<Number, planes>(panel, first, from, to, tails))
     }
-    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails,
-                          Number floor) const noexcept {
-        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, sums, tails, floor))
+    Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor,
+                          Number& least_left) const noexcept {
+        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, sums, tails, floor, least_left))
     }
     void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) const noexcept {
         HARMORPH_CALL(kernel, finish_columns<Number, planes>(panel, first, from, to, sums))
@@ -153,7 +153,7 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
             TailSums<Number> tails;
             spread_rows(workers.executor, 0, end - first, cost(panel) * (panel.front - end),
                         [&](Index from, Index to) { kernels.sum_tails(panel, first, from, to, tails); });
-            Index const bad = kernels.factor_diagonal(panel, first, sums, tails, floor);
+            Index const bad = kernels.factor_diagonal(panel, first, sums, tails, floor, *workers.least_left);
             if (bad != none) return bad;
             spread(workers, panel.planes, multiplications * strip / 2, n_chunks, [&](Index i, Number*) {
                 kernels.finish_columns(panel, first, begin_of(i), end_of(i), sums);

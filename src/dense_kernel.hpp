@@ -52,10 +52,11 @@ struct BlockBesideUnit {
 };
 
 // Cholesky of a diagonal block, whose place the inverse of U^H takes. `sum`: of its rows, with no more than the block's own
-// columns; their diagonals are not read. size: what those were summed of, without signs. Returns a pivot that is not above
-// `floor` times that, or none.
+// columns; their diagonals are not read. size: what those were summed of, without signs. Returns a pivot of which no more
+// than `floor` is left, or none.
 template <Index planes, class Number>
-Index factor_block(Block<Number> a, Index n, Number (&sum)[planes][block], const Number (&size)[block], Number floor) noexcept {
+Index factor_block(Block<Number> a, Index n, Number (&sum)[planes][block], const Number (&size)[block], Number floor,
+                   Number& least_left) noexcept {
     BlockBesideUnit<planes, Number> both(a, n);
     Number scale[block];
     for (Index k = 0; k < n; ++k) {
@@ -65,6 +66,7 @@ Index factor_block(Block<Number> a, Index n, Number (&sum)[planes][block], const
             its_size += magnitude(both.at[k][0][c]);
         }
         if (!(pivot > floor * its_size)) return k;
+        if (pivot < least_left * its_size) least_left = pivot / its_size;
         Number const inverse = 1 / pivot;
         scale[k] = 1 / Registers<Number>::square_root(pivot);
         for (Index r = k + 1; r < n; ++r) {
@@ -130,7 +132,8 @@ void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, Ta
 }
 
 template <class Number, Index planes>
-Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor) noexcept {
+Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor,
+                      Number& least_left) noexcept {
     Strip<Number> const own = strip_of<planes>(panel, first);
     Number inner[planes][strip];  // sums of the rows within the strip's own columns
     for (Index plane = 0; plane < planes; ++plane) {
@@ -148,7 +151,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, Tai
                 sum[plane][r] = inner[plane][k + r] - sum_of(rest.data + plane * rest.plane, behind);
             }
         }
-        Index const bad = factor_block<planes>(its, n, sum, size, floor);
+        Index const bad = factor_block<planes>(its, n, sum, size, floor, least_left);
         if (bad != none) return first + k + bad;
         apply_inverse<planes>(n, behind, its, its.at(0, n));
         eliminate_sums<planes>(its, n, behind, inner[0] + k, strip);
@@ -236,7 +239,8 @@ void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, In
 #define HARMORPH_MAKE(Number, planes)                                                                                      \
     template void take_off_earlier<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;           \
     template void sum_tails<Number, planes>(Panel<Number> const&, Index, Index, Index, TailSums<Number>&) noexcept;        \
-    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, Number*, TailSums<Number>&, Number) noexcept; \
+    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, Number*, TailSums<Number>&, Number,        \
+                                                   Number&) noexcept;                                                      \
     template void finish_columns<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;             \
     template void update_band<Number, planes>(Panel<Number> const&, UpdateMatrix<Number> const&, Index, const Number*,     \
                                               Number*) noexcept;                                                           \

@@ -116,7 +116,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     Status const status = factor_engine(points, fault);
     if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
-    HARMORPH_TRY(measure_factor(fault));
+    factor_trusted = trusts_factor();
     if (method.nodal_gradients()) nodal.scheme.measure(points);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
@@ -164,12 +164,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
     basis.seal();
-    if (report.residual <= method.tolerance) {
-        if (report.iteration.settled) return Status::ok;
-        return fault.refuse(Status::not_converged, "the iteration ended while values were still off by more than the tolerance");
-    }
-    return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
-                        Counts::from_zero, report.residual_function, none, report.residual);
+    return judge(report, fault);
 }
 
 Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {

@@ -9,22 +9,22 @@ namespace {
 constexpr Real refined_above = 1e-13;
 // And what values are thought to be off, beside the largest.
 constexpr Real certain_within = 1e-10;
-// Engines that iterate stop where they are asked to.
-constexpr Index most_refinements(Method const& method) noexcept {
-    if (method.engine != Engine::direct) return 0;
-    if (method.nodal_gradients()) return 4;
-    return 8;
-}
+// Of what a step must leave less than, to be worth another.
+constexpr Real shrinking = 0.5;
+// Enough for a factor off by nearly that. Engines that iterate stop where they are asked to.
+constexpr Index most_refinements(Method const& method) noexcept { return method.engine == Engine::direct ? 40 : 0; }
 
-// The largest ratio of a diagonal, whose rounding is at stake, to what is left of it when its turn comes: on even cells
-// about 5, beside thin ones thousands.
-constexpr Real even_below = 30;
+// Of a pivot's terms, what is left where some cancelled.
+constexpr Real uncancelled_above = 1e-3;
 
-template <class Number>
+// The largest ratio of a diagonal to what is left of it when its turn comes: on even cells about 5, beside thin ones
+// thousands. Circulations are no conductances, so that something cancels; and turned lines have no sums to rely on.
+constexpr Real even_below(MatrixKind kind) noexcept { return kind == MatrixKind::complex ? 1e5 : 30; }
+
 Real worst_pivot(Multifrontal const& engine, Matrix const& matrix) noexcept {
     Real most = 1;
     for (Index node = 0; node < engine.tree.count; ++node) {
-        dense::Panel<Number> const panel = engine.panel<Number>(node);
+        dense::Panel<double> const panel = engine.panel<double>(node);
         for (Index pivot = 0; pivot < panel.pivots; ++pivot) {
             Real const inverse = panel.row(pivot)[pivot];  // of the pivot's root
             most = larger(most, matrix.diagonal[engine.tree.nodes[node].begin + pivot] * inverse * inverse);
@@ -57,76 +57,92 @@ Status Plan::solve_rest(Index n, Index& iterations, Fault& fault) noexcept {
 Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     Lines const all = lines(basis);
     Index const n_columns = all.columns(matrix);
-    report.residual = 0;
-    report.residual_function = none;
-    report.refinements = 0;
+    auto const function = [&](Index column) {
+        return basis.header->counts.first_held + column % basis.n_functions();
+    };
     for (Index first = 0; first < n_columns; first += residual.width) {
         Index const n = smaller(residual.width, n_columns - first);
-        Residual::Norms norms;
-        SolveReport its;
-        HARMORPH_TRY(refine_columns(all, first, n, norms, its, fault));
-        report.refinements = larger(report.refinements, its.refinements);
-        report.iteration.iterations = larger(report.iteration.iterations, its.iteration.iterations);
+        Refined its;
+        HARMORPH_TRY(refine_columns(all, first, n, its, fault));
+        report.refinements = larger(report.refinements, its.steps);
+        report.iteration.iterations = larger(report.iteration.iterations, its.iterations);
+        auto const note = [](Real found, Index its_function, Real& worst, Index& where) {
+            if (found <= worst || worst != worst) return;  // once NaN, it stays
+            worst = found;
+            where = its_function;
+        };
         for (Index k = 0; k < n; ++k) {
-            Real const relative = norms.relative(k);
-            bool const worse = relative > report.residual || relative != relative;  // once NaN, it stays
-            if (!worse) continue;
-            report.residual = relative;
-            report.residual_function = basis.header->counts.first_held + (first + k) % basis.n_functions();
+            note(its.norms.relative(k), function(first + k), report.residual, report.residual_function);
+            note(its.error[k], function(first + k), report.error, report.error_function);
         }
         HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
 }
 
-// Beside thin cells a small residual may hide a large error, as their entries dwarf all others, and so may the
-// diagonal's rounding. But one solution is known: of values that are all 1 where they are known. What the factor is off
-// there is what it is off elsewhere, and what a step of refinement leaves of an error. It costs a solve: pivots tell
-// where there is no need.
-Status Plan::measure_factor(Fault& fault) noexcept {
-    factor_error = 0;
-    if (method.engine != Engine::direct || method.nodal_gradients()) return Status::ok;
-    if (matrix.kind == MatrixKind::two_lines) return Status::ok;
-    bool const in_single = method.precision == Precision::in_single;
-    Real const worst = in_single ? worst_pivot<float>(engine, matrix) : worst_pivot<double>(engine, matrix);
-    if (worst < even_below) return Status::ok;
-    residual.set_constant(matrix);
-    HARMORPH_TRY(engine.solve({residual.value.data(), nullptr, engine.planes, 1, 1}, Progress{}, fault));
-    factor_error = residual.off_constant(matrix);
-    return Status::ok;
+// Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
+// the factor, there is none.
+bool Plan::trusts_factor() const noexcept {
+    if (method.engine != Engine::direct || method.nodal_gradients()) return true;
+    if (method.precision == Precision::in_single) return false;
+    if (matrix.kind == MatrixKind::real) return engine.least_left() > uncancelled_above;
+    return worst_pivot(engine, matrix) < even_below(matrix.kind);
 }
 
 // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits
-// do not depend on those solved with it.
-Status Plan::refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, SolveReport& its,
-                            Fault& fault) noexcept {
+// do not depend on those solved with it. What a step leaves of an error is seen from one correction to the next, but for
+// the first: its right-hand sides are smooth, the later ones' are not. The worst of that, times the last correction, is what
+// values are still off; that correction itself where there is no such ratio yet, or no shrinking.
+Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its, Fault& fault) noexcept {
     Residual::Choice wanted;
-    Residual::Changes change, last;  // by a step of refinement; the first one's was from nothing
-    Real before[Residual::widest];
+    Residual::Changes change;  // by a step of refinement; the first one's was from nothing
+    Real before[Residual::widest], left[Residual::widest] = {};
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
         change.column[k] = 1;
-        before[k] = last.column[k] = infinity;
+        before[k] = infinity;
+        its.error[k] = factor_trusted ? 0 : 1;
     }
-    for (;; ++its.refinements) {
-        norms = measure(all, first, n);
+    for (Real ratio[Residual::widest] = {};; ++its.steps) {
+        its.norms = measure(all, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) {
-            Real const now = norms.relative(k);
-            bool const large = now > refined_above && now < 0.5 * before[k];
-            Real const error = factor_error * change.column[k];
-            bool const off = error > certain_within && change.column[k] < 0.5 * last.column[k];
+            Real const now = its.norms.relative(k);
+            bool const large = now > refined_above && now < shrinking * before[k];
+            bool const off = its.error[k] > certain_within && ratio[k] < shrinking;
             wanted.column[k] = wanted.column[k] && (large || off);
             before[k] = now;
             any = any || wanted.column[k];
         }
-        if (!any || its.refinements == most_refinements(method)) return Status::ok;
+        if (!any || its.steps == most_refinements(method)) return Status::ok;
         Index iterations = 0;
         HARMORPH_TRY(solve_rest(n, iterations, fault));
-        its.iteration.iterations += iterations;
-        last = change;
+        its.iterations += iterations;
+        Residual::Changes const last = change;
         change = residual.add_to(matrix, all, first, n, wanted);
+        for (Index k = 0; k < n; ++k) {
+            if (!wanted.column[k] || method.nodal_gradients()) continue;
+            ratio[k] = change.column[k] / last.column[k];
+            if (its.steps > 0) left[k] = larger(left[k], ratio[k]);
+            its.error[k] = (its.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];
+        }
     }
+}
+
+Status Plan::judge(SolveReport const& report, Fault& fault) const noexcept {
+    if (!(report.residual <= method.tolerance)) {
+        return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
+                            Counts::from_zero, report.residual_function, none, report.residual);
+    }
+    if (!report.iteration.settled) {
+        return fault.refuse(Status::not_converged, "the iteration ended while values were still off by more than the tolerance");
+    }
+    if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
+    bool const in_single = method.precision == Precision::in_single;
+    return fault.refuse(Status::not_converged,
+                        in_single ? "function # may be off by ~: cells are too thin for a factor in single precision"
+                                  : "function # may be off by ~: cells are too thin for refinement to bring it down",
+                        Counts::from_zero, report.error_function, none, report.error);
 }
 
 }  // namespace harmorph

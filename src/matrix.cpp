@@ -60,7 +60,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     n = unknowns;
     kind = sizes.kind;
     arena.take(place, Offset{components()} * n_points);
-    arena.take(diagonal, n);
+    arena.take(diagonal, sizes.with_diagonal ? n : 0);
     arena.take(excess, n);
     arena.take(excess_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
@@ -73,7 +73,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
     arena.take(held_row, sizes.held);
     arena.take(held_value, sizes.held);
-    arena.take(held_imaginary, is_complex() ? sizes.held : 0);
+    arena.take(held_imaginary, kind != MatrixKind::real ? sizes.held : 0);
     arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
@@ -113,13 +113,19 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
         sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
 
-    if (held_row.empty()) return;
     Index held = 0;
     for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (place[a] == none && place[b] >= 0) held_row[held++] = place[b];
-        if (place[b] == none && place[a] >= 0) held_row[held++] = place[a];
+        if (is_held_by(a, b)) held_row[held++] = place[components() * a];
+        if (is_held_by(b, a)) held_row[held++] = place[components() * b];
     });
+    held_row = held_row.first(held);
     sort_row(held_row);
+}
+
+bool Matrix::is_held_by(Index point, Index other) const noexcept {
+    if (place[components() * point] < 0 || place[components() * point] == place[components() * other]) return false;
+    if (place[components() * other] == none) return true;
+    return kind == MatrixKind::two_lines && slips(point) && slips(other) && turns(point, other);
 }
 
 void Matrix::clear() const noexcept {
@@ -144,7 +150,6 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
     }
     if (i < 0) return {};
     if (j == none) {
-        if (held_row.empty()) return {};
         Index const at = find_in_row<Index>(held_row, 0, held_row.count(), i);
         return {held_value.data() + at, held_imaginary.data() + at, turned};
     }
@@ -156,11 +161,15 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
     return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
 }
 
+void Matrix::add_to_diagonal(Index i, Real conductance) const noexcept {
+    if (i >= 0 && !diagonal.empty()) diagonal[i] += conductance;
+}
+
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     Index const i = place[point], j = place[other];
     if (i == j) return;
-    if (i >= 0) diagonal[i] += conductance;
-    if (j >= 0) diagonal[j] += conductance;
+    add_to_diagonal(i, conductance);
+    add_to_diagonal(j, conductance);
     if (i < 0 && j >= 0) excess[j] += conductance;
     if (j < 0 && i >= 0) excess[i] += conductance;
     Entry const its = entry(i, j);
@@ -175,8 +184,8 @@ void Matrix::add(Index point, Index other, Real conductance, Real circulation) c
 
 void Matrix::add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept {
     Index const i = place[point], j = place[other];
-    if (i >= 0) diagonal[i] += conductance;
-    if (j >= 0) diagonal[j] += conductance;
+    add_to_diagonal(i, conductance);
+    add_to_diagonal(j, conductance);
     if (i >= 0 && j < 0) {
         excess[i] += conductance;
         excess_imaginary[i] -= circulation;
@@ -197,18 +206,28 @@ void Matrix::add_lines(Index point, Index other, Real conductance, Real circulat
     Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
     for (Index p = 0; p < 2; ++p) {
         Index const i = place[2 * point + p], own_j = place[2 * other + p];
-        if (i >= 0) diagonal[i] += conductance;
-        if (own_j >= 0) diagonal[own_j] += conductance;
+        add_to_diagonal(i, conductance);
+        add_to_diagonal(own_j, conductance);
         if (i >= 0) excess[i] += conductance;
         if (own_j >= 0) excess[own_j] += conductance;
         for (Index q = 0; q < 2; ++q) {
-            Entry const at = entry(i, place[2 * other + q]);
+            Index const j = place[2 * other + q];
+            if (i == none || j == none) continue;
+            Entry const at = entry(i, j);
             if (at.value != nullptr) *at.value += block[p][q];
-            Index const own = place[2 * other + q];
-            if (i >= 0 && own >= 0) excess[i] += block[p][q];
-            if (i >= 0 && own >= 0) excess[own] += block[p][q];
+            if (i < 0 || j < 0) continue;
+            excess[i] += block[p][q];
+            excess[j] += block[p][q];
         }
     }
+    if (is_held_by(point, other)) hold(point, conductance, circulation);
+    if (is_held_by(other, point)) hold(other, conductance, -circulation);
+}
+
+void Matrix::hold(Index point, Real conductance, Real circulation) const noexcept {
+    Entry const at = entry(place[2 * point], none);
+    *at.value -= conductance;
+    *at.imaginary += circulation;
 }
 
 void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {

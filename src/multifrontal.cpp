@@ -8,6 +8,7 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalN
     arena.take(its.factor, planes * factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
     arena.take(its.packing, lanes * planes * dense::packing_entries);
     arena.take(its.sums, lanes * planes * largest_front);
+    arena.take(its.least_left, lanes);
     Offset const stacks = lanes > 1 ? lanes + 1 : 1;
     arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length() + dense::overread);
 }

@@ -34,7 +34,7 @@ public:
             engine_.find_targets(child, node, lane.targets);
             dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
         }
-        dense::Workers<Number> const workers{lane.executor, lane.packing, lane.sums};
+        dense::Workers<Number> const workers{lane.executor, lane.packing, lane.sums, lane.least_left};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
@@ -92,6 +92,7 @@ private:
 template <class Number>
 Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {
     Factorisation<Number> const factorisation(*this, matrix);
+    fill(numbers<Number>().least_left, Number{1});
     Fault fault_of[Executor::most_threads];
     for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& lane) {
         Fault& its = fault_of[subtree.lane];
@@ -114,6 +115,13 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
         HARMORPH_TRY(factorisation.run(node, lane.stack, lane.stack, lane, told, fault));  // a root has no border
     }
     return Status::ok;
+}
+
+Real Multifrontal::least_left() const noexcept {
+    Real least = 1;
+    for (double const its : doubles.least_left) least = smaller(least, its);
+    for (float const its : singles.least_left) least = smaller(least, static_cast<Real>(its));
+    return least;
 }
 
 Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {

@@ -53,6 +53,13 @@ struct Columns {
             for (Index k = 0; k < n; ++k) sums[k] += row[p * width + k] * row[p * width + k];
         }
     }
+    // And the row is 0 again.
+    void take_squares(Real* row, Real* sums) const noexcept {
+        add_squares(row, sums);
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n; ++k) row[p * width + k] = 0;
+        }
+    }
 };
 
 template <Index planes>
@@ -68,7 +75,7 @@ public:
         fill(value_, 0.0);
         take_right_hand_sides(norms.right_hand_side);
         if (matrix_.kind == MatrixKind::two_lines) {
-            add_products(norms.rest);
+            add_turned_flows(norms.rest);
         } else {
             add_flows(norms.rest);
         }
@@ -98,10 +105,7 @@ private:
         for_each_coupling([&](Index c, Index i, const Real* known) {
             columns_.subtract(matrix_.coupling_value[c], imaginary(matrix_.coupling_imaginary, c), known, row_of(i));
         });
-        for (Index const i : matrix_.coupling_row) {
-            columns_.add_squares(row_of(i), squares);
-            fill(Span<Real>(row_of(i), static_cast<Size>(planes * columns_.width)), 0.0);
-        }
+        for (Index const i : matrix_.coupling_row) columns_.take_squares(row_of(i), squares);
     }
 
     void add_flows(Real* squares) const noexcept {
@@ -116,18 +120,79 @@ private:
         add_inner_flows(kernel_, matrix_, lines_, first_, columns_.n, value_.data(), columns_.width, squares);
     }
 
-    void add_products(Real* squares) const noexcept {
-        for_each_coupling([&](Index c, Index i, const Real* known) {
-            columns_.subtract(matrix_.coupling_value[c], 0, known, row_of(i));
-        });
-        for (Index i = 0; i < matrix_.n; ++i) {
-            columns_.subtract(matrix_.diagonal[i], 0, at(i), row_of(i));
-            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
-                Index const j = matrix_.column[e];
-                columns_.subtract(matrix_.value[e], 0, at(j), row_of(i));
-                columns_.subtract(matrix_.value[e], 0, at(i), row_of(j));
+    // One of a point's two lines.
+    struct Place {
+        Index point, line;
+    };
+    Place place_of(Index position) const noexcept { return {lines_.of[position] / 2, lines_.of[position] % 2}; }
+    bool slips(Index point) const noexcept { return matrix_.place[2 * point + 1] == none; }
+    const Real* line(Index point, Index its) const noexcept { return lines_.line(2 * point + its) + first_; }
+
+    // Points that slip have a line of their own direction. What flows is found from displacements in the plane, and only then
+    // turned: so both ends see the same, to rounding of the flow.
+    void add_turned_flows(Real* squares) const noexcept {
+        for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
+            const Real* const known = lines_.wall(wall) + first_;
+            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
+                Index const i = matrix_.coupling_row[c], point = place_of(i).point;
+                Real const share = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
+                const Real* const own = line(point, slips(point) ? 0 : wall % 2);
+                Real* const row = row_of(i);
+                for (Index k = 0; k < columns_.n; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - share * own[k]);
             }
-            columns_.add_squares(row_of(i), squares);
+        }
+        for (Index h = 0; h < matrix_.held_row.count(); ++h) {
+            add_held(matrix_.held_row[h], matrix_.held_value[h], matrix_.held_imaginary[h]);
+        }
+        for (Index i = 0; i < matrix_.n; ++i) {
+            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) add_entry(i, matrix_.column[e], matrix_.value[e]);
+        }
+        for (Index i = 0; i < matrix_.n; ++i) columns_.add_squares(row_of(i), squares);  // any entry may change any row
+    }
+    static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
+
+    // i: the position of a point's first line.
+    void add_held(Index i, Real re, Real im) const noexcept {
+        Index const point = place_of(i).point;
+        const Real* const x = line(point, 0);
+        columns_.subtract(-re, 0, x, row_of(i));
+        if (slips(point)) return;
+        const Real* const y = line(point, 1);
+        Real* const second = row_of(matrix_.place[2 * point + 1]);
+        columns_.subtract(im, 0, y, row_of(i));
+        columns_.subtract(-re, 0, y, second);
+        columns_.subtract(-im, 0, x, second);
+    }
+
+    void add_entry(Index i, Index j, Real entry) const noexcept {
+        Place const a = place_of(i), b = place_of(j);
+        if (slips(a.point) != slips(b.point)) return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
+        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // what they hold of each other is in held_value
+            columns_.subtract(entry, 0, at(j), row_of(i));
+            columns_.subtract(entry, 0, at(i), row_of(j));
+            return;
+        }
+        columns_.take_flow(entry, 0, line(a.point, b.line), at(j), row_of(i));
+        columns_.take_flow(entry, 0, line(b.point, a.line), at(i), row_of(j));
+    }
+
+    // Between a point that slips and one that does not, by one of its lines: its conductance and circulation, turned as the
+    // first one is, are that and the other line's entry.
+    void add_slipping(Index slipping, Index free, Real entry) const noexcept {
+        Place const its = place_of(free);
+        Vec2 const along = matrix_.frame[place_of(slipping).point];
+        const Real* const slid = at(slipping);
+        const Real* const x = line(its.point, 0);
+        const Real* const y = line(its.point, 1);
+        Real* const own = row_of(slipping);
+        Real* const same = row_of(free);
+        Real* const other = row_of(matrix_.place[2 * its.point + 1 - its.line]);
+        Real const across = its.line == 0 ? entry : -entry;
+        for (Index k = 0; k < columns_.n; ++k) {
+            Vec2 const rise{along.x * slid[k] - x[k], along.y * slid[k] - y[k]};
+            own[k] += entry * component(rise, its.line);
+            same[k] -= entry * dot(along, rise);
+            other[k] -= across * cross(along, rise);
         }
     }
 
@@ -169,30 +234,6 @@ Residual::Changes Residual::add_to(Matrix const& matrix, Lines const& lines, Ind
     Changes out;
     for (Index k = 0; k < n; ++k) out.column[k] = size[k] > 0 ? change[k] / size[k] : 0;
     return out;
-}
-
-void Residual::set_constant(Matrix const& matrix) const noexcept {
-    Index const planes = matrix.is_complex() ? 2 : 1;
-    Span<Real> const b = value.first(matrix.n * planes);
-    auto const subtract = [&](Span<const Index> rows, Span<const Real> re, Span<const Real> im) {
-        for (Index c = 0; c < rows.count(); ++c) {
-            b[planes * rows[c]] -= re[c];
-            if (planes == 2) b[planes * rows[c] + 1] -= im[c];
-        }
-    };
-    fill(b, 0.0);
-    subtract(matrix.coupling_row, matrix.coupling_value, matrix.coupling_imaginary);
-    subtract(matrix.held_row, matrix.held_value, matrix.held_imaginary);
-}
-
-Real Residual::off_constant(Matrix const& matrix) const noexcept {
-    Index const planes = matrix.is_complex() ? 2 : 1;
-    Real most = 0;
-    for (Index i = 0; i < planes * matrix.n; ++i) {
-        Real const off = absolute(value[i] - (i % planes == 0 ? 1 : 0));
-        if (!(off <= most)) most = off;  // NaN stays
-    }
-    return most;
 }
 
 }  // namespace harmorph

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
-#include <fixtures/operators.hpp>
+#include <fixtures/half_ring.hpp>
 
 using namespace fixtures;
 using harmorph::PointKind;
@@ -10,85 +10,8 @@ using harmorph::PointKind;
 namespace {
 
 double const pi = std::acos(-1.0);
-constexpr std::int32_t line = 21;
 constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
-
-// The upper half of a ring round the origin, cut by the x axis, whose two parts are on the marker `line`. The body's points
-// are on a closed curve with a control point at each multiple of 45 degrees.
-Case half_ring(int n_r, int n_t, Cells kind, double amplitude, unsigned seed) {
-    Case out;
-    double const r0 = 0.5, r1 = 2;
-    for (int i = 0; i <= n_r; ++i)
-        for (int k = 0; k <= n_t; ++k) {
-            double const r = r0 * std::pow(r1 / r0, 1.0 * i / n_r), angle = pi * k / n_t;
-            out.mesh.add_point({k == n_t ? -r : r * std::cos(angle), k == 0 || k == n_t ? 0 : r * std::sin(angle)});
-        }
-    for (int i = 0; i < n_r; ++i)
-        for (int k = 0; k < n_t; ++k) {
-            int const a = i * (n_t + 1) + k, b = a + n_t + 1;
-            out.mesh.add_quad(a, b, b + 1, a + 1, kind == Cells::triangles || (kind == Cells::hybrid && 2 * i >= n_r));
-        }
-    for (int k = 0; k < n_t; ++k) out.mesh.add_face(k + 1, k, body);
-    for (int k = 0; k < n_t; ++k) out.mesh.add_face(n_r * (n_t + 1) + k, n_r * (n_t + 1) + k + 1, far_field);
-    for (int i = 0; i < n_r; ++i) {
-        out.mesh.add_face(i * (n_t + 1), (i + 1) * (n_t + 1), line);
-        out.mesh.add_face((i + 1) * (n_t + 1) + n_t, i * (n_t + 1) + n_t, line);
-    }
-    perturb(out.mesh, amplitude, seed);
-    out.curves = ring(3, 8, r0, r0);
-    out.put_on_curves(body);
-    out.set_slip(line);
-    for (int k = 0; k <= n_t; ++k) out.give(k, ring_parameter(3, 8, pi * k / n_t));
-    return out;
-}
-
-// The half and its mirror image; points on the axis are shared. Points of the half keep their numbers.
-Case mirrored(Case const& half) {
-    Case out = half;
-    std::vector<std::int32_t> image;
-    for (std::int32_t k = 0; k < half.mesh.n_points(); ++k) {
-        Point const p = half.mesh.point(k);
-        image.push_back(p.y == 0 ? k : out.mesh.add_point({p.x, -p.y}));
-    }
-    auto const at = [&](std::int32_t k) { return image[static_cast<std::size_t>(k)]; };
-    for (std::size_t cell = 0; cell + 1 < half.mesh.cell_start.size(); ++cell) {
-        for (std::int32_t k = half.mesh.cell_start[cell + 1]; k-- > half.mesh.cell_start[cell];)
-            out.mesh.cells.push_back(at(half.mesh.cells[static_cast<std::size_t>(k)]));
-        out.mesh.cell_start.push_back(static_cast<std::int32_t>(out.mesh.cells.size()));
-    }
-    out.mesh.faces.clear();
-    out.mesh.face_markers.clear();
-    for (std::size_t face = 0; face < half.mesh.face_markers.size(); ++face) {
-        std::int32_t const marker = half.mesh.face_markers[face];
-        std::int32_t const a = half.mesh.faces[2 * face], b = half.mesh.faces[2 * face + 1];
-        if (marker == line) continue;
-        out.mesh.add_face(a, b, marker);
-        out.mesh.add_face(at(b), at(a), marker);
-    }
-    out.conditions.clear();
-    out.put_on_curves(body);
-    out.given_points.clear();
-    out.given_curves.clear();
-    out.given_u.clear();
-    for (std::size_t k = 0; k < half.given_points.size(); ++k) {
-        out.give(half.given_points[k], half.given_u[k]);
-        double const u = std::fmod(8 + 2 * ring_parameter(3, 8, 0) - half.given_u[k], 8.0);   // of the mirrored angle
-        if (at(half.given_points[k]) != half.given_points[k]) out.give(at(half.given_points[k]), u);
-    }
-    return out;
-}
-
-// Movements of eight control points that the axis mirrors.
-std::vector<double> symmetric_move(unsigned seed) {
-    std::vector<double> move = some_move(8, 0.3, seed);
-    move[1] = move[9] = 0;
-    for (std::size_t k = 1; k < 4; ++k) {
-        move[2 * (8 - k)] = move[2 * k];
-        move[2 * (8 - k) + 1] = -move[2 * k + 1];
-    }
-    return move;
-}
 
 }  // namespace
 
@@ -118,7 +41,7 @@ TEST_CASE("at any angle points stay on their line to rounding, and slide") {
             Solved const solved(its, &options);
             Field const moved = displacement(solved, turned(some_move(8, 1, 6), turn));
             double off = 0, along = 0;
-            for (std::int32_t const point : points_on(its.mesh, line)) {
+            for (std::int32_t const point : points_on(its.mesh, slip_line)) {
                 if (point == 0 || point == 16) continue;   // on the body, which moves as its curve does
                 Complex const d = moved[static_cast<std::size_t>(point)] / turn;
                 off = std::fmax(off, std::fabs(d.imag()));
@@ -146,7 +69,7 @@ TEST_CASE("many small steps later they are still on it") {
         REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1,
                          nullptr, nullptr) == HM_OK);
     }
-    for (std::int32_t const point : points_on(its.mesh, line))
+    for (std::int32_t const point : points_on(its.mesh, slip_line))
         if (point != 0 && point != 16) CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);
 }
 

@@ -95,12 +95,14 @@ struct Targets {
     Index* ends = nullptr;
 };
 
-// The caller's threads, planes * packing_entries numbers for each of them, and planes * front numbers for row sums.
+// The caller's threads, planes * packing_entries numbers for each of them, planes * front numbers for row sums, and the
+// least part that was left of what a pivot is summed of: 1 where nothing cancelled.
 template <class Number>
 struct Workers {
     Executor executor;
     Number* packing = nullptr;
     Number* sums = nullptr;
+    Number* least_left = nullptr;
 };
 
 // Of a strip's rows, what is behind the strip's own columns: [plane][row] summed, and summed without signs.
@@ -111,8 +113,8 @@ struct TailSums {
 
 // What follows is there for double and float.
 
-// Factors in place. Returns the first pivot that is not above `floor` times what it is summed of, or none. Leaves in
-// workers.sums what update_border() needs.
+// Factors in place. Returns the first pivot of which no more than `floor` is left, or none. Lowers *workers.least_left, and
+// leaves in workers.sums what update_border() needs.
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
 

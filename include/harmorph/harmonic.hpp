@@ -18,6 +18,8 @@ struct SolveReport {
     Real residual = 0;
     Index residual_function = none;
     Index refinements = 0;
+    Real error = 0;               // of the direct engine, beside the largest value, as far as it can be told
+    Index error_function = none;
     IterationReport iteration;
     Offset factor_entries = 0;
 };
@@ -32,7 +34,7 @@ struct Plan {
     RegionCounts region_counts;     // for untangling
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Real factor_error = 0;          // of the direct engine, beside the largest value; 0 on even cells
+    bool factor_trusted = false;    // nothing cancelled in it: solutions need no refinement
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
     FaceDistance wall;            // faces that move
@@ -72,11 +74,17 @@ private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
-    Status measure_factor(Fault& fault) noexcept;
+    bool trusts_factor() const noexcept;
     Residual::Norms measure(Lines const& all, Index first, Index n) const noexcept;
     Status solve_rest(Index n, Index& iterations, Fault& fault) noexcept;
     Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
-    Status refine_columns(Lines const& all, Index first, Index n, Residual::Norms& norms, SolveReport& its, Fault& fault) noexcept;
+    struct Refined {
+        Residual::Norms norms;
+        Real error[Residual::widest];  // what values are thought to be off, beside the largest
+        Index steps = 0, iterations = 0;
+    };
+    Status refine_columns(Lines const& all, Index first, Index n, Refined& its, Fault& fault) noexcept;
+    Status judge(SolveReport const& report, Fault& fault) const noexcept;
 };
 
 // Makes an unsolved basis in a block that has been laid out for the analysis's counts.

@@ -17,19 +17,20 @@ enum class MatrixKind : std::int32_t { real, complex, two_lines };
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
 // entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
 // unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
-// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings: two lines
-// are turned against each other, and have no such sums.
+// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings. Of two lines a
+// point that is so before points that slip are turned to their lines; a complex number of `held` stands for both lines.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
         Index couplings = 0, held = 0;
         MatrixKind kind = MatrixKind::real;
+        bool with_diagonal = false;
     };
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
     Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
-    Span<Real> diagonal;         // [n]
+    Span<Real> diagonal;         // [n] or empty
     Span<Real> excess;           // [n] what each row's entries sum to
     Span<Real> excess_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
@@ -40,7 +41,7 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated
+    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated; of two lines the first
     Span<Real> held_value;
     Span<Real> held_imaginary;
     Span<Vec2> frame;            // [n_points] two lines only: direction of a point's first line; its second is normal to it
@@ -51,9 +52,8 @@ struct Matrix {
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
-        Index const held = kind == MatrixKind::two_lines ? 0 : graph.held;
-        return {graph.start[graph.n] / 2, graph.couplings, held, kind};
+    static Sizes count(Graph const& graph, MatrixKind kind, bool with_diagonal) noexcept {
+        return {graph.start[graph.n] / 2, graph.couplings, graph.held, kind, with_diagonal};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
@@ -70,6 +70,11 @@ struct Matrix {
     // matrices.
     void add(Index point, Index other, Real conductance, Real circulation) const noexcept;
 
+    // Two points that slip, each on a line of its own: neither moves across its line, so each holds the other.
+    bool turns(Index point, Index other) const noexcept {
+        return frame[point].x != frame[other].x || frame[point].y != frame[other].y;
+    }
+
     // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
@@ -77,16 +82,20 @@ struct Matrix {
     }
 
 private:
-    // Where two lines meet; nowhere (value null) if neither is unknown, or there is no room for what couples to held
-    // ones.
+    // Where two lines meet; nowhere (value null) if neither is unknown.
     struct Entry {
         Real* value = nullptr;
         Real* imaginary = nullptr;
         bool turned = false;  // it stands for the second's row
     };
     Entry entry(Index i, Index j) const noexcept;
+    void add_to_diagonal(Index i, Real conductance) const noexcept;
     void add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept;
     void add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept;
+    bool slips(Index point) const noexcept { return place[2 * point] >= 0 && place[2 * point + 1] == none; }
+    // Is the point an unknown, and beside it the other one held?
+    bool is_held_by(Index point, Index other) const noexcept;
+    void hold(Index point, Real conductance, Real circulation) const noexcept;
 };
 
 }  // namespace harmorph

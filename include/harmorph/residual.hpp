@@ -27,7 +27,7 @@ struct Lines {
 
 // Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
 // what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
-// lines a point they are sums of products, as those of coupled x and y where one slips know no such differences.
+// lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
 struct Residual {
     static constexpr Index widest = 24;
 
@@ -56,12 +56,6 @@ struct Residual {
         Real column[widest];
     };
     Changes add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
-
-    // value = one column, b of the function that is 1 wherever values are known, and so everywhere; not of two lines a
-    // point.
-    void set_constant(Matrix const& matrix) const noexcept;
-    // How far the column is off 1 everywhere.
-    Real off_constant(Matrix const& matrix) const noexcept;
 };
 
 }  // namespace harmorph

@@ -26,11 +26,12 @@ Numbers numbers(harmorph::Offset count, double value = 0) {
 
 struct DenseFront::Inside {
     harmorph::Kernel kernel;
-    Numbers original, panel_data, update_data, packing, sides;
+    Numbers original, panel_data, update_data, packing, sums, sides;
+    double least_left = 1;
     dense::Panel<double> panel;
     dense::UpdateMatrix<double> update;
 
-    dense::Workers<double> workers() { return {harmorph::Executor{}, packing.data()}; }
+    dense::Workers<double> workers() { return {harmorph::Executor{}, packing.data(), sums.data(), &least_left}; }
 };
 
 DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {
@@ -39,12 +40,17 @@ DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) 
     in.original = numbers(dense::panel_entries(pivots, front));
     dense::Panel<double> const panel{in.original.data(), pivots, front};
     for (int i = 0; i < pivots; ++i)
-        for (int j = i; j < front; ++j) panel.row(i)[j] = entry(front, i, j);
+        for (int j = 0; j < front; ++j) {   // in the diagonal's place, the row's sum
+            double const its = j < i ? entry(front, j, i) : entry(front, i, j);
+            panel.row(i)[i] += its;
+            if (j > i) panel.row(i)[j] = its;
+        }
     in.panel_data = in.original;
     in.panel = {in.panel_data.data(), pivots, front};
     in.update_data = numbers(dense::update_entries(front - pivots));
     in.update = {in.update_data.data(), front - pivots};
     in.packing = numbers(dense::packing_entries);
+    in.sums = numbers(front);
     in.sides = numbers(harmorph::Offset{front} * right_hand_sides, 1);
 }
 
