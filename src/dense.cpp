@@ -127,16 +127,22 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
 template <class Number>
 Index own_end(Panel<Number> const& panel, Index first) noexcept { return smaller(panel.pivots, first + strip); }
 
+template <class Number>
+void add_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums) noexcept {
+    Offset const plane = panel.plane(first);
+    const Number* its = panel.row(first) + first;
+    for (Index k = first; k < end; ++k, its += panel.planes * plane + 1) {
+        sums[k] += its[0];
+        if (panel.planes == 2) sums[panel.front + k] += its[plane];
+    }
+}
+
 }  // namespace
 
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept {
     Number* const sums = workers.sums;
-    for (Index k = 0; k < panel.front; ++k) {
-        const Number* const diagonal = k < panel.pivots ? panel.row(k) + k : nullptr;
-        sums[k] = diagonal != nullptr ? *diagonal : 0;
-        if (panel.planes == 2) sums[panel.front + k] = diagonal != nullptr ? diagonal[panel.plane(k)] : 0;
-    }
+    fill(Span<Number>(sums, static_cast<Size>(panel.planes) * static_cast<Size>(panel.front)), Number{0});
     return with_kernels(kernel, panel, [&](auto const& kernels) {
         for (Index first = 0; first < panel.pivots; first += strip) {
             Index const end = own_end(panel, first);
@@ -144,6 +150,7 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
             auto const begin_of = [&](Index chunk) { return end + chunk * chunk_columns; };
             auto const end_of = [&](Index chunk) { return smaller(panel.front, end + (chunk + 1) * chunk_columns); };
             Offset const multiplications = cost(panel) * (end - first) * (panel.front - first);
+            add_diagonal(panel, first, end, sums);  // before anything is taken off it
             if (first > 0) {
                 spread(workers, panel.planes, multiplications * first, n_chunks + 1, [&](Index i, Number* packing) {
                     if (i == 0) return kernels.take_off_earlier(panel, first, first, end, packing);

@@ -123,11 +123,9 @@ template <class Number, Index planes>
 void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) noexcept {
     Strip<Number> const own = strip_of<planes>(panel, first);
     for (Index r = from; r < to; ++r) {
-        Block<Number> const behind = own.at(r, own.n);
-        Index const n = panel.front - first - own.n;
-        tails.sum[0][r] = sum_of(behind.data, n);
-        tails.size[r] = sum_of<Signs::dropped>(behind.data, n);
-        if (planes == 2) tails.sum[1][r] = sum_of(behind.data + behind.plane, n);
+        RowSum<planes, Number> const tail(own.at(r, own.n), panel.front - first - own.n);
+        for (Index p = 0; p < planes; ++p) tails.sum[p][r] = tail.sum[p];
+        tails.size[r] = tail.size;
     }
 }
 
@@ -136,8 +134,8 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, Tai
                       Number& least_left) noexcept {
     Strip<Number> const own = strip_of<planes>(panel, first);
     Number inner[planes][strip];  // sums of the rows within the strip's own columns
-    for (Index plane = 0; plane < planes; ++plane) {
-        for (Index r = 0; r < own.n; ++r) inner[plane][r] = sums[plane * panel.front + first + r] - tails.sum[plane][r];
+    for (Index p = 0; p < planes; ++p) {
+        for (Index r = 0; r < own.n; ++r) inner[p][r] = sums[p * panel.front + first + r] - tails.sum[p][r];
     }
     for (Index k = 0; k < own.n; k += block) {
         Index const n = smaller(block, own.n - k), behind = own.n - k - n;
@@ -145,11 +143,9 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, Tai
         if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, own.n - k, k}, above, above, its);
         Number sum[planes][block], size[block];
         for (Index r = 0; r < n; ++r) {
-            Block<Number> const rest = its.at(r, n);
-            size[r] = magnitude(sums[first + k + r]) + tails.size[r + k] + sum_of<Signs::dropped>(rest.data, behind);
-            for (Index plane = 0; plane < planes; ++plane) {
-                sum[plane][r] = inner[plane][k + r] - sum_of(rest.data + plane * rest.plane, behind);
-            }
+            RowSum<planes, Number> const rest(its.at(r, n), behind);
+            for (Index p = 0; p < planes; ++p) sum[p][r] = inner[p][k + r] - rest.sum[p];
+            size[r] = magnitude(sums[first + k + r]) + tails.size[k + r] + rest.size;
         }
         Index const bad = factor_block<planes>(its, n, sum, size, floor, least_left);
         if (bad != none) return first + k + bad;

@@ -7,34 +7,37 @@ namespace {
 template <class Number>
 HARMORPH_INLINE Number magnitude(Number x) noexcept { return x < 0 ? -x : x; }
 
-enum class Signs { kept, dropped };
-
-template <Signs signs, class Number>
-HARMORPH_INLINE Vector<Number> term(Vector<Number> v) noexcept {
-    return signs == Signs::dropped ? (v < 0 ? -v : v) : v;
-}
-
-// The sum of n numbers.
-template <Signs signs = Signs::kept, class Number>
-HARMORPH_INLINE Number sum_of(const Number* from, Index n) noexcept {
-    Vector<Number> partial[2] = {};
-    Index k = 0;
-    for (; k + 2 * lanes<Number> <= n; k += 2 * lanes<Number>) {
-        partial[0] += term<signs, Number>(load(from + k));
-        partial[1] += term<signs, Number>(load(from + k + lanes<Number>));
-    }
-    if (k + lanes<Number> <= n) {
-        partial[0] += term<signs, Number>(load(from + k));
-        k += lanes<Number>;
-    }
-    if (k < n) partial[1] += term<signs, Number>(Registers<Number>::load_first(from + k, n - k));
+// The sum of a register's numbers.
+template <class Number>
+HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
+    typedef Number Quarter __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
+    constexpr Index in_quarter = static_cast<Index>(sizeof(Quarter) / sizeof(Number));
     Number each[lanes<Number>];
-    store(each, partial[0] + partial[1]);
-    for (Index half = lanes<Number> / 2; half > 0; half /= 2) {
-        for (Index lane = 0; lane < half; ++lane) each[lane] += each[lane + half];
-    }
-    return each[0];
+    store(each, v);
+    Quarter sum = *reinterpret_cast<const Quarter*>(each);
+    for (Index k = in_quarter; k < lanes<Number>; k += in_quarter) sum += *reinterpret_cast<const Quarter*>(each + k);
+    if constexpr (in_quarter == 4) return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    return sum[0] + sum[1];
 }
+
+// The sum of a row's n numbers, and of their real parts without signs.
+template <Index planes, class Number>
+struct RowSum {
+    Number sum[planes], size;
+
+    RowSum(Block<Number> row, Index n) noexcept {
+        Vector<Number> partial[planes] = {}, sizes = {};
+        for (Index k = 0; k < n; k += lanes<Number>) {
+            Index const wanted = smaller(lanes<Number>, n - k);
+            Vector<Number> const real = Registers<Number>::load_first(row.data + k, wanted);
+            partial[0] += real;
+            sizes += real < 0 ? -real : real;
+            if constexpr (planes == 2) partial[1] += Registers<Number>::load_first(row.data + row.plane + k, wanted);
+        }
+        for (Index p = 0; p < planes; ++p) sum[p] = total<Number>(partial[p]);
+        size = total<Number>(sizes);
+    }
+};
 
 // sums [columns] -= U^H y of n <= block rows of U.
 template <Index planes, class Number>
