@@ -23,7 +23,8 @@ Comparison::Comparison(Case const& its_case, Settings const& settings)
     : case_(its_case), settings_(settings), matrix_(its_case.mesh) {
     for (Index const functions : settings.functions) {
         if (functions > 20 && points() > largest_for_many) continue;
-        ours_.push_back(std::make_unique<Ours>(its_case, workspace_, functions, settings.executor, settings.kernel));
+        ours_.push_back(std::make_unique<Ours>(its_case, workspace_, functions, settings.executor, settings.kernel,
+                                               HM_DIRECT, settings.precision));
         Ours& ours = *ours_.back();
         ours.run();
         b_.push_back(matrix_.right_hand_sides(ours.basis(), ours.fit().curves(), points()));

@@ -23,7 +23,7 @@ namespace {
 char const* const usage =
     "usage: bench [--parts \"dense solve iterative morph\"] [--sizes \"10000 100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
-    "             [--kernel 0..3] [--json FILE]\n";
+    "             [--kernel 0..3] [--precision double|single] [--json FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -32,6 +32,11 @@ std::vector<T> words(std::string const& text) {
     for (T word; in >> word;) out.push_back(word);
     if (out.empty() || !in.eof()) throw std::invalid_argument("not understood: " + text);
     return out;
+}
+
+int precision(std::string const& name) {
+    if (name != "double" && name != "single") throw std::invalid_argument("no such precision: " + name);
+    return name == "single" ? HM_SINGLE : HM_DOUBLE;
 }
 
 Settings read(int argc, char** argv) {
@@ -47,6 +52,7 @@ Settings read(int argc, char** argv) {
         else if (name == "--threads") out.threads = words<int>(text)[0];
         else if (name == "--repeats") out.repeats = words<int>(text)[0];
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
+        else if (name == "--precision") out.precision = precision(text);
         else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);
     }

@@ -15,6 +15,7 @@ struct Settings {
     int threads = 1;        // of both sides
     hm_executor const* executor = nullptr;   // with as many; null: one
     int kernel = 0;         // HM_KERNEL_...
+    int precision = HM_DOUBLE;   // of our factor
     int repeats = 0;        // of the solves; 0: by size
     std::string json;       // file name; empty: none
 
