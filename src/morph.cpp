@@ -28,7 +28,8 @@ Movements movements_of(Basis const& basis, const Real* move, Index first, Index 
 
 // Row p of `rows`, which follow one another, times the movements, is added to point p.
 template <class Number>
-void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, const Real* move, Sums const& to) noexcept {
+void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, const Real* move,
+              Sums const& to) noexcept {
     Index const row_length = basis.row_length();
     for (Index first = 0; first < row_length; first += Movements::most) {
         Index const width = smaller(Movements::most, row_length - first);

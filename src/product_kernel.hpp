@@ -12,9 +12,9 @@ constexpr Index lanes = HARMORPH_LANES;
 constexpr Index sums = 8;                // partial sums of a point, in all kernels: number k goes to sum k modulo 8
 constexpr Index vectors = sums / lanes;
 constexpr Index at_once = lanes == 8 ? 8 : lanes == 4 ? 2 : 1;  // points whose partial sums fit into the registers
-constexpr Index tile_points = 16;        // of the transpose: sums stay in registers meanwhile
+constexpr Index tile_points = 4;         // of the transpose: sums stay in registers meanwhile
 constexpr Index streams = 2;             // places that are read in turn: memory gives two more than one
-constexpr Offset prefetch_ahead = 8192;  // bytes at least: memory is two pages, or a tile, ahead of the registers
+constexpr Offset prefetch_ahead = 4096;  // bytes at least: memory is a page, or a tile, ahead of the registers
 
 typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 typedef float Singles __attribute__((vector_size(4 * HARMORPH_LANES), aligned(4), may_alias));
@@ -32,7 +32,7 @@ HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
 }
 HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
 
-// From a number to the one that is fetched meanwhile, some rows on, where rows are longer than what is used of them, too.
+// From a number to the one that is fetched meanwhile: whole rows on, as they may be longer than what is used of them.
 template <class Number>
 HARMORPH_INLINE Offset numbers_ahead(ValueRows<Number> const& rows) noexcept {
     Offset const least = prefetch_ahead / static_cast<Offset>(sizeof(Number)), tile = tile_points * rows.row;
@@ -153,7 +153,8 @@ struct Sum {
         std::memcpy(&rough, &second, sizeof rough);
         Real const missing = (rough - static_cast<Real>(first)) * 0x1p-64;
         std::int64_t const times = static_cast<std::int64_t>(missing + (missing < 0 ? -0.5 : 0.5));
-        return {times * (std::int64_t{1} << (64 - FixedSum::fine_bits)) + static_cast<std::int64_t>(first >> FixedSum::fine_bits),
+        constexpr std::int64_t coarse_in_word = std::int64_t{1} << (64 - FixedSum::fine_bits);
+        return {times * coarse_in_word + static_cast<std::int64_t>(first >> FixedSum::fine_bits),
                 static_cast<std::int64_t>(first & FixedSum::fine_mask)};
     }
 #else

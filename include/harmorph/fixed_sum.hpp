@@ -2,10 +2,10 @@
 // threads give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as
 // integers. (Rounding to a common grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| < 2^63 becomes the integer nearest to it, at a tie the even one: t alone decides, whatever was added
-// before. Where no instruction does that, two integers do: coarse, of the multiple of 2^31 nearest to t, and fine, nearest
-// to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the multiple. A sum of
-// up to 2^30 numbers cannot overflow; its error is at most 1/2 for each of them.
+// A number t with |t| < 2^63 becomes the integer nearest to it, at a tie the even one: t alone decides, whatever
+// was added before. Where no instruction does that, two integers do: coarse, of the multiple of 2^31 nearest to t, and
+// fine, nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
+// multiple. A sum of up to 2^30 numbers cannot overflow; its error is at most 1/2 for each of them.
 #pragma once
 
 #include "harmorph/scalar.hpp"

@@ -99,16 +99,16 @@ std::size_t const distances[] = {0, 128, 512, 1024};   // of prefetches
 double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings) {
     double best = 0;
     for (std::size_t const ahead : distances)
-        best = std::max(best, 8.0 * static_cast<double>(n) / time_of([&] { read_all(loops, data, n, ahead, settings); }));
-    return best;
+        best = std::max(best, 1 / time_of([&] { read_all(loops, data, n, ahead, settings); }));
+    return 8.0 * static_cast<double>(n) * best;
 }
 
 double const* aligned(void const* data) {
     return reinterpret_cast<double const*>((reinterpret_cast<std::uintptr_t>(data) + 63) / 64 * 64);
 }
 
-// Far more than the last cache holds, and no more than a quarter of the memory. Virtual machines may tell of a cache that
-// they share with others.
+// Far more than the last cache holds, and no more than a quarter of the memory. Virtual machines may tell of a cache
+// that they share with others.
 std::size_t bytes_in_no_cache() {
     double const mega = 1 << 20;
     double cache = 100 * mega, memory = 1024 * mega;

@@ -203,7 +203,9 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     for (Index const size : settings.sizes) largest = std::max(largest, size);
     largest = std::min(largest, Index{1000000});
     Table products{"Morph and adjoint [ms] (threads: " + std::to_string(settings.threads) + ")",
-                   {"what", "mesh", "functions", "ours", "ns/node", "GB/s", "% of reading", "% of reading F", "dgemm", "ratio"}, {}, {}};
+                   {"what", "mesh", "functions", "ours", "ns/node", "GB/s", "% of reading", "% of reading F", "dgemm",
+                    "ratio"},
+                   {}, {}};
     Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
                 {"mesh", "cells", "morph", "step", "quality", "both at once", "both / morph"}, {}, {}};
     Table storage{"Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
@@ -221,9 +223,9 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     }
     if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     products.notes.push_back("Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Small meshes stay "
-                             "in the caches, and a million nodes in part, where the last one is large: % of reading F is of the "
-                             "bandwidth of reading the basis alone, in turn with it. dgemm: the best of three ways to store F "
-                             "and the coordinates; medians of calls in turn.");
+                             "in the caches; a million nodes in part, where the last one is large: % of reading F is of "
+                             "the bandwidth of reading the basis, in turn with it.");
+    products.notes.push_back("dgemm: the best of three ways to store F and the coordinates; medians of calls in turn.");
     products.notes.push_back(others.text());
     storage.notes.push_back("In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint.");
     storage.notes.push_back(others.text());

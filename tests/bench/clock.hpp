@@ -96,8 +96,8 @@ inline double least(std::vector<double> const& values) {
     return values.empty() ? not_measured : *std::min_element(values.begin(), values.end());
 }
 
-// Seconds of many calls of each, in turn: what disturbs one disturbs the other. Turns last a millisecond at least, so that
-// each finds what fits in a cache there; the first call of a turn warms up.
+// Seconds of many calls of each, in turn: what disturbs one disturbs the other. Turns last a millisecond at least, so
+// that each finds what fits in a cache there; the first call of a turn warms up.
 template <class One, class Other>
 std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other, double budget = 1) {
     std::pair<std::vector<double>, std::vector<double>> seconds;
