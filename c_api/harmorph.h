@@ -463,8 +463,8 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 /* ---- Functions in single precision ---------------------------------------------------------------------------------- */
 
 /* A second basis with the same functions in single precision: half the memory, and hm_morph and hm_adjoint, which do little
- * but read it, are faster for that where F fits in no cache: hm_morph 1.5 to 1.9 times, hm_adjoint, which computes more,
- * 1.2 to 1.9 times, least with many functions and without AVX2.
+ * but read it, are faster for that where F fits in no cache: hm_morph 1.6 to 2 times, hm_adjoint, which computes more, 1.4
+ * to 1.9 times, both with AVX-512; with AVX2 1.2 times or more; without either hardly.
  * Made of a solved basis with all functions, or of its extract; the first one may then be given back.
  * Points on curves and rigid bodies, and those a cut joins to them, keep F in double precision: the wall moves as it does
  * with the first basis, bit by bit. Fixed points do not move. Everywhere else |F' - F| <= 2^-24 |F| for each number (below
@@ -551,8 +551,8 @@ HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t 
 
 /* hm_adjoint in parts, with the same bits for any parts: the largest of all parts' scales; the sums [4 * functions *
  * numbers_per_value] of each part at that scale, added up elementwise; the gradient of these. Each point of the mesh counts
- * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-64 of the scale (a
- * power of two below 4 max|F| max|dj|): the error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
+ * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-63 of the scale (a
+ * power of two up to 2 max|F| max|dj|): the error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
  * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
 HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
                                   int32_t *scale, const hm_executor *executor, hm_error *err);

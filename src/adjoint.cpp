@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index block_points = 256;
+constexpr Index block_points = 1024;
 constexpr Index most_ranges = 16;    // their sums are on the stack
 constexpr Index least_range = 2048;  // points that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
@@ -24,12 +24,13 @@ template <class Number, class Gradient>
 void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, BinaryScale scale, Index first,
               Index width, Gradient const& gradient, FixedSums& total) noexcept {
     Offset const length = basis.row_length();
+    BinaryScale const units = scale.units();
     for (Index begin = 0; begin < n; begin += block_points) {
         Index const count = smaller(block_points, n - begin);
         Vec2 by[block_points];
         for (Index i = 0; i < count; ++i) {
             Vec2 const its = gradient(begin + i);
-            by[i] = {scale.down(its.x), scale.down(its.y)};
+            by[i] = {units.down(its.x), units.down(its.y)};
         }
         ValueRows<Number> const block{rows + begin * length + first, length, count, width};
         multiply_rows_transposed(kernel, block, by, total);
@@ -63,8 +64,8 @@ struct SumsBlock {
         }
         for (Index k = 0; k < width; ++k) {
             for (Index i = 0; i < ranges; ++i) {
-                x[k] += part[i].x(k);
-                y[k] += part[i].y(k);
+                x[k] += part[i].x[k];
+                y[k] += part[i].y[k];
             }
         }
     }
@@ -96,17 +97,19 @@ void for_each_block(Index row_length, Body const& body) noexcept {
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
     LargestMagnitude largest[most_ranges];
     for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-        LargestMagnitude its;
-        for (Index p = begin; p < end; ++p) {
-            its.include(gradient_by_points[p].x);
-            its.include(gradient_by_points[p].y);
+        LargestMagnitude its[4];  // so that no number waits for the one before it
+        for (Index p = begin; p < end; p += 2) {
+            Vec2 const one = gradient_by_points[p], next = gradient_by_points[smaller(p + 1, end - 1)];
+            its[0].include(one.x);
+            its[1].include(one.y);
+            its[2].include(next.x);
+            its[3].include(next.y);
         }
-        largest[i] = its;
+        for (LargestMagnitude const one : its) largest[i].include(one.value());
     });
     LargestMagnitude gradient;
     for (LargestMagnitude const its : largest) gradient.include(its.value());
-    return BinaryScale::of_products(BinaryScale::exponent_above(basis.header->largest),
-                                    BinaryScale::exponent_above(gradient.value()));
+    return BinaryScale::of_products(basis.header->largest, gradient.value());
 }
 
 void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale scale, std::int64_t* sums,

@@ -14,6 +14,7 @@
 
 #define HARMORPH_KERNEL avx2
 #define HARMORPH_LANES 4
+#define HARMORPH_LANE_NUMBERS 0, 1, 2, 3
 #define HARMORPH_LOAD_PART(from, n) \
     _mm256_maskload_pd(from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)))
 #define HARMORPH_LOAD_SINGLE_PART(from, n) \

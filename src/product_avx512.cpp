@@ -14,6 +14,8 @@
 
 #define HARMORPH_KERNEL avx512
 #define HARMORPH_LANES 8
+#define HARMORPH_LANE_NUMBERS 0, 1, 2, 3, 4, 5, 6, 7
+#define HARMORPH_ROUND(v) _mm512_cvtpd_epi64(v)
 #define HARMORPH_LOAD_PART(from, n) _mm512_maskz_loadu_pd(static_cast<__mmask8>((1 << (n)) - 1), from)
 #define HARMORPH_LOAD_SINGLE_PART(from, n) _mm256_maskz_loadu_ps(static_cast<__mmask8>((1 << (n)) - 1), from)
 #include "product_kernel.hpp"

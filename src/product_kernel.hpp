@@ -1,6 +1,8 @@
 // The products for one kind of vector register; see dense_kernel.hpp for what the including file defines, and here
+// HARMORPH_LANE_NUMBERS: 0, 1, ... HARMORPH_LANES - 1;
 // HARMORPH_LOAD_PART(from, n): the first n < HARMORPH_LANES numbers, and zeros; HARMORPH_LOAD_SINGLE_PART(from, n): the
-// same in single precision.
+// same in single precision;
+// HARMORPH_ROUND(v), where there is such an instruction: a vector's numbers rounded to integers of 64 bits.
 #include "harmorph/product.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
@@ -9,12 +11,13 @@ namespace {
 constexpr Index lanes = HARMORPH_LANES;
 constexpr Index sums = 8;                // partial sums of a point, in all kernels: number k goes to sum k modulo 8
 constexpr Index vectors = sums / lanes;
-constexpr Offset prefetch_ahead = 4096;  // bytes
-constexpr Index tile_points = 4;         // prefetched together, and in the transpose also added together
+constexpr Index at_once = lanes == 8 ? 8 : lanes == 4 ? 2 : 1;  // points whose partial sums fit into the registers
+constexpr Index tile_points = 4;         // of the transpose: sums stay in registers meanwhile
+constexpr Index streams = 2;             // places that are read in turn: memory gives two more than one
+constexpr Offset prefetch_ahead = 4096;  // bytes at least: memory is a page, or a tile, ahead of the registers
 
 typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 typedef float Singles __attribute__((vector_size(4 * HARMORPH_LANES), aligned(4), may_alias));
-typedef Real Two __attribute__((vector_size(16), aligned(8), may_alias));
 typedef std::uint64_t Integers __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
@@ -29,123 +32,216 @@ HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
 }
 HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
 
+// From a number to the one that is fetched meanwhile: whole rows on, as they may be longer than what is used of them.
 template <class Number>
-HARMORPH_INLINE void prefetch(const Number* values, Offset count) noexcept {
-    const char* const from = reinterpret_cast<const char*>(values) + prefetch_ahead;
-    Offset const bytes = static_cast<Offset>(sizeof(Number)) * count;
-    for (Offset line = 0; line < bytes; line += 64) __builtin_prefetch(from + line);
+HARMORPH_INLINE Offset numbers_ahead(ValueRows<Number> const& rows) noexcept {
+    Offset const least = prefetch_ahead / static_cast<Offset>(sizeof(Number)), tile = tile_points * rows.row;
+    return tile >= least || rows.row == 0 ? tile : (least + rows.row - 1) / rows.row * rows.row;
 }
 
-// ((0+4)+(2+6)) + ((1+5)+(3+7)), whatever the width.
-HARMORPH_INLINE Real total_of(const Vector* partial) noexcept {
-    Real s[sums];
-    for (Index v = 0; v < vectors; ++v) store(s + v * lanes, partial[v]);
-    auto const pair = [&](Index k) -> Two { return *reinterpret_cast<const Two*>(s + k); };
-    Two const both = (pair(0) + pair(4)) + (pair(2) + pair(6));
-    return both[0] + both[1];
+template <Index... lane>
+struct Lanes {};
+using AllLanes = Lanes<HARMORPH_LANE_NUMBERS>;
+
+// Lanes i and i + distance of a are added, and of b; the sums of b come to where the second ones of a were.
+template <Index distance, Index... lane>
+HARMORPH_INLINE Vector fold(Vector a, Vector b, Lanes<lane...>) noexcept {
+#if defined(__clang__)
+    Vector const kept = __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane : lane)...);
+    Vector const moved =
+        __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...);
+#else
+    Vector const kept = __builtin_shuffle(a, b, Integers{((lane & distance) != 0 ? lanes + lane : lane)...});
+    Vector const moved =
+        __builtin_shuffle(a, b, Integers{((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...});
+#endif
+    return kept + moved;
 }
 
-template <class Number>
-HARMORPH_INLINE void multiply_row(const Number* values, Index n, Movements const& by, Real& sum_x,
-                                  Real& sum_y) noexcept {
-    Vector x[vectors] = {}, y[vectors] = {};
+// The sum of vector p of `partial` comes to lane p. `partial` is overwritten.
+template <Index distance = lanes / 2>
+HARMORPH_INLINE Vector totals_of(Vector* partial) noexcept {
+    for (Index p = 0; p < distance; ++p) partial[p] = fold<distance>(partial[p], partial[p + distance], AllLanes{});
+    if constexpr (distance > 1) return totals_of<distance / 2>(partial);
+    else return partial[0];
+}
+
+// With totals_of(): ((0+4)+(2+6)) + ((1+5)+(3+7)), whatever the width.
+HARMORPH_INLINE Vector folded(const Vector* partial) noexcept {
+    if constexpr (vectors == 4) return (partial[0] + partial[2]) + (partial[1] + partial[3]);
+    else if constexpr (vectors == 2) return partial[0] + partial[1];
+    else return partial[0];
+}
+
+// Sums of `points` rows that remain to be added up over their lanes.
+template <Index points, class Number>
+HARMORPH_INLINE void multiply_points(const Number* values, Offset row, Index n, Movements const& by, Offset ahead,
+                                     Vector* sum_x, Vector* sum_y) noexcept {
+    Vector x[points][vectors] = {}, y[points][vectors] = {};
     Index k = 0;
     for (; k + sums <= n; k += sums) {
+        for (Index p = 0; p < points; ++p) __builtin_prefetch(values + p * row + k + ahead);
         for (Index v = 0; v < vectors; ++v) {
-            Vector const f = load(values + k + v * lanes);
-            x[v] += f * load(by.x + k + v * lanes);
-            y[v] += f * load(by.y + k + v * lanes);
+            Vector const by_x = load(by.x + k + v * lanes), by_y = load(by.y + k + v * lanes);
+            for (Index p = 0; p < points; ++p) {
+                Vector const f = load(values + p * row + k + v * lanes);
+                x[p][v] += f * by_x;
+                y[p][v] += f * by_y;
+            }
         }
     }
     for (Index v = 0; v < vectors && k + v * lanes < n; ++v) {
         Index const here = k + v * lanes, left = n - here;
-        Vector const f = left >= lanes ? load(values + here) : load_part(values + here, left);
-        x[v] += f * load(by.x + here);
-        y[v] += f * load(by.y + here);
-    }
-    sum_x += total_of(x);
-    sum_y += total_of(y);
-}
-
-HARMORPH_INLINE Integers load(const std::uint64_t* from) noexcept {
-    return *reinterpret_cast<const Integers*>(from);
-}
-HARMORPH_INLINE void store(std::uint64_t* to, Integers v) noexcept { *reinterpret_cast<Integers*>(to) = v; }
-
-// The bits of numbers rounded to FixedSum's grids: multiples of the unit, above the grid's own bits.
-HARMORPH_INLINE Integers coarse_bits(Vector t) noexcept {
-    return reinterpret_cast<Integers>(t + FixedSum::coarse_grid);
-}
-HARMORPH_INLINE Integers fine_bits(Vector t) noexcept {
-    Vector const coarse = (t + FixedSum::coarse_grid) - FixedSum::coarse_grid;
-    return reinterpret_cast<Integers>((t - coarse) + FixedSum::fine_grid);
-}
-
-template <Index points, class Number>
-HARMORPH_INLINE void multiply_transposed(const Number* values, Offset row, Index n, const Vec2* by,
-                                         FixedSums& total) noexcept {
-    for (Index k = 0; k < n; k += lanes) {
-        Integers coarse_x = load(total.coarse_x + k), coarse_y = load(total.coarse_y + k);
-        Integers fine_x = load(total.fine_x + k), fine_y = load(total.fine_y + k);
+        Vector const by_x = load(by.x + here), by_y = load(by.y + here);
         for (Index p = 0; p < points; ++p) {
-            const Number* const from = values + p * row + k;
-            Vector const f = n - k >= lanes ? load(from) : load_part(from, n - k);
-            Vector const x = f * by[p].x, y = f * by[p].y;
-            coarse_x += coarse_bits(x);
-            fine_x += fine_bits(x);
-            coarse_y += coarse_bits(y);
-            fine_y += fine_bits(y);
+            const Number* const from = values + p * row + here;
+            Vector const f = left >= lanes ? load(from) : load_part(from, left);
+            x[p][v] += f * by_x;
+            y[p][v] += f * by_y;
         }
-        store(total.coarse_x + k, coarse_x);
-        store(total.coarse_y + k, coarse_y);
-        store(total.fine_x + k, fine_x);
-        store(total.fine_y + k, fine_y);
     }
-}
-
-// The grids' bits of all points, in whole vectors as they were added.
-HARMORPH_INLINE void take_off_grids(Index n_points, Index n, FixedSums& total) noexcept {
-    std::uint64_t const times = static_cast<std::uint64_t>(n_points);
-    std::uint64_t const coarse = times * bits_of(FixedSum::coarse_grid);
-    std::uint64_t const fine = times * bits_of(FixedSum::fine_grid);
-    for (Index k = 0; k < (n + lanes - 1) / lanes * lanes; ++k) {
-        total.coarse_x[k] -= coarse;
-        total.coarse_y[k] -= coarse;
-        total.fine_x[k] -= fine;
-        total.fine_y[k] -= fine;
+    for (Index p = 0; p < points; ++p) {
+        sum_x[p] = folded(x[p]);
+        sum_y[p] = folded(y[p]);
     }
 }
 
 template <class Number>
-HARMORPH_INLINE void multiply_all(ValueRows<Number> const& rows, Movements const& by, Vec2* sum) noexcept {
-    for (Index p = 0; p < rows.n_points; ++p) {
-        const Number* const values = rows.values + p * rows.row;
-        if (p % tile_points == 0) prefetch(values, tile_points * rows.row);
-        multiply_row(values, rows.n_functions, by, sum[p].x, sum[p].y);
+HARMORPH_INLINE void multiply_group(ValueRows<Number> const& rows, Index p, Movements const& by, Offset ahead,
+                                    Sums const& to) noexcept {
+    Vector x[lanes], y[lanes];
+    for (Index i = 0; i < lanes; i += at_once) {
+        multiply_points<at_once>(rows.values + (p + i) * rows.row, rows.row, rows.n_functions, by, ahead, x + i, y + i);
+    }
+    store(to.x + p, load(to.x + p) + totals_of(x));
+    store(to.y + p, load(to.y + p) + totals_of(y));
+}
+
+template <class Number>
+HARMORPH_INLINE void multiply_all(ValueRows<Number> const& rows, Movements const& by, Sums const& to) noexcept {
+    Offset const ahead = numbers_ahead(rows);
+    Index const stream = rows.n_points / streams / lanes * lanes;
+    for (Index p = 0; p < stream; p += lanes) {
+        for (Index s = 0; s < streams; ++s) multiply_group(rows, s * stream + p, by, ahead, to);
+    }
+    Index p = streams * stream;
+    for (; p + lanes <= rows.n_points; p += lanes) multiply_group(rows, p, by, ahead, to);
+    if (p == rows.n_points) return;
+    Vector x[lanes] = {}, y[lanes] = {};
+    for (Index i = 0; p + i < rows.n_points; ++i) {
+        multiply_points<1>(rows.values + (p + i) * rows.row, rows.row, rows.n_functions, by, ahead, x + i, y + i);
+    }
+    Vector const total_x = totals_of(x), total_y = totals_of(y);
+    for (Index i = 0; p + i < rows.n_points; ++i) {
+        to.x[p + i] += total_x[i];
+        to.y[p + i] += total_y[i];
+    }
+}
+
+// Two sums of products in fixed point, see FixedSum, of which settled() makes the coarse and the fine one.
+struct Sum {
+    Integers first, second;
+
+#if defined(HARMORPH_ROUND)
+    // Modulo 2^64, and in floating point: that is wrong by far less than 2^63, so it tells how many 2^64 are missing.
+    HARMORPH_INLINE void add(Vector t) noexcept {
+        first += Integers(HARMORPH_ROUND(t));
+        second = reinterpret_cast<Integers>(reinterpret_cast<Vector>(second) + t);
+    }
+    static HARMORPH_INLINE FixedSum settled(std::uint64_t first, std::uint64_t second, Index) noexcept {
+        Real rough;
+        std::memcpy(&rough, &second, sizeof rough);
+        Real const missing = (rough - static_cast<Real>(first)) * 0x1p-64;
+        std::int64_t const times = static_cast<std::int64_t>(missing + (missing < 0 ? -0.5 : 0.5));
+        constexpr std::int64_t coarse_in_word = std::int64_t{1} << (64 - FixedSum::fine_bits);
+        return {times * coarse_in_word + static_cast<std::int64_t>(first >> FixedSum::fine_bits),
+                static_cast<std::int64_t>(first & FixedSum::fine_mask)};
+    }
+#else
+    // The bits of numbers on FixedSum's grids: multiples of its units, above the grids' own bits.
+    HARMORPH_INLINE void add(Vector t) noexcept {
+        Vector const on_grid = t + FixedSum::coarse_grid;
+        first += reinterpret_cast<Integers>(on_grid);
+        second += reinterpret_cast<Integers>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
+    }
+    static HARMORPH_INLINE FixedSum settled(std::uint64_t first, std::uint64_t second, Index n_points) noexcept {
+        std::uint64_t const times = static_cast<std::uint64_t>(n_points);
+        return {static_cast<std::int64_t>(first - times * FixedSum::bits_of_coarse_grid),
+                static_cast<std::int64_t>(second - times * FixedSum::bits_of_fine_grid)};
+    }
+#endif
+};
+
+struct BlockOfSums {
+    std::uint64_t first[Movements::most], second[Movements::most];
+
+    HARMORPH_INLINE Sum at(Index k) const noexcept {
+        return {*reinterpret_cast<const Integers*>(first + k), *reinterpret_cast<const Integers*>(second + k)};
+    }
+    HARMORPH_INLINE void set(Index k, Sum its) noexcept {
+        *reinterpret_cast<Integers*>(first + k) = its.first;
+        *reinterpret_cast<Integers*>(second + k) = its.second;
+    }
+};
+
+template <Index points, class Number>
+HARMORPH_INLINE void multiply_transposed(const Number* values, Offset row, Index n, const Vec2* by, Offset ahead,
+                                         BlockOfSums& sum_x, BlockOfSums& sum_y) noexcept {
+    for (Index k = 0; k < n; k += lanes) {
+        Sum x = sum_x.at(k), y = sum_y.at(k);
+        for (Index p = 0; p < points; ++p) {
+            const Number* const from = values + p * row + k;
+            if (k % sums == 0) __builtin_prefetch(from + ahead);
+            Vector const f = n - k >= lanes ? load(from) : load_part(from, n - k);
+            x.add(f * by[p].x);
+            y.add(f * by[p].y);
+        }
+        sum_x.set(k, x);
+        sum_y.set(k, y);
     }
 }
 
 template <class Number>
 HARMORPH_INLINE void multiply_all_transposed(ValueRows<Number> const& rows, const Vec2* by, FixedSums& total) noexcept {
-    Index p = 0;
-    for (; p + tile_points <= rows.n_points; p += tile_points) {
-        const Number* const values = rows.values + p * rows.row;
-        prefetch(values, tile_points * rows.row);
-        multiply_transposed<tile_points>(values, rows.row, rows.n_functions, by + p, total);
+    Offset const ahead = numbers_ahead(rows);
+    Index const n = rows.n_functions;
+    BlockOfSums x, y;
+    for (Index k = 0; k < n; k += lanes) {
+        x.set(k, Sum{});
+        y.set(k, Sum{});
     }
-    for (; p < rows.n_points; ++p) {
-        multiply_transposed<1>(rows.values + p * rows.row, rows.row, rows.n_functions, by + p, total);
+    Index const stream = rows.n_points / streams / tile_points * tile_points;
+    for (Index p = 0; p < stream; p += tile_points) {
+        for (Index s = 0; s < streams; ++s) {
+            Index const first = s * stream + p;
+            multiply_transposed<tile_points>(rows.values + first * rows.row, rows.row, n, by + first, ahead, x, y);
+        }
     }
-    take_off_grids(rows.n_points, rows.n_functions, total);
+    for (Index p = streams * stream; p < rows.n_points; ++p) {
+        multiply_transposed<1>(rows.values + p * rows.row, rows.row, n, by + p, ahead, x, y);
+    }
+    for (Index k = 0; k < n; ++k) {
+        total.x[k] += Sum::settled(x.first[k], x.second[k], rows.n_points);
+        total.y[k] += Sum::settled(y.first[k], y.second[k], rows.n_points);
+    }
+}
+
+HARMORPH_INLINE void add_all(const Real* from, Real* to, const Real* sum, Index n) noexcept {
+    Index i = 0;
+    for (; i + lanes <= n; i += lanes) {
+        Vector const old = load(from + i), by = load(sum + i);
+        store(to + i, by == 0 ? old : old + by);
+    }
+    for (; i < n; ++i) to[i] = sum[i] == 0 ? from[i] : from[i] + sum[i];
 }
 
 }  // namespace
 
-void multiply_rows(ValueRows<Real> const& rows, Movements const& by, Vec2* sum) noexcept {
-    multiply_all(rows, by, sum);
+void multiply_rows(ValueRows<Real> const& rows, Movements const& by, Sums const& to) noexcept {
+    multiply_all(rows, by, to);
 }
-void multiply_rows(ValueRows<float> const& rows, Movements const& by, Vec2* sum) noexcept {
-    multiply_all(rows, by, sum);
+void multiply_rows(ValueRows<float> const& rows, Movements const& by, Sums const& to) noexcept {
+    multiply_all(rows, by, to);
 }
 
 void multiply_rows_transposed(ValueRows<Real> const& rows, const Vec2* by, FixedSums& total) noexcept {
@@ -154,5 +250,7 @@ void multiply_rows_transposed(ValueRows<Real> const& rows, const Vec2* by, Fixed
 void multiply_rows_transposed(ValueRows<float> const& rows, const Vec2* by, FixedSums& total) noexcept {
     multiply_all_transposed(rows, by, total);
 }
+
+void add_sums(const Real* from, Real* to, const Real* sum, Index n) noexcept { add_all(from, to, sum, n); }
 
 }  // namespace harmorph::HARMORPH_KERNEL

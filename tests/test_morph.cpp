@@ -109,7 +109,7 @@ TEST_CASE("one component of the adjoint is one function against the gradient") {
     gx[77] = 2;
     gy[91] = -1;
     REQUIRE(hm_adjoint(solved.basis, gx.data(), gy.data(), 0, gradient.data(), nullptr, nullptr) == HM_OK);
-    CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);   // products are rounded to multiples of 2^-64 of the largest
+    CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);   // products are rounded to multiples of 2^-63 of the largest
     CHECK(std::fabs(gradient[11] + f[91]) <= 0x1p-62);
 }
 

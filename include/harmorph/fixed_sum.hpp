@@ -2,19 +2,22 @@
 // threads give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as
 // integers. (Rounding to a common grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| <= 1 becomes two integers: coarse, the multiple of 2^-32 nearest to it, and fine, the multiple of
-// 2^-64 nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
-// multiple. Ties go to an even multiple by t alone, whatever was added before. A sum of up to 2^30 numbers cannot
-// overflow; its error is at most 2^-65 for each of them.
+// A number t with |t| < 2^63 becomes the integer nearest to it, at a tie the even one: t alone decides, whatever
+// was added before. Where no instruction does that, two integers do: coarse, of the multiple of 2^31 nearest to t, and
+// fine, nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
+// multiple. A sum of up to 2^30 numbers cannot overflow; its error is at most 1/2 for each of them.
 #pragma once
 
 #include "harmorph/scalar.hpp"
 
 namespace harmorph {
 
+// coarse * 2^31 + fine: the same sum may be split in more ways than one.
 struct FixedSum {
-    static constexpr Real coarse_grid = 0x1.8p+20;  // 1.5 * 2^52 units of 2^-32
-    static constexpr Real fine_grid = 0x1.8p-12;    // and of 2^-64
+    static constexpr int fine_bits = 31;
+    static constexpr std::uint64_t fine_mask = (std::uint64_t{1} << fine_bits) - 1;
+    static constexpr Real coarse_grid = 0x1.8p+83, fine_grid = 0x1.8p+52;
+    static constexpr std::uint64_t bits_of_coarse_grid = 0x4528000000000000, bits_of_fine_grid = 0x4338000000000000;
 
     std::int64_t coarse = 0, fine = 0;
 
@@ -23,13 +26,12 @@ struct FixedSum {
         fine += other.fine;
         return *this;
     }
-    // Of the sum itself all but the last bits are kept: they are below its own spacing.
+    // In units of 2^63. All but the last bits are kept: they are below the spacing of numbers of that size.
     Real value() const noexcept {
         constexpr std::int64_t low_word = 0xffffffff;
-        constexpr Real word = 4294967296.0;
-        std::int64_t const carried = coarse + (fine >> 32);
-        Real const whole = static_cast<Real>(carried >> 32) + static_cast<Real>(carried & low_word) / word;
-        return whole + static_cast<Real>(fine & low_word) / (word * word);
+        std::int64_t const carried = coarse + (fine >> fine_bits), rest = fine & static_cast<std::int64_t>(fine_mask);
+        Real const whole = static_cast<Real>(carried >> 32) + static_cast<Real>(carried & low_word) * 0x1p-32;
+        return whole + static_cast<Real>(rest) * 0x1p-63;
     }
 };
 
@@ -50,7 +52,7 @@ private:
 
 // A power of two that brings numbers below 1.
 struct BinaryScale {
-    static constexpr Index least = -1000, most = 1023;  // of one number; smaller ones are far below the sums' grids
+    static constexpr Index least = -950, most = 1023;  // of one number: 2^63 divided by a smaller one would overflow
     static constexpr Index not_finite = 2147483647;
     Index exponent = least;
 
@@ -60,13 +62,16 @@ struct BinaryScale {
         Index const field = static_cast<Index>(bits_of(x) >> 52 & 0x7ff);
         return larger(least, field - 1022);
     }
-    // Of products of numbers below 2^a and 2^b.
-    static BinaryScale of_products(Index a, Index b) noexcept {
-        bool const finite = a != not_finite && b != not_finite && a + b <= most;
-        return {finite ? a + b : not_finite};
+    // Of products of numbers up to a and b: at most 2 a b, where these are not tiny.
+    static BinaryScale of_products(Real a, Real b) noexcept {
+        BinaryScale const its_a{exponent_above(a)}, its_b{exponent_above(b)};
+        if (!its_a.finite() || !its_b.finite() || its_a.exponent + its_b.exponent > most) return {not_finite};
+        return {its_a.exponent + its_b.exponent - (its_a.down(a) * its_b.down(b) < 0.5 ? 1 : 0)};
     }
+    // The one with which down() gives numbers of FixedSum: its products are below 2^63.
+    BinaryScale units() const noexcept { return {exponent - 63}; }
     bool finite() const noexcept { return exponent != not_finite; }
-    bool valid() const noexcept { return !finite() || (exponent >= 2 * least && exponent <= most); }
+    bool valid() const noexcept { return !finite() || (exponent >= 2 * least - 1 && exponent <= most); }
 
     // x / 2^exponent, and back; in two steps, as one power of two might not be a number.
     Real down(Real x) const noexcept { return x * power(-exponent / 2) * power(exponent / 2 - exponent); }

@@ -23,26 +23,26 @@ struct ValueRows {
     Index n_points = 0, n_functions = 0;
 };
 
-// Sums for a block of functions in fixed point, see FixedSum. Unsigned, because intermediate ones wrap.
+// Of a block of points: x[p], y[p].
+struct Sums {
+    Real *x, *y;
+};
+
+// Sums for a block of functions in fixed point.
 struct FixedSums {
-    std::uint64_t coarse_x[Movements::most], coarse_y[Movements::most];
-    std::uint64_t fine_x[Movements::most], fine_y[Movements::most];
-
-    FixedSum x(Index k) const noexcept { return {as_signed(coarse_x[k]), as_signed(fine_x[k])}; }
-    FixedSum y(Index k) const noexcept { return {as_signed(coarse_y[k]), as_signed(fine_y[k])}; }
-
-private:
-    static std::int64_t as_signed(std::uint64_t sum) noexcept { return static_cast<std::int64_t>(sum); }
+    FixedSum x[Movements::most], y[Movements::most];
 };
 
 // Few values are multiplied before the processor has told what it is.
 Kernel product_kernel(Offset values) noexcept;
 
-// sum[p] += values of point p . movements
-void multiply_rows(Kernel kernel, ValueRows<Real> const& rows, Movements const& by, Vec2* sum) noexcept;
-void multiply_rows(Kernel kernel, ValueRows<float> const& rows, Movements const& by, Vec2* sum) noexcept;
-// total += sum over the points of their values times by[p]; no product may exceed 1.
+// to[p] += values of point p . movements
+void multiply_rows(Kernel kernel, ValueRows<Real> const& rows, Movements const& by, Sums const& to) noexcept;
+void multiply_rows(Kernel kernel, ValueRows<float> const& rows, Movements const& by, Sums const& to) noexcept;
+// total += sum over the points of their values times by[p]; no product may reach 2^63, and n_points not 2^20.
 void multiply_rows_transposed(Kernel kernel, ValueRows<Real> const& rows, const Vec2* by, FixedSums& total) noexcept;
 void multiply_rows_transposed(Kernel kernel, ValueRows<float> const& rows, const Vec2* by, FixedSums& total) noexcept;
+// to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be to.
+void add_sums(Kernel kernel, const Real* from, Real* to, const Real* sum, Index n) noexcept;
 
 }  // namespace harmorph

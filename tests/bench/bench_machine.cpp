@@ -3,8 +3,11 @@
 #include "peers.hpp"
 #include "settings.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace bench {
 namespace {
@@ -74,8 +77,8 @@ double measure_peak(Loops const& loops) {
     return static_cast<double>(rounds) * loops.per_round / time_of([&] { sink = loops.multiply_add(rounds, factor); });
 }
 
-// Bytes per second; each thread reads its part.
-double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings) {
+// Each thread reads its part. data: aligned, so that whole vectors may be read.
+void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t ahead, Settings const& settings) {
     struct Job {
         Loops const& loops;
         double const* data;
@@ -85,17 +88,37 @@ double measure_reading(Loops const& loops, double const* data, std::size_t n, Se
         Job const& job = *static_cast<Job const*>(context);
         sink = job.loops.read(job.data + static_cast<std::size_t>(index) * job.part, job.part, job.ahead);
     };
-    std::size_t const threads = static_cast<std::size_t>(settings.threads);
+    Job job{loops, data, n / static_cast<std::size_t>(settings.threads) / 64 * 64, ahead};
+    if (settings.executor == nullptr) read_part(&job, 0);
+    else settings.executor->run(settings.executor->user, settings.threads, read_part, &job);
+}
+
+std::size_t const distances[] = {0, 128, 512, 1024};   // of prefetches
+
+// Bytes per second.
+double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings) {
     double best = 0;
-    for (std::size_t const ahead : {std::size_t{0}, std::size_t{128}, std::size_t{512}}) {
-        Job job{loops, data, n / threads / 64 * 64, ahead};
-        double const seconds = time_of([&] {
-            if (settings.executor == nullptr) read_part(&job, 0);
-            else settings.executor->run(settings.executor->user, settings.threads, read_part, &job);
-        });
-        best = std::max(best, 8.0 * static_cast<double>(job.part * threads) / seconds);
-    }
-    return best;
+    for (std::size_t const ahead : distances)
+        best = std::max(best, 1 / time_of([&] { read_all(loops, data, n, ahead, settings); }));
+    return 8.0 * static_cast<double>(n) * best;
+}
+
+double const* aligned(void const* data) {
+    return reinterpret_cast<double const*>((reinterpret_cast<std::uintptr_t>(data) + 63) / 64 * 64);
+}
+
+// Far more than the last cache holds, and no more than a quarter of the memory. Virtual machines may tell of a cache
+// that they share with others.
+std::size_t bytes_in_no_cache() {
+    double const mega = 1 << 20;
+    double cache = 100 * mega, memory = 1024 * mega;
+#if defined(_SC_LEVEL3_CACHE_SIZE)
+    cache = std::max(cache, static_cast<double>(sysconf(_SC_LEVEL3_CACHE_SIZE)));
+#endif
+#if defined(_SC_PHYS_PAGES)
+    memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+#endif
+    return static_cast<std::size_t>(std::min(4 * cache, memory / 4));
 }
 
 double measure_dgemm(Blas const& its) {
@@ -123,14 +146,16 @@ Limits measure_machine(Settings const& settings, Report& report) {
         table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
     }
 
-    // Larger than any cache; aligned by hand, so that whole vectors may be read.
-    std::size_t const n = std::size_t{48} << 20;
+    std::size_t const n = bytes_in_no_cache() / 8 / 1024 * 1024;
     std::vector<double> memory(n + 1024, 1.0);
-    double* data = memory.data();
-    while (reinterpret_cast<std::uintptr_t>(data) % 64 != 0) ++data;
+    double* const data = memory.data() + (aligned(memory.data()) - memory.data());
     limits.read = measure_reading(loops, data, n, settings);
+    limits.read_once = [loops, &settings](void const* from, std::size_t bytes) {
+        read_all(loops, aligned(from), bytes / 8 - 8, distances[3], settings);
+    };
     std::string const threads = settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
-    table.add({"reading 400 MB, " + threads + ", best of three prefetches", {1e-9 * limits.read, "%.1f"}, "GB/s"});
+    table.add({"reading " + std::to_string(n >> 17) + " MB, " + threads + ", best of four prefetches",
+               {1e-9 * limits.read, "%.1f"}, "GB/s"});
     std::size_t const third = n / 3;
     double *a = data, *b = data + third, *c = data + 2 * third;
     double const seconds = time_of([&] {

@@ -92,21 +92,31 @@ double time_of(Work work, double budget = 0.3) {
     return median(seconds);
 }
 
-// Seconds of one call each, the least of many in turn: what disturbs one disturbs the other.
+inline double least(std::vector<double> const& values) {
+    return values.empty() ? not_measured : *std::min_element(values.begin(), values.end());
+}
+
+// Seconds of many calls of each, in turn: what disturbs one disturbs the other. Turns last a millisecond at least, so
+// that each finds what fits in a cache there; the first call of a turn warms up.
 template <class One, class Other>
-std::pair<double, double> least_in_turn(One one, Other other, double budget = 1) {
-    std::pair<double, double> least{not_measured, not_measured};
+std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other, double budget = 1) {
+    std::pair<std::vector<double>, std::vector<double>> seconds;
+    auto const turn = [](auto& work, std::vector<double>& its) {
+        Stopwatch whole, watch;
+        work();
+        bool const is_long = watch.lap() > 1e-3;
+        do {
+            watch.lap();
+            work();
+            its.push_back(watch.lap());
+        } while (!is_long && whole.seconds() < 1e-3);
+    };
     Stopwatch whole;
-    for (int calls = 0; calls < 10 || (calls < 400 && whole.seconds() < budget); ++calls) {
-        Stopwatch watch;
-        one();
-        double const first = watch.lap();
-        other();
-        double const second = watch.lap();
-        if (!(least.first <= first)) least.first = first;
-        if (!(least.second <= second)) least.second = second;
+    for (int turns = 0; turns < 10 || (turns < 400 && whole.seconds() < budget); ++turns) {
+        turn(one, seconds.first);
+        turn(other, seconds.second);
     }
-    return least;
+    return seconds;
 }
 
 // What run() returns. While others have the processor too, one thread's run is repeated, twice at most; the least disturbed

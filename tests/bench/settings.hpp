@@ -5,6 +5,8 @@
 
 #include <harmorph.h>
 
+#include <functional>
+
 namespace bench {
 
 struct Settings {
@@ -29,6 +31,7 @@ struct Settings {
 // Bytes read per second, and arithmetic: what the other parts are measured against.
 struct Limits {
     double read = 0;        // [bytes/s] of all threads over an array that fits in no cache
+    std::function<void(void const* data, std::size_t bytes)> read_once;   // by these threads, for other data
     double peak = 0;        // [flop/s] of one thread, multiply-adds in registers
 };
 
