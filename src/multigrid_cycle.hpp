@@ -41,9 +41,8 @@ private:
         backward<W>(rows, z);
     }
 
-    // At most two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
+    // Two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
     void solve(Index level) const noexcept {
-        constexpr Real enough = 0.25;  // reduction of the residual that makes the second step needless
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
         Real* const c = coarse_[level][1];
@@ -51,7 +50,6 @@ private:
         Real* const d = coarse_[level][3];
         precondition(level, r, c);
         if (is_last(level) && engine_.has_bottom) return;
-        Lanes<W> const before = dot<W>(r, r, rows.n);
         Lanes<W> const along_r = dot<W>(c, r, rows.n);
         Lanes<W> const along = multiply<W>(rows, c, v);
         Lanes<W> step, minus_step;
@@ -59,10 +57,7 @@ private:
             step[k] = along[k] > 0 ? along_r[k] / along[k] : 0;
             minus_step[k] = -step[k];
         }
-        Lanes<W> const after = add_multiple<W>(minus_step, v, r, rows.n);
-        bool done = true;
-        for (Index k = 0; k < W; ++k) done = done && after[k] <= enough * enough * before[k];
-        if (done) return combine<W>(step, c, Lanes<W>{}, c, rows.n);
+        add_multiple<W>(minus_step, v, r, rows.n);
 
         precondition(level, r, d);
         Lanes<W> const across = dot<W>(d, v, rows.n);
