@@ -162,7 +162,7 @@ private:
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             Lanes<W> const along = multiply<W>(rows_, p(), q());
-            Lanes<W> step = dot<W>(p(), r(), n), minus_step;  // to the least energy along p: whatever p is, no energy grows
+            Lanes<W> step = dot<W>(p(), r(), n), minus_step;  // to the least energy along p: none grows, whatever p is
             for (Index k = 0; k < W; ++k) {
                 step[k] = !is_done(k) && along[k] > 0 ? step[k] / along[k] : 0;  // what is done stays
                 minus_step[k] = -step[k];

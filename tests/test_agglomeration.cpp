@@ -69,7 +69,7 @@ Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index>
     return mean;
 }
 
-// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with one pair of equal cells.
+// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with two equal cells.
 double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of, Index n) {
     std::vector<std::vector<Index>> members(static_cast<std::size_t>(n));
     std::vector<std::size_t> place(static_cast<std::size_t>(rows.n));
@@ -300,7 +300,7 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
     }
 }
 
-TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value, as stacks of thin cells joined by a third") {
+TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value, such as two stacks and a third part") {
     for (int const n_wake : {18, 40}) {
         Case its = airfoil_case(20, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 30), n_wake, 40, stretched(1e-8, 60, 80)).mesh;
