@@ -17,8 +17,8 @@ Real in_series(Real a, Real b) noexcept { return a > 0 && b > 0 ? a / (a + b) * 
 
 // How much two cells want to be one; 0 for those that do not touch.
 struct Preference {
+    using Part = Agglomeration::Part;
     SymmetricRows const& rows;
-    Span<const Real> diagonal;  // of the cells of the level, sums for those that are pairs already
     Merging merging;
 
     Real coupling(Offset entry) const noexcept {
@@ -27,10 +27,10 @@ struct Preference {
     }
     // A merged cell has one value, so what its two parts differ by is the smoother's to remove. It sees the difference in the
     // units of the diagonals, and does not if the coupling, with what both have to known values, is small beside them: two
-    // stacks of thin cells, say, each merged for its strong couplings, with next to nothing between them.
-    bool is_smoothed(Index i, Index j, Real coupling) const noexcept {
+    // stacks of thin cells, say, each merged for its strong couplings, with next to nothing between them but a third part.
+    bool is_smoothed(Part const& a, Part const& b, Real coupling) const noexcept {
         if (merging == Merging::isotropic) return true;
-        return 2 * in_series(diagonal[i], diagonal[j]) <= most_left * (coupling + in_series(rows.excess[i], rows.excess[j]));
+        return 2 * in_series(a.diagonal, b.diagonal) <= most_left * (coupling + in_series(a.excess, b.excess));
     }
     bool is_strong(Real coupling, Real strongest) const noexcept {
         return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
@@ -59,7 +59,7 @@ void Agglomeration::lay_out_work(Arena& arena, Index n, Offset entries) noexcept
     work_.rows.lay_out(arena, n, entries);
     arena.take(work_.first, n);
     arena.take(work_.second, n);
-    arena.take(work_.diagonal, n);
+    arena.take(work_.parts, n);
     arena.take(work_.strongest, n);
     arena.take(work_.strongest_before, n);
     arena.take(work_.before, n);
@@ -77,11 +77,9 @@ void Agglomeration::build(SymmetricRows const& finest, MergingRules const& rules
 
 bool Agglomeration::add_level(Merging merging) noexcept {
     SymmetricRows const& fine = level[count - 1];
-    copy(work_.diagonal.first(fine.n), Span<const Real>(fine.diagonal));
+    for (Index i = 0; i < fine.n; ++i) work_.parts[i] = {fine.diagonal[i], fine.excess[i]};
     Index const n_pairs = pair_up(fine, merging, work_.first);
     contract(fine, work_.first, n_pairs, work_.last, work_.rows);
-    fill(work_.diagonal.first(n_pairs), 0.0);
-    for (Index i = 0; i < fine.n; ++i) work_.diagonal[work_.first[i]] += fine.diagonal[i];
     Index const n = pair_up(work_.rows, merging, work_.second);
     if (n > fine.n / least_reduction) return false;
     Span<Index> const map = cell_pool_.from(maps_used_, fine.n);
@@ -114,10 +112,10 @@ bool Agglomeration::add_level(Merging merging) noexcept {
 }
 
 // One pass: to [rows.n] receives the merged cell of each; returns their number. They are numbered by their first cells, so
-// that the order stays the front's.
+// that the order stays the front's, and the parts of merged cells can take the place of those of cells that are done.
 Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept {
     Work const& w = work_;
-    Preference const prefers{rows, w.diagonal, merging};
+    Preference const prefers{rows, merging};
     fill(w.strongest.first(rows.n), 0.0);
     fill(w.strongest_before.first(rows.n), 0.0);
     rows.for_each([&](Index i, Index j, Offset e) {
@@ -145,22 +143,28 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<In
                 continue;
             }
             if (!prefers.is_strong(coupling, smaller(w.strongest[i], w.strongest[j]))) continue;
-            if (!prefers.is_smoothed(i, j, coupling)) continue;
+            if (!prefers.is_smoothed(w.parts[i], w.parts[j], coupling)) continue;
             Real const weight = prefers.weight(e, coupling);
             if (weight < best || (weight == best && !(coupling > best_coupling))) continue;
             best = weight;
             best_coupling = coupling;
             partner = j;
         }
+        Part its = w.parts[i];
         if (partner != none) {
+            its += w.parts[partner];
             to[i] = to[partner] = n;
-            w.members[n++] = 2;
-        } else if (host != none && w.members[to[host]] < most_members && prefers.is_smoothed(i, host, strongest_host)) {
+            w.members[n] = 2;
+            w.parts[n++] = its;
+        } else if (host != none && w.members[to[host]] < most_members &&
+                   prefers.is_smoothed(its, w.parts[to[host]], strongest_host)) {
             to[i] = to[host];
             ++w.members[to[i]];
+            w.parts[to[i]] += its;
         } else {
             to[i] = n;
-            w.members[n++] = 1;
+            w.members[n] = 1;
+            w.parts[n++] = its;
         }
     }
     return n;

@@ -8,7 +8,6 @@ namespace harmorph {
 void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
                                 Executor const& its_executor) noexcept {
     Iteration chosen = its_iteration;
-    if (chosen.merging.max_levels == 0) chosen.merging.max_levels = default_levels;
     if (chosen.max_iterations == 0) chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
     BlockIteration::lay_out(arena, n, functions, chosen, its_executor);
     Offset const cells = n + Agglomeration::coarse_cells(n);

@@ -41,9 +41,8 @@ private:
         backward<W>(rows, z);
     }
 
-    // At most two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
+    // Two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
     void solve(Index level) const noexcept {
-        constexpr Real enough = 0.25;  // reduction of the residual that makes the second step needless
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
         Real* const c = coarse_[level][1];
@@ -51,7 +50,6 @@ private:
         Real* const d = coarse_[level][3];
         precondition(level, r, c);
         if (is_last(level) && engine_.has_bottom) return;
-        Lanes<W> const before = dot<W>(r, r, rows.n);
         Lanes<W> const along_r = dot<W>(c, r, rows.n);
         Lanes<W> const along = multiply<W>(rows, c, v);
         Lanes<W> step, minus_step;
@@ -59,10 +57,7 @@ private:
             step[k] = along[k] > 0 ? along_r[k] / along[k] : 0;
             minus_step[k] = -step[k];
         }
-        Lanes<W> const after = add_multiple<W>(minus_step, v, r, rows.n);
-        bool done = true;
-        for (Index k = 0; k < W; ++k) done = done && after[k] <= enough * enough * before[k];
-        if (done) return combine<W>(step, c, Lanes<W>{}, c, rows.n);
+        add_multiple<W>(minus_step, v, r, rows.n);
 
         precondition(level, r, d);
         Lanes<W> const across = dot<W>(d, v, rows.n);
@@ -119,9 +114,10 @@ public:
         for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations; ++descents) {
             HARMORPH_TRY(descend(iterations, after));
             take_true_residual();
+            for (Index k = 0; k < W; ++k) is_confirmed_[k] = is_done(k);
             if (converged()) break;
         }
-        for (Index k = 0; k < W; ++k) report.settled = report.settled && is_settled(k);
+        for (Index k = 0; k < W; ++k) report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
         report.fine_sweeps = iterations;  // each is a Gauss-Seidel sweep there and one back
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
@@ -140,7 +136,7 @@ private:
     // Far from thin cells a small residual may hide a large error, as their entries dwarf all others, and so may a small
     // energy. B r is about what the values are off: its largest number must be small beside theirs.
     bool is_settled(Index k) const noexcept { return errors_[k] <= engine_.iteration.tolerance * sizes_[k]; }
-    bool is_done(Index k) const noexcept { return squares_[k] <= wanted_[k] && is_settled(k); }
+    bool is_done(Index k) const noexcept { return is_confirmed_[k] || (squares_[k] <= wanted_[k] && is_settled(k)); }
     bool converged() const noexcept {
         for (Index k = 0; k < W; ++k) {
             if (!is_done(k)) return false;
@@ -162,14 +158,13 @@ private:
         Lanes<W> one;
         for (Index k = 0; k < W; ++k) one[k] = 1;
         cycle_.precondition(r(), z());
-        energies_ = dot<W>(z(), r(), n);
         estimate_errors();
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
             Lanes<W> const along = multiply<W>(rows_, p(), q());
-            Lanes<W> step, minus_step;
+            Lanes<W> step = dot<W>(p(), r(), n), minus_step;  // to the least energy along p: none grows, whatever p is
             for (Index k = 0; k < W; ++k) {
-                step[k] = !is_done(k) && along[k] > 0 ? energies_[k] / along[k] : 0;  // p.r = z.r; what is done stays
+                step[k] = !is_done(k) && along[k] > 0 ? step[k] / along[k] : 0;  // what is done stays
                 minus_step[k] = -step[k];
             }
             add_multiple<W>(step, p(), x(), n);
@@ -177,7 +172,6 @@ private:
             ++iterations;
             HARMORPH_TRY(after(iterations, largest_residual()));
             cycle_.precondition(r(), z());
-            energies_ = dot<W>(z(), r(), n);
             estimate_errors();
             Lanes<W> turn = dot<W>(z(), q(), n);
             for (Index k = 0; k < W; ++k) turn[k] = along[k] > 0 ? -turn[k] / along[k] : 0;
@@ -210,8 +204,8 @@ private:
     Rows const& values_;
     Index first_, width_;
     Lanes<W> squares_, wanted_;            // squared norms of the residuals, and where they are to be
-    Lanes<W> energies_;                    // r.B r
     Lanes<W> errors_, sizes_;              // largest numbers of B r and of x
+    bool is_confirmed_[W] = {};            // done, and the true residual agrees: no other function takes it further
 };
 
 }  // namespace harmorph::block

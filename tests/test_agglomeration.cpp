@@ -69,6 +69,34 @@ Point mean_extent(FrontMatrix const& front, Mesh const& mesh, std::vector<Index>
     return mean;
 }
 
+// Of all ways to split a merged cell in two: how much more the smoother must do, at most, than with two equal cells.
+double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Index> cell_of, Index n) {
+    std::vector<std::vector<Index>> members(static_cast<std::size_t>(n));
+    std::vector<std::size_t> place(static_cast<std::size_t>(rows.n));
+    for (Index i = 0; i < rows.n; ++i) {
+        std::vector<Index>& its = members[static_cast<std::size_t>(cell_of[i])];
+        place[static_cast<std::size_t>(i)] = its.size();
+        its.push_back(i);
+    }
+    double worst = 0;
+    auto const in_series = [](double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0; };
+    for (std::vector<Index> const& its : members)
+        for (unsigned split = 1; split < (1u << (its.size() - 1)); ++split) {   // the last member is always on one side
+            auto const side = [&](Index i) { return (split >> place[static_cast<std::size_t>(i)]) & 1u; };
+            double diagonal[2] = {0, 0}, excess[2] = {0, 0}, cut = 0;
+            for (Index const i : its) {
+                diagonal[side(i)] += rows.diagonal[i];
+                excess[side(i)] += rows.excess[i];
+                for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
+                    Index const j = rows.column[e];
+                    if (cell_of[j] == cell_of[i] && side(j) != side(i)) cut -= rows.value[e];
+                }
+            }
+            worst = std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(excess[0], excess[1])));
+        }
+    return worst;
+}
+
 Case viscous_case(Cells kind) {
     Case its = airfoil_case(40, 12, Cells::quads);
     its.mesh = o_mesh(naca4({}, 40), stretched(1e-5, 8, 50), kind);
@@ -268,6 +296,21 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
             check_partition(merged);
             for (Index level = 1; level < merged.levels.count; ++level)
                 CHECK(disconnected(rows, merged.cells_at(level)) == 0);
+        }
+    }
+}
+
+TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value, such as two stacks and a third part") {
+    for (int const n_wake : {18, 40}) {
+        Case its = airfoil_case(20, 12, Cells::quads);
+        its.mesh = c_mesh(naca4({}, 30), n_wake, 40, stretched(1e-8, 60, 80)).mesh;
+        Analysed const seen(its);
+        FrontMatrix const front(*seen.operator->());
+        Agglomerated const merged(front.rows);
+        harmorph::Agglomeration const& a = merged.levels;
+        for (Index l = 0; l + 1 < a.count; ++l) {
+            INFO("wake " << n_wake << ", level " << l);
+            CHECK(worst_split(a.level[l], a.cell_of[l], a.level[l + 1].n) < 64);   // 8 for each of the two passes
         }
     }
 }

@@ -167,7 +167,7 @@ TEST_CASE("it converges to the direct engine's functions, on stretched cells too
         CHECK(difference(found, expected) < 1e-8);
         CHECK(found.report.residual <= 1e-10);
         CHECK(found.report.fine_sweeps == 2 * found.report.iterations);   // one before and one after the correction
-        CHECK((found.report.levels >= 3 && found.report.levels <= 5));
+        CHECK(found.report.levels >= 3);
     }
 }
 
@@ -180,6 +180,21 @@ TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
     INFO(one.report.fine_sweeps << " steps with one level, " << five.report.fine_sweeps << " with " << five.report.levels);
     CHECK(one.report.fine_sweeps > 10 * five.report.fine_sweeps);
     CHECK(difference(one, five) < 1e-8);
+}
+
+TEST_CASE("the number of cycles hardly grows with the mesh") {
+    hm_options options = fas();
+    std::int32_t fewest = 1000;
+    for (int const n_side : {20, 40, 80}) {   // 1400 to 22 000 points
+        double const step = 1.02 / n_side;
+        Case its = airfoil_case(40, 12, Cells::quads);
+        its.mesh = o_mesh(naca4({}, n_side), stretched(step, 8, static_cast<int>(std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side)));
+        Solved const solved(its, &options);
+        INFO(its.mesh.n_points() << " points: " << solved.report.iterations << " cycles, " << solved.report.levels << " levels");
+        fewest = std::min(fewest, solved.report.iterations);
+        CHECK(solved.report.iterations <= 60);
+        CHECK(solved.report.iterations <= 3 * fewest / 2);
+    }
 }
 
 TEST_CASE("the start from the coarsest level is worth two cycles at least") {
@@ -208,7 +223,7 @@ TEST_CASE("from zero it goes to the same functions, and the first residual that 
     options.history_length = static_cast<std::int32_t>(history.size());
     Solved const from_zero(its, &options);
     CHECK(difference(level_by_level, from_zero) < 1e-8);
-    CHECK(from_zero.report.iterations > level_by_level.report.iterations);
+    CHECK(from_zero.report.iterations >= level_by_level.report.iterations);
     CHECK((history[0] == doctest::Approx(1) && history[1] > 1e-3));
     options.start = 2;
     CHECK(Attempt(its.problem(), &options).status == HM_BAD_ARGUMENT);

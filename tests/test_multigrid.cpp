@@ -37,6 +37,45 @@ Case even_case(int n_side) {
 
 double difference(Solved const& a, Solved const& b) { return largest_difference(a.all_values(), b.all_values()); }
 
+// Its products with random vectors.
+void check_preconditioner(Case its) {
+    Analysed const seen(its);
+    FrontMatrix const front(*seen.operator->());
+    harmorph::Multigrid engine;
+    harmorph::Iteration iteration;
+    iteration.merging.max_levels = 2;
+    iteration.block_width = 4;
+    auto const lay_out = [&](harmorph::Arena& arena) {
+        engine.lay_out(arena, front.rows.n, 4, iteration, {});
+        engine.lay_out_work(arena, front.rows.n, front.rows.entries());
+        engine.lay_out_vectors(arena, front.rows.n);
+    };
+    harmorph::Arena counting;
+    lay_out(counting);
+    Guarded block(counting.bytes());
+    harmorph::Arena placing(block.data(), block.size());
+    lay_out(placing);
+    harmorph::Fault fault;
+    REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
+    REQUIRE((engine.levels.count == 2 && engine.has_bottom));
+    harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
+    std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
+    std::vector<double> x, bx(n);
+    std::mt19937 random(2);
+    for (std::size_t k = 0; k < n; ++k) x.push_back(2 * uniform(random) - 1);
+    cycle.precondition(x.data(), bx.data());
+    auto const dot = [&](std::size_t i, std::size_t j) {
+        double sum = 0;
+        for (std::size_t k = 0; k < n; k += 4) sum += x[k + i] * bx[k + j];
+        return sum;
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(dot(i, i) > 0);
+        for (std::size_t j = 0; j < i; ++j) CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
+    }
+    CHECK(block.guards_intact());
+}
+
 }  // namespace
 
 TEST_CASE("the direct engine's functions on every kind of mesh, with free boundaries, cuts and weights") {
@@ -60,6 +99,46 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
         CHECK((found.report.levels >= 2 && found.report.factor_entries == 0));
         CHECK(found.report.refinements == 0);
         CHECK(found.report.boundary_error == 0);
+    }
+}
+
+TEST_CASE("it converges on C-meshes of few columns and thin cells, however the far field is cut") {
+    for (double const first : {1e-4, 1e-5, 1e-6, 1e-8})
+        for (double const far : {60.0, 500.0})
+            for (int const n_wake : {10, 18, 40}) {
+                Case its = airfoil_case(20, 12, Cells::quads);
+                its.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3, stretched(first, far, n_wake == 40 ? 80 : 60)).mesh;
+                hm_options iterative = multigrid(), exact = direct();
+                Solved const found(its, &iterative), expected(its, &exact);
+                INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": " << found.report.iterations);
+                CHECK(difference(found, expected) < 1e-8);
+                CHECK(found.report.iterations <= 45);
+            }
+}
+
+TEST_CASE("a function's bits do not depend on which others are solved with it") {
+    Case its = airfoil_case(20, 12, Cells::quads);
+    its.mesh = c_mesh(naca4({}, 30), 10, 300, stretched(1e-5, 500, 48)).mesh;
+    hm_options options = multigrid();
+    Solved const all(its, &options);
+    std::int32_t const n = all.info().functions;
+    for (std::int32_t const width : {4, 16}) {
+        options.block_width = width;
+        CHECK(same_bits(Solved(its, &options).all_values(), all.all_values()));
+    }
+    for (std::int32_t first = 0; first < n; first += 5) {
+        std::size_t bytes = 0;
+        hm_basis* share = nullptr;
+        std::int32_t const held = std::min(5, n - first);
+        REQUIRE(hm_share_size(all.analysis, first, held, &bytes, nullptr) == HM_OK);
+        Guarded block(bytes);
+        REQUIRE(hm_share_init(&share, block.data(), bytes, all.analysis, first, held, nullptr) == HM_OK);
+        REQUIRE(hm_plan_solve(all.plan, share, nullptr, nullptr) == HM_OK);
+        for (std::int32_t function = first; function < first + held; ++function) {
+            std::vector<double> values(its.mesh.x.size());
+            REQUIRE(hm_basis_values(share, function, 0, values.data(), nullptr) == HM_OK);
+            CHECK(same_bits(values, all.values(function)));
+        }
     }
 }
 
@@ -179,42 +258,10 @@ TEST_CASE("blocks of any width give the same functions, and threads the same bit
 }
 
 TEST_CASE("the preconditioner of two levels is symmetric and positive definite") {
-    Case its = two_body_case(Cells::hybrid, 7, 4);
-    Analysed const seen(its);
-    FrontMatrix const front(*seen.operator->());
-    harmorph::Multigrid engine;
-    harmorph::Iteration iteration;
-    iteration.merging.max_levels = 2;
-    iteration.block_width = 4;
-    auto const lay_out = [&](harmorph::Arena& arena) {
-        engine.lay_out(arena, front.rows.n, 4, iteration, {});
-        engine.lay_out_work(arena, front.rows.n, front.rows.entries());
-        engine.lay_out_vectors(arena, front.rows.n);
-    };
-    harmorph::Arena counting;
-    lay_out(counting);
-    Guarded block(counting.bytes());
-    harmorph::Arena placing(block.data(), block.size());
-    lay_out(placing);
-    harmorph::Fault fault;
-    REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
-    REQUIRE((engine.levels.count == 2 && engine.has_bottom));
-    harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
-    std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
-    std::vector<double> x, bx(n);
-    std::mt19937 random(2);
-    for (std::size_t k = 0; k < n; ++k) x.push_back(2 * uniform(random) - 1);
-    cycle.precondition(x.data(), bx.data());
-    auto const dot = [&](std::size_t i, std::size_t j) {
-        double sum = 0;
-        for (std::size_t k = 0; k < n; k += 4) sum += x[k + i] * bx[k + j];
-        return sum;
-    };
-    for (std::size_t i = 0; i < 4; ++i) {
-        CHECK(dot(i, i) > 0);
-        for (std::size_t j = 0; j < i; ++j) CHECK(dot(i, j) == doctest::Approx(dot(j, i)).epsilon(1e-10));
-    }
-    CHECK(block.guards_intact());
+    check_preconditioner(two_body_case(Cells::hybrid, 7, 4));
+    Case its = airfoil_case(20, 12, Cells::quads);
+    its.mesh = c_mesh(naca4({}, 6), 3, 40, stretched(1e-5, 60, 11)).mesh;
+    check_preconditioner(its);
 }
 
 TEST_CASE("memory: at most 400 bytes for each point with blocks of 4") {

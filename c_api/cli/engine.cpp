@@ -15,7 +15,7 @@ std::vector<Option> engine_options() {
         {"--engine", "ENGINE", "direct (default): the fastest; multigrid: conjugate gradients, less memory on large meshes;\n"
                                "fas: the paper's iteration, slow (the last two with laplace and weighted)"},
         {"--precision", "P", "of the direct engine's factor: double (default), or single: half the memory, refined in double"},
-        {"--levels", "N", "multigrid and fas: levels of agglomeration at most (default: fas 5, multigrid all)"},
+        {"--levels", "N", "multigrid and fas: levels of agglomeration at most (default: all there are, 5 at 10k points)"},
         agglomeration_option,
         {"--start", "START", "of fas: fmg (default), level by level from the coarsest, or zero"},
         {"--history", "F.csv", "multigrid and fas: the largest residual of all functions, cycle by cycle"}};

@@ -37,6 +37,17 @@ struct Agglomeration {
     // Cells of all coarse levels together.
     static Offset coarse_cells(Index n) noexcept { return n / (least_reduction - 1); }
 
+    // What smoothing sees of a cell, or of several that are to have one value.
+    struct Part {
+        Real diagonal = 0;  // the sum of those of the level's cells
+        Real excess = 0;
+
+        void operator+=(Part const& more) noexcept {
+            diagonal += more.diagonal;
+            excess += more.excess;
+        }
+    };
+
     void lay_out(Arena& arena, Index n) noexcept;
     // Needed by build() alone.
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
@@ -53,7 +64,7 @@ private:
     struct Work {
         SymmetricRows rows;
         Span<Index> first, second;    // [n] maps of the two passes
-        Span<Real> diagonal;          // [n] of the level that is merged, summed over the cells of a pass
+        Span<Part> parts;             // [n]
         Span<Real> strongest;         // [n] coupling of each cell
         Span<Real> strongest_before;  // [n] coupling to an earlier cell
         Span<Index> before;           // [n] that cell

@@ -14,7 +14,6 @@
 namespace harmorph {
 
 struct FullApproximation : BlockIteration {
-    static constexpr Index default_levels = 5;
     static constexpr Index default_cycles = 2000, default_steps = 200000;  // the latter where there is one level
     static constexpr Index finest_vectors = 4, coarse_vectors = 5;         // of a lane, each block_width numbers for each cell
     // dt_P = cfl (0.5 shortest edge)^2, but no longer than what damps all waves of the scheme.
