@@ -103,7 +103,8 @@ void Plan::init_engine(Analysis const& analysis) noexcept {
     copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
     copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
     copy(engine.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
-    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.border_start, engine.border);
+    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.executor, engine.border_start,
+                 engine.border);
     engine.place_panels();
 }
 
