@@ -91,8 +91,8 @@ void Plan::init(Analysis const& analysis) noexcept {
 }
 
 void Plan::build_matrix(Analysis const& analysis) noexcept {
-    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
-                 analysis.border.position, analysis.wall_work.slot, analysis.tangent);
+    matrix.build(analysis.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+                 analysis.tangent);
     if (!analysis.is_direct()) matrix.mark_faces(analysis.edges, faces);
     if (!method.nodal_gradients()) return;
     nodal.init(mesh, analysis.edges, matrix, analysis.representative, reversed, method.scheme == Scheme::nodal_gradient);
