@@ -9,7 +9,6 @@ constexpr float unreached = -1;
 
 void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(place, max_unknowns);
-    arena.take(reach, max_unknowns);
     arena.take(queue, max_unknowns);
 }
 
@@ -30,9 +29,9 @@ Index Places::spread(Graph const& graph, Index direction, Span<Index> its_queue,
 void Places::find_layers(Graph const& graph) const noexcept {
     Index filled = 0;
     for (Index u = 0; u < graph.n; ++u) {
-        bool const is_first = graph.beside_curve[u] != 0;
-        place[u].at[layer_direction] = is_first ? 0 : unreached;
-        if (is_first) queue[filled++] = u;
+        if (graph.beside_curve[u] == 0) continue;
+        place[u].at[layer_direction] = 0;
+        queue[filled++] = u;
     }
     spread(graph, layer_direction, queue, 0, filled);
 }
@@ -57,19 +56,16 @@ void Places::find_levels(Graph const& graph, Span<const Index> part, Span<Index>
 
 void Places::find_reach(Graph const& graph, Index u) const noexcept {
     constexpr float outwards = 1.000001f;
-    Four ahead[halves] = {}, behind[halves] = {};
+    Four farthest[halves] = {};
     for (Index const v : graph.of(u)) {
         for (Index half = 0; half < halves; ++half) {
             Four const step = four(place[v].at, half) - four(place[u].at, half);
-            ahead[half] = step > ahead[half] ? step : ahead[half];
-            behind[half] = -step > behind[half] ? -step : behind[half];
+            farthest[half] = step > farthest[half] ? step : farthest[half];
+            farthest[half] = -step > farthest[half] ? -step : farthest[half];
         }
     }
-    for (Index half = 0; half < halves; ++half) {
-        set_four(reach[u].ahead, half, outwards * ahead[half]);
-        set_four(reach[u].behind, half, outwards * behind[half]);
-    }
-    reach[u].ahead[level_direction] = reach[u].behind[level_direction] = 1;
+    for (Index half = 0; half < halves; ++half) set_four(place[u].reach, half, outwards * farthest[half]);
+    place[u].reach[level_direction] = 1;
 }
 
 // Coordinates about the first point, which are small numbers where the mesh is fine.
@@ -86,7 +82,7 @@ void Places::find(Graph const& graph, Points points, Executor const& executor) c
         for (Index u = begin; u < end; ++u) {
             Vec2 const p = scale * (points[graph.point(u)] - origin);
             float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-            place[u] = {{x, y, x + y, x - y}};
+            place[u] = {{x, y, x + y, x - y, unreached, 0, 0, 0}, {}};
         }
     });
     find_layers(graph);
