@@ -28,7 +28,7 @@ struct Dissector::Parts {
     }
     // Longer than one through a round part of a mesh?
     bool is_long() const noexcept {
-        return 3 * Offset{separator} * separator > 5 * (Offset{left} + right + separator);
+        return 4 * Offset{separator} * separator > 5 * (Offset{left} + right + separator);
     }
 };
 
