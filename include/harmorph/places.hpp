@@ -28,7 +28,8 @@ struct Place {
 
 struct Places {
     Span<Place> place;  // [n]
-    Span<Index> queue;  // [n] working space
+    Span<Index> queue;  // [n] working space of searches,
+    Span<float> step;   // [n] and theirs, too: between them, nothing below 0
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
     // All but the steps across and the levels.
@@ -43,17 +44,16 @@ struct Places {
 
 private:
     void find_layers(Graph const& graph) const noexcept;
-    Index spread(Graph const& graph, Index direction, Span<Index> its_queue, Index read, Index filled) const noexcept;
+    Index spread(Graph const& graph, Span<Index> its_queue, Index read, Index filled) const noexcept;
     void find_reach(Graph const& graph, Index u) const noexcept;
 };
 
 template <class IsPiece, class IsAhead>
 void Places::find_across(Graph const& graph, Index start, IsPiece is_piece, IsAhead is_ahead) const noexcept {
     Index filled = 0;
-    auto const step = [&](Index u) -> float& { return place[u].at[across_direction]; };  // 0: not yet known
     auto const reach = [&](Index v, float its) {
-        if (step(v) != 0) return;
-        step(v) = its;
+        if (step[v] != 0) return;
+        step[v] = its;
         queue[filled++] = v;
     };
     reach(start, 1);
@@ -68,14 +68,16 @@ void Places::find_across(Graph const& graph, Index start, IsPiece is_piece, IsAh
     }
     for (Index read = 0; read < filled; ++read) {
         Index const u = queue[read];
-        float const here = step(u), next = here + (here > 0 ? 1.0f : -1.0f);
+        float const here = step[u], next = here + (here > 0 ? 1.0f : -1.0f);
         float farthest = 1;
         for (Index const v : graph.of(u)) {
             reach(v, next);
-            farthest = larger(farthest, here < step(v) ? step(v) - here : here - step(v));
+            farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
         }
+        place[u].at[across_direction] = here;
         place[u].reach[across_direction] = farthest;
     }
+    fill(step.first(graph.n), 0.0f);
 }
 
 }  // namespace harmorph
