@@ -68,7 +68,8 @@ Division Dissector::divide(Index begin, Index end) const noexcept {
     if (parts.is_long() && end - begin < graph_.n && find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
     if (its.middle - begin < smallest_child) absorb(begin, its);
     if (its.pivots - its.middle < smallest_child) its.pivots = its.middle;
-    for (Index k = its.pivots; k < end; ++k) work_.cover.side[order_[k]] = Side::elsewhere;  // neither part will see them
+    // Neither part will see them.
+    for (Index k = its.pivots; k < end; ++k) work_.cover.side[order_[k]] = Side::elsewhere;
     sort_along(cut, its.pivots, end);
     return its;
 }

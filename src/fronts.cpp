@@ -41,7 +41,9 @@ private:
             subtree[subtrees++] = its;
             return;
         }
-        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) add(tree, child, largest);
+        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) {
+            add(tree, child, largest);
+        }
     }
 };
 

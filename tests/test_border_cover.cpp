@@ -39,7 +39,9 @@ struct Covered {
         after.assign(cover.side.begin(), cover.side.end());
         CHECK(block.guards_intact());
     }
-    int count(Side side, std::vector<Side> const& of) const { return static_cast<int>(std::count(of.begin(), of.end(), side)); }
+    int count(Side side, std::vector<Side> const& of) const {
+        return static_cast<int>(std::count(of.begin(), of.end(), side));
+    }
 };
 
 // The size of a largest matching of the cut edges, by augmenting paths.

@@ -62,7 +62,8 @@ TEST_CASE("steps across: 1 on the piece, then on with its sign ahead of it and b
         int const column = u % around, back = around - column;
         CHECK(step(u) == (column == 0 ? 1 : column <= back ? column + 1 : -back));
         float farthest = 1;
-        for (Index const v : ring.near[static_cast<std::size_t>(u)]) farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
+        for (Index const v : ring.near[static_cast<std::size_t>(u)])
+            farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
         CHECK(its.places.place[u].reach[harmorph::across_direction] == farthest);
     }
 }
