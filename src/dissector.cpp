@@ -65,7 +65,8 @@ Division Dissector::divide(Index begin, Index end) const noexcept {
     Cut cut = best_cut(begin, end, directions);
     Division its = partition(cut, begin, end);
     Parts const parts = Parts::of(its, begin, end);
-    if (parts.is_long() && end - begin < graph_.n && find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
+    bool const is_whole = end - begin == graph_.n;  // its steps across are levels already
+    if (!is_whole && parts.is_long() && find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
     if (its.middle - begin < smallest_child) absorb(begin, its);
     if (its.pivots - its.middle < smallest_child) its.pivots = its.middle;
     // Neither part will see them.
