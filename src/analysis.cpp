@@ -30,10 +30,13 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     layer_work.lay_out(arena, most_unknowns);
     if (its_problem.method.engine != Engine::direct) return arena.take(border.position, most_unknowns);
     tree.lay_out(arena, most_unknowns);
-    dissection_work.lay_out(arena, most_unknowns);
     border.lay_out(arena, most_unknowns);
     arena.take(border_start, most_unknowns / 2 + 2);
     subtrees.lay_out(arena, executor.is_serial() ? 1 : executor.n_threads);
+    Size const shared = arena.mark();
+    dissection_work.lay_out(arena, most_unknowns);
+    arena.release(shared);
+    border.lay_out_passed(arena, most_unknowns);
 }
 
 Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {

@@ -97,15 +97,19 @@ void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept { arena.ta
 
 void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     where.lay_out(arena, max_unknowns);
+    cover.lay_out(arena, max_unknowns);
     arena.take(moved, max_unknowns);
-    arena.take(side, max_unknowns);
+    arena.take(keyed, max_unknowns);
 }
 
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
              AssemblyTree& tree) noexcept {
     work.where.find(graph, points, executor);
+    fill(work.cover.side.first(graph.n), Side::inside);
+    Dissector const dissector(graph, work, order);
+    dissector.find_across();
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
-    TreeTop(Dissector(graph, work, order), executor, tree).dissect(graph.n);
+    TreeTop(dissector, executor, tree).dissect(graph.n);
 }
 
 }  // namespace harmorph

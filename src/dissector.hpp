@@ -20,6 +20,8 @@ public:
     Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
         : graph_(graph), work_(work), order_(order) {}
 
+    // Makes the steps from a straight cut through everything a direction of their own.
+    void find_across() const noexcept;
     // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
     Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept;
     Division divide(Index begin, Index end) const noexcept;
@@ -29,14 +31,13 @@ private:
     struct Cut;
     struct Parts;
 
-    Cut best_cut(Index begin, Index end) const noexcept;
+    Cut best_cut(Index begin, Index end, Index n_directions) const noexcept;
     bool find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept;
     void set_levels(Index begin, Index n, Cuts& cuts) const noexcept;
-    Parts separate(Cut const& cut, Index begin, Index end) const noexcept;
-    bool may_touch(Cut const& cut, Index u, float distance) const noexcept;
-    Division partition(Index begin, Index end) const noexcept;
+    Division partition(Cut const& cut, Index begin, Index end) const noexcept;
+    Index set_sides(Cut const& cut, Index begin, Index end, Index& n_left, Index& n_right) const noexcept;
     void absorb(Index begin, Division& division) const noexcept;
-    void sort_along(Cut const& cut, Span<Index> cut_off) const noexcept;
+    void sort_along(Cut const& cut, Index begin, Index end) const noexcept;
 
     Graph const& graph_;
     DissectionWork const& work_;

@@ -5,100 +5,152 @@
 namespace harmorph {
 namespace {
 
-// Subtrees with a small share of the positions each. All nodes that positions in one of them touch are in it, too.
-struct SmallSubtrees {
-    struct Range {
-        Index begin, end;  // positions
-    };
-    static constexpr Index most = 256;
-    Index count = 0;
-    Range range[most];
+struct Range {
+    Index begin, end;  // positions
+};
 
-    // In the order of positions.
+// Subtrees with a small share of the positions each, and what is between them. All nodes that positions of a subtree touch
+// are in it, too.
+struct Ranges {
+    static constexpr Index most = 256;
+    Index subtrees = 0;
+    Range subtree[most];
+    Index n;
+
+    Ranges(AssemblyTree const& tree, Index n_positions, Executor const& executor) noexcept : n(n_positions) {
+        if (!executor.is_serial()) add(tree, tree.count - 1, n / (8 * executor.n_threads));
+    }
+    // visit(range) for the subtrees by the executor's threads, then for the rest by the calling one.
+    template <class Visit>
+    void for_each(Executor const& executor, Visit const& visit) const noexcept {
+        executor.for_each(subtrees, [&](Index i) { visit(subtree[i]); });
+        Index begin = 0;
+        for (Range const& its : Span<const Range>(subtree, static_cast<Size>(subtrees))) {
+            if (begin < its.begin) visit({begin, its.begin});
+            begin = its.end;
+        }
+        if (begin < n) visit({begin, n});
+    }
+
+private:
     void add(AssemblyTree const& tree, Index root, Index largest) noexcept {
         Index first = root;
         while (tree.nodes[first].child != none) first = tree.nodes[first].child;
         Range const its{tree.nodes[first].begin, tree.nodes[root].end};
-        if (its.end - its.begin <= largest && count < most) {
-            range[count++] = its;
+        if (its.end - its.begin <= largest && subtrees < most) {
+            subtree[subtrees++] = its;
             return;
         }
-        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) add(tree, child, largest);
+        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) {
+            add(tree, child, largest);
+        }
     }
 };
 
 // visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the position's
-// earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986) 127).
-// To each node positions come in increasing order, so each border is filled in order.
+// earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986) 127), and then
+// visit(none, position). To each node positions come in increasing order, so each border is filled in order.
 template <class Visit>
-void for_each_border_entry(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                           Executor const& executor, Visit visit) noexcept {
-    auto const walk = [&](Index begin, Index end) {
-        for (Index position = begin; position < end; ++position) {
-            Index const own = work.node[position];
-            for (Index const neighbour : graph.of(order[position])) {
-                Index const earlier = work.position[neighbour];
-                if (earlier >= position) continue;
-                Index node = work.node[earlier];
-                for (; node != own && work.seen[node] != position; node = tree.nodes[node].parent) {
-                    work.seen[node] = position;
-                    visit(node, position);
-                }
+void walk(Graph const& graph, Span<const Index> order, BorderWork const& work, Range range, Visit visit) noexcept {
+    Span<const Index> const node_of = work.node;
+    Span<BorderWork::Step> const step = work.step;
+    for (Index position = range.begin; position < range.end; ++position) {
+        Index const u = order[position], own = node_of[u];
+        for (Index const neighbour : graph.of(u)) {
+            for (Index node = node_of[neighbour]; node < own && step[node].seen != position; node = step[node].parent) {
+                step[node].seen = position;
+                visit(node, position);
             }
         }
-    };
-    fill(work.seen.first(tree.count), none);
-    SmallSubtrees subtrees;
-    if (!executor.is_serial()) subtrees.add(tree, tree.count - 1, graph.n / (8 * executor.n_threads));
-    executor.for_each(subtrees.count, [&](Index i) { walk(subtrees.range[i].begin, subtrees.range[i].end); });
-    Index begin = 0;
-    for (Index i = 0; i < subtrees.count; ++i) {  // what is between them
-        walk(begin, subtrees.range[i].begin);
-        begin = subtrees.range[i].end;
+        visit(none, position);
     }
-    walk(begin, graph.n);
 }
+
+void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
+    for (Index t = 0; t < tree.count; ++t) work.step[t] = {tree.nodes[t].parent, none, 0};
+}
+
+// Nodes as a walk through a range passes them, from its first position's place on. Before them stands whether all did fit.
+class Track {
+public:
+    Track(BorderWork const& work, Range range) noexcept
+        : begin_(work.passed.data() + Offset{BorderWork::remembered} * range.begin),
+          end_(work.passed.data() + Offset{BorderWork::remembered} * range.end), next_(begin_ + 1) {}
+
+    void add(Index node) noexcept {
+        if (next_ < end_) *next_ = node;
+        ++next_;
+    }
+    void close() const noexcept { *begin_ = next_ <= end_ ? 1 : 0; }
+    bool is_whole() const noexcept { return *begin_ != 0; }
+    Index next() noexcept { return *next_++; }
+
+private:
+    Index* const begin_;
+    Index* const end_;
+    Index* next_;
+};
 
 }  // namespace
 
 void BorderWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
-    arena.take(node, max_unknowns);
     arena.take(position, max_unknowns);
-    arena.take(seen, max_unknowns / 2 + 1);
-    arena.take(filled, max_unknowns / 2 + 1);
+    arena.take(node, max_unknowns);
+    arena.take(step, max_unknowns / 2 + 1);
+}
+
+void BorderWork::lay_out_passed(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(passed, Offset{remembered} * max_unknowns);
 }
 
 FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
                          Executor const& executor, Span<Offset> border_start) noexcept {
     executor.for_ranges(tree.count, 256, [&](Index begin, Index end) {
         for (Index t = begin; t < end; ++t) {
-            for (Index k = tree.nodes[t].begin; k < tree.nodes[t].end; ++k) work.node[k] = t;
+            for (Index k = tree.nodes[t].begin; k < tree.nodes[t].end; ++k) {
+                work.node[order[k]] = t;
+                work.position[order[k]] = k;
+            }
         }
     });
-    executor.for_ranges(graph.n, 4096, [&](Index begin, Index end) {
-        for (Index k = begin; k < end; ++k) work.position[order[k]] = k;
+    restart(tree, work);
+    Ranges const ranges(tree, graph.n, executor);
+    ranges.for_each(executor, [&](Range range) {
+        Track track(work, range);
+        walk(graph, order, work, range, [&](Index node, Index) {
+            track.add(node);
+            if (node != none) ++work.step[node].filled;
+        });
+        track.close();
     });
-    fill(border_start.first(tree.count + 1), Offset{0});
-    for_each_border_entry(graph, order, tree, work, executor, [&](Index node, Index) { ++border_start[node]; });
 
     FrontSizes sizes;
     for (Index t = 0; t < tree.count; ++t) {
-        Index const border = static_cast<Index>(border_start[t]);
+        Index const border = work.step[t].filled;
         Index const front = tree.nodes[t].pivots() + border;
+        border_start[t] = sizes.border_entries;
         sizes.border_entries += border;
         sizes.factor_entries += dense::panel_entries(tree.nodes[t].pivots(), front);
         sizes.largest_front = larger(sizes.largest_front, front);
         sizes.largest_border = larger(sizes.largest_border, border);
     }
-    counts_to_starts(border_start.first(tree.count + 1));
+    border_start[tree.count] = sizes.border_entries;
     return sizes;
 }
 
 void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                  Span<const Offset> border_start, Span<Index> border) noexcept {
-    fill(work.filled.first(tree.count), Index{0});
-    for_each_border_entry(graph, order, tree, work, {}, [&](Index node, Index position) {
-        border[border_start[node] + work.filled[node]++] = position;
+                  Executor const& executor, Span<const Offset> border_start, Span<Index> border) noexcept {
+    restart(tree, work);
+    Ranges const ranges(tree, graph.n, executor);
+    auto const enter = [&](Index node, Index position) {
+        if (node != none) border[border_start[node] + work.step[node].filled++] = position;
+    };
+    ranges.for_each({}, [&](Range range) {
+        Track track(work, range);
+        if (!track.is_whole()) return walk(graph, order, work, range, enter);
+        for (Index position = range.begin; position < range.end; ++position) {
+            for (Index node = track.next(); node != none; node = track.next()) enter(node, position);
+        }
     });
 }
 

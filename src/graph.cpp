@@ -56,10 +56,13 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
     couplings = held = 0;
+    Size known_begin = neighbour.size();  // two places are there for every pair
     auto const couple = [&](Index u, Index other) {
         bool const on_wall = kinds[other / n_components] == PointKind::on_wall;
         if (on_wall) beside_curve[u] = 1;
         ++(on_wall ? couplings : held);
+        neighbour[--known_begin] = other;
+        neighbour[--known_begin] = u;
     };
     for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index p, Index j, Index q) {
         if (i != none && j != none) {

@@ -91,8 +91,8 @@ void Plan::init(Analysis const& analysis) noexcept {
 }
 
 void Plan::build_matrix(Analysis const& analysis) noexcept {
-    matrix.build(analysis.stencil_mesh(), analysis.stencil_edges(), analysis.representative, analysis.graph, analysis.order,
-                 analysis.border.position, analysis.wall_work.slot, analysis.tangent);
+    matrix.build(analysis.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+                 analysis.tangent);
     if (!analysis.is_direct()) matrix.mark_faces(analysis.edges, faces);
     if (!method.nodal_gradients()) return;
     nodal.init(mesh, analysis.edges, matrix, analysis.representative, reversed, method.scheme == Scheme::nodal_gradient);
@@ -103,7 +103,8 @@ void Plan::init_engine(Analysis const& analysis) noexcept {
     copy(engine.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
     copy(engine.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
     copy(engine.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
-    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.border_start, engine.border);
+    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, engine.executor, engine.border_start,
+                 engine.border);
     engine.place_panels();
 }
 

@@ -35,25 +35,6 @@ I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept 
     return begin;
 }
 
-// visit(line of the wall, unknown) for every line of a wall point and every unknown of a point that share a cell.
-template <class Visit>
-void for_each_coupling(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                       Span<const Index> slot, Visit visit) noexcept {
-    Index const components = graph.components;
-    auto const couple = [&](Index wall_point, Index other) {
-        if (slot[wall_point] == none) return;
-        for (Index q = 0; q < components; ++q) {
-            Index const unknown = graph.unknown[components * other + q];
-            if (unknown == none) continue;
-            for (Index p = 0; p < components; ++p) visit(components * slot[wall_point] + p, unknown);
-        }
-    };
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        couple(a, b);
-        couple(b, a);
-    });
-}
-
 }  // namespace
 
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -64,7 +45,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(excess, n);
     arena.take(excess_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
-    arena.take(column, sizes.entries);
+    arena.take(column, sizes.entries + 1);  // build() writes a column before it knows whether the row keeps it
     arena.take(value, sizes.entries);
     arena.take(imaginary, is_complex() ? sizes.entries : 0);
     arena.take(coupling_start, Offset{components()} * wall_points + 1);
@@ -77,10 +58,9 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
 }
 
-void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-                   Span<const Index> order, Span<const Index> position, Span<const Index> slot,
-                   Span<const Vec2> tangent) noexcept {
-    for (Index point = 0; point < mesh.n_points; ++point) {
+void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
+                   Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent) noexcept {
+    for (Index point = 0; point < representative.count(); ++point) {
         Index const its = representative[point];
         for (Index c = 0; c < components(); ++c) {
             Index const unknown = graph.unknown[components() * its + c];
@@ -91,35 +71,53 @@ void Matrix::build(Mesh const& mesh, Edges const& edges, Span<const Index> repre
         if (!frame.empty()) frame[point] = tangent[its];
     }
     Offset filled = 0;
+    Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
-        start[row] = filled;
+        Offset const begin = filled;
         for (Index const neighbour : graph.of(order[row])) {
-            if (position[neighbour] > row) column[filled++] = position[neighbour];
+            Index const its = position[neighbour];
+            columns[filled] = its;
+            filled += its > row ? 1 : 0;
         }
-        Span<Index> const its = column.from(start[row], filled - start[row]);
+        Span<Index> const its = columns.from(begin, filled - begin);
         sort_row(its);
-        filled = start[row] + drop_repeats(its);
+        start[row] = begin;
+        filled = begin + drop_repeats(its);
     }
     start[n] = filled;
 
+    auto const coupled_line = [&](Index line) {
+        Index const its_slot = slot[line / components()];
+        return its_slot != none ? components() * its_slot + line % components() : none;
+    };
+    Index held = 0;
     fill(coupling_start, Index{0});
-    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index) { ++coupling_start[line]; });
+    graph.for_each_known([&](Index, Index line) {
+        Index const its = coupled_line(line);
+        if (its != none) ++coupling_start[its];
+    });
     counts_to_starts(coupling_start);
-    for_each_coupling(mesh, edges, representative, graph, slot, [&](Index line, Index unknown) {
-        coupling_row[coupling_start[line]++] = position[unknown];
+    graph.for_each_known([&](Index unknown, Index line) {
+        Index const its = coupled_line(line);
+        if (its != none) {
+            coupling_row[coupling_start[its]++] = position[unknown];
+        } else if (components() == 1 || holds(graph.line[unknown], line)) {
+            held_row[held++] = position[unknown];
+        }
     });
     rewind_starts(coupling_start);
     for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
         sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
-
-    Index held = 0;
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (is_held_by(a, b)) held_row[held++] = place[components() * a];
-        if (is_held_by(b, a)) held_row[held++] = place[components() * b];
-    });
     held_row = held_row.first(held);
     sort_row(held_row);
+}
+
+// Of all pairs of lines of two points, the one that stands for what one point is held by the other.
+bool Matrix::holds(Index line, Index other_line) const noexcept {
+    Index const point = line / 2, other = other_line / 2;
+    bool const first_pair = line % 2 == 0 && other_line % 2 == (place[2 * other] == none ? 0 : 1);
+    return first_pair && is_held_by(point, other);
 }
 
 bool Matrix::is_held_by(Index point, Index other) const noexcept {

@@ -43,7 +43,8 @@ Kernel best_kernel() noexcept { return Kernel::baseline; }
 #endif
 
 bool has_kernel(Kernel kernel) noexcept {
-    return static_cast<std::int32_t>(kernel) <= static_cast<std::int32_t>(best_kernel());
+    return kernel == Kernel::automatic || kernel == Kernel::baseline ||
+           static_cast<std::int32_t>(kernel) <= static_cast<std::int32_t>(best_kernel());
 }
 
 }  // namespace harmorph

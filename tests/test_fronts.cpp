@@ -28,47 +28,61 @@ std::vector<std::set<Index>> eliminate(HandMadeGraph const& graph, Dissected con
     return column;
 }
 
+// Borders are what elimination fills, and nothing that no pivot of the subtree touches. Returns how many entries they have.
+Offset check_borders(HandMadeGraph& graph) {
+    Dissected const cut(graph);
+    Symbolic const found(graph, cut);
+    std::vector<std::set<Index>> const column = eliminate(graph, cut);
+    INFO(graph.n() << " unknowns");
+    Offset entries = 0;
+    Index largest_front = 0, largest_border = 0;
+    for (Index t = 0; t < cut.tree.count; ++t) {
+        auto const& node = cut.tree.nodes[t];
+        std::set<Index> filled, allowed;
+        for (Index k = node.begin; k < node.end; ++k) {
+            std::set<Index> const& its = column[static_cast<std::size_t>(k)];
+            filled.insert(its.lower_bound(node.end), its.end());
+        }
+        // Dense fronts: what a child's border leaves behind belongs to the parent's, pivot or not.
+        allowed = filled;
+        for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
+            std::set<Index> const its = found.of(child);
+            allowed.insert(its.lower_bound(node.end), its.end());
+        }
+        std::set<Index> const border = found.of(t);
+        CHECK(std::includes(border.begin(), border.end(), filled.begin(), filled.end()));
+        CHECK(border == allowed);
+        // Given in increasing order, each once.
+        CHECK(border.size() == static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
+                                                        found.start[static_cast<std::size_t>(t)]));
+        CHECK(std::is_sorted(found.border.begin() + found.start[static_cast<std::size_t>(t)],
+                             found.border.begin() + found.start[static_cast<std::size_t>(t) + 1]));
+        Index const size = static_cast<Index>(border.size());
+        entries += size;
+        largest_border = std::max(largest_border, size);
+        largest_front = std::max(largest_front, size + node.pivots());
+    }
+    CHECK(found.sizes.border_entries == entries);
+    CHECK(found.sizes.largest_border == largest_border);
+    CHECK(found.sizes.largest_front == largest_front);
+    CHECK(found.of(cut.tree.count - 1).empty());   // nothing comes after the root
+    return entries;
+}
+
 }  // namespace
 
 TEST_CASE("borders are what elimination fills, and nothing that no pivot of the subtree touches") {
-    for (HandMadeGraph& graph : nasty_graphs()) {
-        Dissected const cut(graph);
-        Symbolic const found(graph, cut);
-        std::vector<std::set<Index>> const column = eliminate(graph, cut);
-        INFO(graph.n() << " unknowns");
-        Offset entries = 0;
-        Index largest_front = 0, largest_border = 0;
-        for (Index t = 0; t < cut.tree.count; ++t) {
-            auto const& node = cut.tree.nodes[t];
-            std::set<Index> filled, allowed;
-            for (Index k = node.begin; k < node.end; ++k) {
-                std::set<Index> const& its = column[static_cast<std::size_t>(k)];
-                filled.insert(its.lower_bound(node.end), its.end());
-            }
-            // Dense fronts: what a child's border leaves behind belongs to the parent's, pivot or not.
-            allowed = filled;
-            for (Index child = node.child; child != -1; child = cut.tree.nodes[child].sibling) {
-                std::set<Index> const its = found.of(child);
-                allowed.insert(its.lower_bound(node.end), its.end());
-            }
-            std::set<Index> const border = found.of(t);
-            CHECK(std::includes(border.begin(), border.end(), filled.begin(), filled.end()));
-            CHECK(border == allowed);
-            // Given in increasing order, each once.
-            CHECK(border.size() == static_cast<std::size_t>(found.start[static_cast<std::size_t>(t) + 1] -
-                                                            found.start[static_cast<std::size_t>(t)]));
-            CHECK(std::is_sorted(found.border.begin() + found.start[static_cast<std::size_t>(t)],
-                                 found.border.begin() + found.start[static_cast<std::size_t>(t) + 1]));
-            Index const size = static_cast<Index>(border.size());
-            entries += size;
-            largest_border = std::max(largest_border, size);
-            largest_front = std::max(largest_front, size + node.pivots());
-        }
-        CHECK(found.sizes.border_entries == entries);
-        CHECK(found.sizes.largest_border == largest_border);
-        CHECK(found.sizes.largest_front == largest_front);
-        CHECK(found.of(cut.tree.count - 1).empty());   // nothing comes after the root
+    for (HandMadeGraph& graph : nasty_graphs()) check_borders(graph);
+}
+
+TEST_CASE("borders with more entries than are remembered: the same") {
+    int const side = 40, hubs = 250;   // these end up above everything, and so in all borders
+    HandMadeGraph graph = grid_graph(side, side);
+    for (int hub = 0; hub < hubs; ++hub) {
+        graph.add_point(side * (hub + 0.5) / hubs, 0.5 * side);
+        for (int k = hub % 7; k < side * side; k += 7) graph.join(k, side * side + hub);
     }
+    CHECK(check_borders(graph) > Offset{harmorph::BorderWork::remembered} * graph.n());
 }
 
 TEST_CASE("any number of threads: the same borders") {

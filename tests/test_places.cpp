@@ -36,7 +36,7 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
             for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
                 for (Index d = 0; d < harmorph::directions; ++d) {
                     float const step = places.place[v].at[d] - places.place[u].at[d];
-                    outside += step > places.reach[u].ahead[d] || -step > places.reach[u].behind[d];
+                    outside += std::fabs(step) > places.place[u].reach[d];
                 }
                 float const from = places.place[u].at[harmorph::layer_direction];
                 float const to = places.place[v].at[harmorph::layer_direction];
@@ -46,6 +46,25 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
         CHECK(jumps == 0);
         for (Index u = 0; u < graph.n(); ++u)
             if (graph.view().beside_curve[u] != 0) CHECK(places.place[u].at[harmorph::layer_direction] == 0);
+    }
+}
+
+TEST_CASE("steps across: 1 on the piece, then on with its sign ahead of it and behind; the farthest neighbour is in reach") {
+    int const around = 24, rings = 5;
+    HandMadeGraph ring = grid_graph(around, rings);
+    for (int j = 0; j < rings; ++j) ring.join(around * j, around * j + around - 1);
+    PlacedGraph its(ring);
+    // The piece is column 0; the columns behind it are those of the second half.
+    its.places.find_across(
+        ring.view(), 0, [&](Index u) { return u % around == 0; }, [&](Index u) { return u % around < around / 2; });
+    auto const step = [&](Index u) { return its.places.place[u].at[harmorph::across_direction]; };
+    for (Index u = 0; u < ring.n(); ++u) {
+        int const column = u % around, back = around - column;
+        CHECK(step(u) == (column == 0 ? 1 : column <= back ? column + 1 : -back));
+        float farthest = 1;
+        for (Index const v : ring.near[static_cast<std::size_t>(u)])
+            farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
+        CHECK(its.places.place[u].reach[harmorph::across_direction] == farthest);
     }
 }
 

@@ -1,6 +1,7 @@
 // Nested dissection on the coordinates: the order of elimination, and the tree in which the matrix is factored.
 #pragma once
 
+#include "harmorph/border_cover.hpp"
 #include "harmorph/places.hpp"
 
 namespace harmorph {
@@ -25,15 +26,20 @@ struct AssemblyTree {
 };
 
 struct DissectionWork {
+    struct Keyed {
+        float key;
+        Index unknown;
+    };
     Places where;
-    Span<Index> moved;        // [n]
-    Span<std::uint8_t> side;  // [n] of each unknown
+    BorderCover cover;
+    Span<Index> moved;    // [n]
+    Span<Keyed> keyed;    // [n]
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
 };
 
 // order [n]: the unknowns in the order of elimination. Source of the method: A. George, SIAM J. Numer. Anal. 10 (1973) 345,
-// with cuts through sampled medians, straight or between two layers, and the smaller of the two one-sided separators.
+// with cuts through sampled medians, straight, between two layers or across them, and the smallest cover of the edges cut.
 // Separators are in order along the cut, so that fronts meet in runs of neighbours. Order and tree do not depend on the
 // number of threads.
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,

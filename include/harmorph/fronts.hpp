@@ -16,19 +16,28 @@ struct FrontSizes {
 };
 
 struct BorderWork {
-    Span<Index> node;       // [n] tree node of each position
-    Span<Index> position;   // [n] of each unknown
-    Span<Index> seen;       // [nodes] last position that passed the node
-    Span<Index> filled;     // [nodes] entries of each border so far
+    static constexpr Index remembered = 8;  // entries for each position, on average; fill n log n takes long to get there
+
+    struct Step {
+        Index parent;  // of the tree node
+        Index seen;    // last position that passed it
+        Index filled;  // entries of its border so far
+    };
+    Span<Index> position;  // [n] of each unknown
+    Span<Index> node;      // [n] tree node of each unknown
+    Span<Step> step;       // [nodes]
+    Span<Index> passed;    // [remembered * n] nodes that each position passed, and none; only while they fit
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
+    // Apart, because the dissection's room serves.
+    void lay_out_passed(Arena& arena, Index max_unknowns) noexcept;
 };
 
-// border_start [nodes + 1]: counts, then starts. Fills work.node and work.position for fill_borders.
+// border_start [nodes + 1]: counts, then starts. Fills what fill_borders goes by.
 FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
                          Executor const& executor, Span<Offset> border_start) noexcept;
 
-// border [border_entries].
+// border [border_entries]. The executor is count_borders's, but the calling thread does it all.
 void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
-                  Span<const Offset> border_start, Span<Index> border) noexcept;
+                  Executor const& executor, Span<const Offset> border_start, Span<Index> border) noexcept;
 
 }  // namespace harmorph

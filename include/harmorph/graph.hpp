@@ -28,7 +28,7 @@ struct Graph {
     Span<Index> line;        // [n] of each unknown, increasing
     Span<Index> unknown;     // [components * n_points] unknown of each line, or none
     Span<Offset> start;      // [n + 1]
-    Span<Index> neighbour;   // both directions
+    Span<Index> neighbour;   // both directions; at the array's end couplings and held pairs: unknown, line
     Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on the wall
 
     Index point(Index u) const noexcept { return components == 1 ? line[u] : line[u] / components; }
@@ -39,6 +39,13 @@ struct Graph {
     // boundaries leave such parts. queue, reached [n]: working space.
     Index first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
                          Span<Index> queue, Span<std::uint8_t> reached) const noexcept;
+    // visit(unknown, line) for every coupling and every held pair.
+    template <class Visit>
+    void for_each_known(Visit visit) const noexcept {
+        Size const n_known = static_cast<Size>(Offset{couplings} + held);
+        Span<const Index> const pairs = neighbour.from(neighbour.size() - 2 * n_known, 2 * n_known);
+        for (Size k = 0; k < n_known; ++k) visit(pairs[2 * k], pairs[2 * k + 1]);
+    }
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
 
 private:

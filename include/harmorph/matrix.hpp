@@ -58,9 +58,8 @@ struct Matrix {
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
     // lines, two lines only.
-    void build(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Graph const& graph,
-               Span<const Index> order, Span<const Index> position, Span<const Index> slot,
-               Span<const Vec2> tangent) noexcept;
+    void build(Span<const Index> representative, Graph const& graph, Span<const Index> order, Span<const Index> position,
+               Span<const Index> slot, Span<const Vec2> tangent) noexcept;
 
     void clear() const noexcept;
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
@@ -95,6 +94,7 @@ private:
     bool slips(Index point) const noexcept { return place[2 * point] >= 0 && place[2 * point + 1] == none; }
     // Is the point an unknown, and beside it the other one held?
     bool is_held_by(Index point, Index other) const noexcept;
+    bool holds(Index line, Index other_line) const noexcept;
     void hold(Index point, Real conductance, Real circulation) const noexcept;
 };
 
