@@ -82,7 +82,7 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
 // there is what it is off elsewhere, about, and what a step of refinement leaves of an error. It costs a solve: pivots tell
 // where there is no need. Where lines slip, constants are no solution.
 Status Plan::measure_factor(Fault& fault) noexcept {
-    factor_error = 0;
+    factor_error = method.engine == Engine::direct && method.nodal_gradients() ? 1 : 0;
     if (method.engine != Engine::direct || method.nodal_gradients()) return Status::ok;
     if (method.precision == Precision::in_double && worst_pivot(engine, matrix) < even_below) return Status::ok;
     if (matrix.kind == MatrixKind::two_lines) {
@@ -97,14 +97,15 @@ Status Plan::measure_factor(Fault& fault) noexcept {
 
 // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits
 // do not depend on those solved with it. What a step leaves of an error is seen from one correction to the next: the worst
-// of that, times the last correction, is what values are still off; that correction itself where they do not shrink.
+// of that, times the last correction, is what values are still off; that correction itself where they do not shrink, or
+// nothing is known yet.
 Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its, Fault& fault) noexcept {
     Residual::Choice wanted;
     Residual::Changes change;  // by a step of refinement; the first one's was from nothing
     Real before[Residual::widest], left[Residual::widest];
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
-        change.column[k] = 1;
+        change.column[k] = method.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
         before[k] = infinity;
         left[k] = its.error[k] = factor_error;
     }
@@ -128,7 +129,7 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
         for (Index k = 0; k < n; ++k) {
             if (!wanted.column[k]) continue;
             ratio[k] = change.column[k] / last.column[k];
-            left[k] = larger(left[k], ratio[k]);
+            left[k] = its.steps == 1 && factor_error == 1 ? ratio[k] : larger(left[k], ratio[k]);
             its.error[k] = (ratio[k] < shrinking ? left[k] : 1) * change.column[k];
         }
     }

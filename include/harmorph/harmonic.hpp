@@ -34,7 +34,7 @@ struct Plan {
     RegionCounts region_counts;     // for untangling
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     bool factored = false;
-    Real factor_error = 0;          // of the direct engine, beside the largest value; 0 on even cells, 1 if not known
+    Real factor_error = 0;          // of the direct engine, beside the largest value; 0 on even cells, 1: not known
     Span<Index> line_of;          // [n] line of values of each position
     Span<std::uint8_t> reversed;  // [n_cells]
     FaceDistance wall;            // faces that move
