@@ -28,7 +28,8 @@ bool attach(const hm_basis** basis, const Block& block, const hm_mesh& mesh, con
     if (status == HM_BAD_BASIS && error.value > 0) {
         const std::string found = std::to_string(block.size());
         const std::string expected = std::to_string(block.size() + static_cast<std::size_t>(error.value));
-        throw Failure(exit_file, path + ": the file is cut off: it has " + found + " bytes, at least " + expected + " are expected");
+        throw Failure(exit_file, path + ": the file is cut off: it has " + found + " bytes, at least " + expected +
+                                     " are expected");
     }
     if (status < 0) refuse(error, path);
     return status == HM_MOVED;
