@@ -110,7 +110,9 @@ private:
 
     // Of points on one line: is the first one between the others?
     static bool on_opposite_sides(Vec2 here, Vec2 a, Vec2 b) noexcept {
-        auto const between = [](Real p, Real middle, Real q) { return (p < middle && middle < q) || (q < middle && middle < p); };
+        auto const between = [](Real p, Real middle, Real q) {
+            return (p < middle && middle < q) || (q < middle && middle < p);
+        };
         return between(a.x, here.x, b.x) || between(a.y, here.y, b.y);
     }
 

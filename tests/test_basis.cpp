@@ -121,7 +121,8 @@ TEST_CASE("truncated at any length: refused, and the reason is given") {
         CHECK(part.attach() == HM_BAD_BASIS);
         bool const in_header = size < sizeof(harmorph::BasisHeader);
         CHECK(part.says(size == 0 ? "not a harmorph basis" : "truncated"));
-        if (size > 0) CHECK(part.error.value == static_cast<double>((in_header ? sizeof(harmorph::BasisHeader) : whole.size()) - size));
+        std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
+        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
     }
     // A longer block, as a file with something behind it, is none of its business.
     std::vector<double> longer(whole.size() / 8 + 10, 3.0);

@@ -154,8 +154,12 @@ TEST_CASE("faces that lie on each other cross, and are named, however they are t
                 Polygons its;
                 for (std::vector<Point> const* polygon : {&pair.first, &pair.second}) {
                     std::vector<Point> turned;
-                    for (Point const p : *polygon) turned.push_back({(Complex(p.x, p.y) * by).real(), (Complex(p.x, p.y) * by).imag()});
-                    if (polygon == &pair.first) std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+                    for (Point const p : *polygon) {
+                        Complex const z = Complex(p.x, p.y) * by;
+                        turned.push_back({z.real(), z.imag()});
+                    }
+                    std::ptrdiff_t const by_start = polygon == &pair.first ? static_cast<std::ptrdiff_t>(start) : 0;
+                    std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
                     its.add(turned);
                 }
                 Crossing const found = its.find();

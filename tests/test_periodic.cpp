@@ -85,10 +85,12 @@ TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
             for (Cells const cells : kinds)
                 for (Complex const turn : {Complex(1, 0), std::polar(3.0, 0.8)}) {
                     std::vector<std::int32_t> number;
-                    Case a = similar(cascade(cells), turn, {1, 2}), b = similar(cut_elsewhere(cells, column, number), turn, {1, 2});
+                    Case a = similar(cascade(cells), turn, {1, 2});
+                    Case b = similar(cut_elsewhere(cells, column, number), turn, {1, 2});
                     hm_options const options = options_of(kind);
                     std::vector<double> const move = some_move(4, 0.3, 6);
-                    Field const expected = displacement(Solved(a, &options), move), all = displacement(Solved(b, &options), move);
+                    Field const expected = displacement(Solved(a, &options), move);
+                    Field const all = displacement(Solved(b, &options), move);
                     Field found;
                     for (std::int32_t const k : number) found.push_back(all[static_cast<std::size_t>(k)]);
                     CHECK(largest_difference(found, expected) < 1e-12);
