@@ -30,7 +30,7 @@
  *                  before the call, except that a block given for a new object may have been written.
  * Structs          Set struct_size = sizeof the struct and the rest to 0 first: `hm_options options = {sizeof options};`
  *                  A field that is 0 has its default. Fields are only ever added at the end; reports are filled as far
- *                  as the caller's struct_size goes.
+ *                  as the caller's struct_size goes, options that this library does not know are HM_UNSUPPORTED.
  * Threads          No hidden state. One thread at a time may write an object (plan, basis) or make others of it
  *                  (analysis); reading (morph, adjoint, quality) is free for any number. Two plans in two threads share
  *                  nothing. The library starts no threads; it uses those of an hm_executor where one is given.
@@ -69,7 +69,8 @@ enum {
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
     HM_BAD_CURVE = -4,        /* degree, knots, indices, weights, control points, or a fit that is not determined */
     HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, nothing to solve */
-    HM_BAD_BASIS = -6,        /* the block is not a basis, truncated, damaged, foreign, or not solved yet */
+    HM_BAD_BASIS = -6,        /* the block is not a basis, truncated (error.value: missing bytes, at least), damaged,
+                                 foreign, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where it was seen */
     HM_UNSUPPORTED = -9,      /* options that do not go together */
@@ -253,7 +254,8 @@ typedef struct hm_problem {
  *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         all but slip    real
  *
  * The weight of an operator is k = 1 / d^q, d the distance of a cell's barycentre to the nearest face on a curve or a rigid
- * body, in parts of their extent: cells near what moves keep their shape, those far away give way. */
+ * body, or to its image by a periodic pair, in parts of their extent: cells near what moves keep their shape, those far
+ * away give way. */
 enum {                             /* operator_kind */
     HM_CONFORMAL = 0,              /* least departure from angle-preserving maps: minimises the integral of k |f_x + i f_y|^2
                                       over complex functions f. Angles at the wall stay, heights of the first layer scale with
@@ -340,7 +342,7 @@ typedef struct hm_options {
                                       point is off its curve, so that the offset turns with the curve: rigid motions of all
                                       control points then move every wall point rigidly; other motions add e dC' / C'. Left
                                       out at corners and where |e| sum_i |N_i'| >= |C'|, as where C' vanishes */
-    /* Engines that iterate, only: */
+    /* HM_MULTIGRID and HM_FAS only; where the engine is another one, what is not 0 is HM_UNSUPPORTED: */
     int32_t  levels;               /* of agglomeration, the finest counted, at most; 1 .. 20; 0: all there are, about 5 for
                                       10 000 points, 9 for a million. HM_FAS does not solve the coarsest one: the more cells it
                                       has, the more cycles */
@@ -353,7 +355,7 @@ typedef struct hm_options {
     double  *history;              /* [history_length] largest relative residual of all functions before the first iteration
                                       and after each, up to report.iterations; must outlive the plan. NULL: not wanted */
     int32_t  history_length;
-    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor */
+    int32_t  precision;            /* HM_DOUBLE (default), HM_SINGLE: of the direct engine's factor, HM_DIRECT only */
     int32_t  start;                /* HM_START_...: HM_FAS only */
     int32_t  reserved;             /* 0 */
 } hm_options;
@@ -530,7 +532,7 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
  * arrays of n points in that order, and points in reports are places in the list. Points of the wall stay what they are, at
  * the first place where the list names them, or the other side of a cut there. It has no cells: calls that take a mesh
  * refuse it. Like any basis it is one block that needs nothing else and may be moved. The size is enough for any list of
- * n points.
+ * n points, n up to 2^30.
  * Made of a share that has not all functions, it waits for its values, see hm_parcel_unpack. */
 HM_API hm_status hm_extract_size(const hm_basis *basis, int32_t n, size_t *bytes, hm_error *err);
 HM_API hm_status hm_extract_init(hm_basis **rows, void *block, size_t bytes, const hm_basis *basis, int32_t n,
@@ -584,7 +586,8 @@ typedef struct hm_quality_report {
     double   min_area;             /* [length^2] smallest signed corner area */
     double   min_quality, mean_quality; /* [0..1] size-skew quality sqrt(f_size) f_skew; inverted cells count 0 */
     int32_t  min_quality_cell;
-    int32_t  self_crossing;        /* 1: the boundary crosses itself or another body */
+    int32_t  self_crossing;        /* 1: the boundary crosses itself or another body, or faces lie on each other; the two
+                                      sides of a wall without thickness do not */
     int32_t  crossing_points[4];   /* begin and end of one face, then of the other; -1: none */
 } hm_quality_report;
 /* Quality of the mesh at x, y [n_points, stride]. f_size = min(t, 1/t), t the cell's area over its area at the reference

@@ -8,9 +8,8 @@ namespace harmorph {
 namespace {
 
 Status view_list(Basis const& basis, Index n, const Index* points, PointList& list, Fault& fault) noexcept {
-    if (n < 0 || (n > 0 && points == nullptr)) {
-        return fault.refuse(Status::bad_argument, "the number of points is negative, or their list is NULL");
-    }
+    HARMORPH_TRY(PointList::check_length(n, fault));
+    if (n > 0 && points == nullptr) return fault.refuse(Status::bad_argument, "the list of points is NULL");
     list = {basis.header->index_base, {points, static_cast<Size>(n)}};
     return list.check(basis.n_points(), fault);
 }
@@ -65,8 +64,8 @@ extern "C" {
 hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err) {
     Fault fault;
     Basis from;
-    if (bytes == nullptr || n < 0) fault.refuse(Status::bad_argument, "bytes is NULL, or n is negative");
-    if (!failed(fault.status) && !failed(open_solved(basis, from, fault))) {
+    if (bytes == nullptr) fault.refuse(Status::bad_argument, "bytes is NULL");
+    if (!failed(fault.status) && !failed(PointList::check_length(n, fault)) && !failed(open_solved(basis, from, fault))) {
         Arena counting;
         Extract::count(counting, from, n);
         if (!failed(counting.verify(0, fault))) *bytes = counting.bytes();
@@ -90,8 +89,10 @@ hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_b
 hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_error* err) {
     Fault fault;
     Basis from;
-    if (doubles == nullptr || n < 0) fault.refuse(Status::bad_argument, "doubles is NULL, or n is negative");
-    if (!failed(fault.status) && !failed(open_share(share, from, fault))) *doubles = parcel_words(from, n);
+    if (doubles == nullptr) fault.refuse(Status::bad_argument, "doubles is NULL");
+    if (!failed(fault.status) && !failed(PointList::check_length(n, fault)) && !failed(open_share(share, from, fault))) {
+        *doubles = parcel_words(from, n);
+    }
     return tell(err, fault);
 }
 

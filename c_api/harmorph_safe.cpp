@@ -19,6 +19,13 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     if (given != nullptr && !read_struct(given, o)) {
         return fault.refuse(Status::bad_argument, "safe options: struct_size is not set");
     }
+    if (given != nullptr && asks_for_more(given)) {
+        return fault.refuse(Status::unsupported, "safe options: fields are set that this version of the library does not know");
+    }
+    if (o.skipped_rungs < 0 || o.skipped_rungs >= 2 << HM_RUNG_UNTANGLED || o.reserved != 0) {
+        return fault.refuse(Status::bad_argument, "safe options: skipped_rungs is #, which names rungs there are not, or "
+                            "reserved is not 0", Counts::from_zero, o.skipped_rungs);
+    }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
         return fault.refuse(Status::bad_argument, "safe options: others is NULL, or n_others is #, not 0 .. @",
                             Counts::from_zero, o.n_others, others.count());

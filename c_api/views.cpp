@@ -166,6 +166,24 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
 
 namespace {
 
+// Options that the engine does not have would be left out silently.
+Status check_engine(hm_options const& o, Fault& fault) noexcept {
+    const char* wrong = nullptr;
+    if (o.engine == HM_DIRECT) {
+        if (o.levels != 0) wrong = "options.levels: the direct engine has no levels; multigrid and fas do";
+        if (o.agglomeration != HM_AGGLOMERATE_AUTO) {
+            wrong = "options.agglomeration: the direct engine merges no cells; multigrid and fas do";
+        }
+        if (o.block_width != 0) wrong = "options.block_width goes with the engines multigrid and fas only";
+        if (o.max_iterations != 0) wrong = "options.max_iterations goes with the engines multigrid and fas only";
+        if (o.history_length != 0) wrong = "options.history goes with the engines multigrid and fas only";
+    } else if (o.precision != HM_DOUBLE) {
+        wrong = "options.precision: only the direct engine has a factor to store in single";
+    }
+    if (o.engine != HM_FAS && o.start != HM_START_COARSEST) wrong = "options.start goes with the engine fas only";
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
+}
+
 Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) noexcept {
     if (o.levels < 0 || o.levels > Agglomeration::most_levels) {
         return fault.refuse(Status::bad_argument, "options.levels must be between 0 and 20, not #", Counts::from_zero, o.levels);
@@ -202,6 +220,10 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.progress = Progress{};
     hm_options o = {};
     if (given != nullptr && !read_struct(given, o)) return missing(fault, "options.struct_size is not set");
+    if (given != nullptr && asks_for_more(given)) {
+        return fault.refuse(Status::unsupported, "options: fields are set that this version of the library does not know");
+    }
+    if (o.reserved != 0) return missing(fault, "options.reserved must be 0");
     HARMORPH_TRY(view_operator(o, method, fault));
     HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
     if (!(o.tolerance >= 0 && o.tolerance < 1)) {
@@ -217,9 +239,7 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
         return fault.refuse(Status::unsupported, "options.precision # is unknown", Counts::from_zero, o.precision);
     }
     method.precision = static_cast<Precision>(o.precision);
-    if (method.precision == Precision::in_single && method.engine != Engine::direct) {
-        return fault.refuse(Status::unsupported, "options.precision: only the direct engine has a factor to store in single");
-    }
+    HARMORPH_TRY(check_engine(o, fault));
     if (o.tolerance > 0) method.tolerance = o.tolerance;
     problem.iteration.tolerance = method.tolerance;
     problem.progress = {o.progress, o.progress_user};

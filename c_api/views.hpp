@@ -27,6 +27,16 @@ bool read_struct(const T* given, T& out) noexcept {
     return true;
 }
 
+// Options of a younger caller that the library does not know, and are not 0.
+template <class T>
+bool asks_for_more(const T* given) noexcept {
+    const unsigned char* const bytes = reinterpret_cast<const unsigned char*>(given);
+    for (Size k = sizeof(T); k < given->struct_size; ++k) {
+        if (bytes[k] != 0) return true;
+    }
+    return false;
+}
+
 // A report or other struct to be written: its size must have been set.
 template <class T>
 Status check_report(const T* to, Fault& fault) noexcept {

@@ -24,10 +24,11 @@
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
 !     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP), or with
 !                                                                rigid bodies DP(2,NCP+2*NBODY), see hm_morph
-!     CALL HMSAFE (W, DP, XN, YN, INC, FRAC, IRUNG, IERR, MSG)   XN, YN: the mesh of HMMESH moved so that no cell is
-!                                                                inverted, however large DP is; FRAC: how much of DP
-!                                                                (IERR 3: not all); IRUNG 0: as HMMORF, 2: in several
-!                                                                steps, 3: untangled
+!     CALL HMSAFE (W, DP, XN, YN, INC, DR, FRAC, IRUNG, IERR,    XN, YN: the mesh of HMMESH moved so that no cell is
+!                  MSG)                                          inverted, however large DP is; FRAC: how much of DP
+!                                                                (IERR 3: not all), DR, like DP: the movement that XN,
+!                                                                YN have, as bodies turn on the way not FRAC*DP then;
+!                                                                IRUNG 0: as HMMORF, 2: in several steps, 3: untangled
 !     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)                displacements alone; of velocities: velocities
 !     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)                 gradient G(2,NCP) by control points from mesh points'
 !     CALL HMSTEP (W, DX, DY, INC, S, ICELL, IERR, MSG)          largest S for which X + S*DX has no inverted cell
@@ -686,12 +687,13 @@ subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
 end subroutine
 
 ! The plan is made again in the free end of W, with the working space below it.
-subroutine hmsafe(w, dp, xn, yn, inc, frac, irung, ierr, msg)
+subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, irung, ierr, msg)
     use harmorph77_state
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
     real(c_double), intent(in) :: dp(2, *)
+    real(c_double), intent(inout), target :: dr(2, *)
     real(c_double), intent(inout) :: frac
     integer, intent(inout) :: irung
     integer, intent(out) :: ierr
@@ -706,6 +708,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, frac, irung, ierr, msg)
     integer(c_size_t) :: bytes
     info%struct_size = int(c_sizeof(info), c_int64_t)
     options%struct_size = int(c_sizeof(options), c_int64_t)
+    options%reached = c_loc(dr)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
     if (ierr == hm_ok .and. its%n_conditions == 0) &

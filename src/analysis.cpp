@@ -87,7 +87,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
     }
     if (problem.demands.periodic) {
-        HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, fault));
+        HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, translations,
+                                  fault));
     }
     graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");

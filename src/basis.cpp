@@ -8,26 +8,6 @@
 namespace harmorph {
 namespace {
 
-constexpr char magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
-
-std::uint64_t checksum_of(BasisHeader const& header) noexcept {
-    Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
-    const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
-    return hash_of_block(block + covered_from, header.bytes - covered_from);
-}
-
-bool counts_make_sense(BasisCounts const& counts) noexcept {
-    Index const all[] = {counts.points, counts.cells,   counts.control, counts.bodies, counts.curves,
-                         counts.indices, counts.knots,  counts.weights, counts.wall,   counts.joined,
-                         counts.boundary, counts.loops, counts.conditions};
-    for (Index const count : all) {
-        if (count < 0) return false;
-    }
-    if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
-    if (counts.first_held < 0 || counts.held < 0 || counts.held > counts.functions() - counts.first_held) return false;
-    return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
-}
-
 Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {
@@ -38,6 +18,12 @@ Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
 }
 
 }  // namespace
+
+std::uint64_t checksum_of(BasisHeader const& header) noexcept {
+    Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
+    const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
+    return hash_of_block(block + covered_from, header.bytes - covered_from);
+}
 
 void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     Span<BasisHeader> first;
@@ -192,38 +178,6 @@ std::uint64_t coordinates_print(Points points, Index n_points) noexcept {
     }
     x.add(y.value());
     return x.value();
-}
-
-Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
-    auto const refuse = [&](const char* why, Real found = 0) {
-        return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
-    };
-    if (bytes < sizeof(BasisHeader)) return refuse("the block has only ~ bytes, less than a basis's header", static_cast<Real>(bytes));
-    BasisHeader header;
-    std::memcpy(&header, block, sizeof header);
-    if (std::memcmp(header.magic, magic, sizeof magic) != 0) return refuse("the block is not a harmorph basis");
-    if (header.byte_order != BasisHeader::native_order) return refuse("the basis was written with another byte order");
-    if (header.format != BasisHeader::current_format) {
-        return refuse("the basis has format version ~, which this library does not read", header.format);
-    }
-    if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
-    if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
-        return refuse("the basis is damaged: its sizes contradict each other");
-    }
-    if (header.solved != 1) return refuse("the basis has not been solved");
-    if (checksum_of(*static_cast<const BasisHeader*>(block)) != header.checksum) {
-        return refuse("the basis is damaged: its checksum does not fit");
-    }
-    if (mesh == nullptr) return Status::ok;
-    if (header.counts.cells == 0) return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
-    if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
-        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
-                            Counts::from_zero, header.counts.points, header.counts.cells);
-    }
-    if (header.topology != topology_print(*mesh)) return refuse("the basis belongs to another mesh: the cells differ");
-    if (header.coordinates == coordinates_print(mesh->points, mesh->n_points)) return Status::ok;
-    fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
-    return Status::moved;
 }
 
 }  // namespace harmorph

@@ -1,5 +1,7 @@
 #include "harmorph/crossing.hpp"
 
+#include "harmorph/predicates.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -57,7 +59,9 @@ private:
 
     bool face_against(Index face, Range others) noexcept {
         for (Index other = others.begin; other < others.end; ++other) {
-            if (!cross_properly(face, other) && !cross_at_a_point(face, other) && !cross_at_a_point(other, face)) continue;
+            bool const cross = cross_properly(face, other) || lie_on_each_other(face, other) ||
+                               cross_at_a_point(face, other) || cross_at_a_point(other, face);
+            if (!cross) continue;
             result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
             return true;
         }
@@ -68,9 +72,21 @@ private:
     bool cross_properly(Index face, Index other) const noexcept {
         Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
         Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
-        auto const opposite = [](Real s, Real t) { return (s < 0 && t > 0) || (s > 0 && t < 0); };
-        return opposite(triangle_area(a, b, c), triangle_area(a, b, d)) &&
-               opposite(triangle_area(c, d, a), triangle_area(c, d, b));
+        return orientation_sign(a, b, c) * orientation_sign(a, b, d) < 0 &&
+               orientation_sign(c, d, a) * orientation_sign(c, d, b) < 0;
+    }
+
+    // On one line, and of that a piece belongs to both. The two sides of a wall without thickness do not cross: there the
+    // faces have the same ends.
+    bool lie_on_each_other(Index face, Index other) const noexcept {
+        Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
+        Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
+        if (same(a, b) || same(c, d) || (same(a, d) && same(b, c))) return false;
+        if (orientation_sign(a, b, c) != 0 || orientation_sign(a, b, d) != 0) return false;
+        auto const share = [](Real p, Real q, Real r, Real s) {
+            return larger(smaller(p, q), smaller(r, s)) < smaller(larger(p, q), larger(r, s));
+        };
+        return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
     }
 
     // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins, to
@@ -79,21 +95,34 @@ private:
         Index const point = boundary_point_[face];
         if (point == boundary_point_[other] || point == end_of(other)) return false;
         Vec2 const here = at(point), a = at(boundary_point_[other]), b = at(end_of(other));
-        bool const at_corner = here.x == a.x && here.y == a.y;
-        if (!at_corner && (triangle_area(a, b, here) != 0 || !(dot(a - here, b - here) < 0))) return false;
-        Vec2 const behind = at(boundary_point_[before(face)]) - here, ahead = at(end_of(face)) - here;
-        Vec2 const coming = (at_corner ? at(boundary_point_[before(other)]) : a) - here, going = b - here;
+        bool const at_corner = same(here, a);
+        if (!at_corner && (orientation_sign(a, b, here) != 0 || !on_opposite_sides(here, a, b))) return false;
+        Vec2 const behind = at(boundary_point_[before(face)]), ahead = at(end_of(face));
+        Vec2 const coming = at_corner ? at(boundary_point_[before(other)]) : a, going = b;
+        auto const lies_between = [&](Vec2 first, Vec2 point_between, Vec2 second) {
+            return is_between(here, first, point_between, second);
+        };
         return (lies_between(coming, behind, going) && lies_between(going, ahead, coming)) ||
                (lies_between(coming, ahead, going) && lies_between(going, behind, coming));
     }
 
-    // Does the direction lie strictly between two others, counter-clockwise from the first to the second?
-    static bool lies_between(Vec2 first, Vec2 direction, Vec2 second) noexcept {
-        Real const turn = cross(first, second);
-        if (turn > 0) return cross(first, direction) > 0 && cross(direction, second) > 0;
-        if (turn == 0 && dot(first, second) > 0) return false;
-        if (turn == 0) return cross(first, direction) > 0;
-        return !(cross(second, direction) >= 0 && cross(direction, first) >= 0);
+    static bool same(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
+
+    // Of points on one line: is the first one between the others?
+    static bool on_opposite_sides(Vec2 here, Vec2 a, Vec2 b) noexcept {
+        auto const between = [](Real p, Real middle, Real q) {
+            return (p < middle && middle < q) || (q < middle && middle < p);
+        };
+        return between(a.x, here.x, b.x) || between(a.y, here.y, b.y);
+    }
+
+    // Seen from here: does the point lie strictly between two others, counter-clockwise from the first to the second?
+    static bool is_between(Vec2 here, Vec2 first, Vec2 point, Vec2 second) noexcept {
+        int const turn = orientation_sign(here, first, second);
+        int const from_first = orientation_sign(here, first, point), to_second = orientation_sign(here, point, second);
+        if (turn > 0) return from_first > 0 && to_second > 0;
+        if (turn < 0) return !(to_second <= 0 && from_first <= 0);
+        return on_opposite_sides(here, first, second) && from_first > 0;
     }
 
     Vec2 at(Index point) const noexcept {

@@ -250,10 +250,18 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
         Search search(faces);
         for (Index number = begin; number < end; ++number) {
             Block const block(number * Block::most, k.count(), place_of);
+            Span<Real> const its = k.from(number * Block::most, block.n);
             Real const nearest = square_root(search.from_anywhere(block.centre));
             Start const start = start_near(faces, block.centre, (1 + slack) * (nearest + 2 * block.radius));
-            Span<Real> const its = k.from(number * Block::most, block.n);
             for (Index i = 0; i < block.n; ++i) its[i] = search.from_near(start, block.place[i]);
+            for (Vec2 const& shift : Span<const Vec2>(faces.shift, static_cast<Size>(faces.n_shifts))) {
+                Real const other = square_root(search.from_anywhere(block.centre + shift));
+                if (other > (1 + slack) * (nearest + 2 * block.radius)) continue;  // nobody's nearest face is there
+                Start const there = start_near(faces, block.centre + shift, (1 + slack) * (other + 2 * block.radius));
+                for (Index i = 0; i < block.n; ++i) {
+                    its[i] = smaller(its[i], search.from_near(there, block.place[i] + shift));
+                }
+            }
             to_weights(its, quarters);
         }
     });

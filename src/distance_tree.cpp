@@ -81,6 +81,8 @@ void FaceDistance::lay_out(Arena& arena, Size max_faces) noexcept {
 
 void FaceDistance::build(Points points) noexcept {
     find_unit(points);
+    n_shifts = translations.shifts(points, shift);
+    for (Index k = 0; k < n_shifts; ++k) shift[k] = inverse_unit * shift[k];
     root_height = 0;
     if (count == 0) return;
     auto const at = [&](Index point) { return inverse_unit * points[point]; };

@@ -16,6 +16,7 @@ BasisCounts counts_of(Basis const& whole, Index points, Index wall) noexcept {
 }  // namespace
 
 Status PointList::check(Index n_points, Fault& fault) const noexcept {
+    HARMORPH_TRY(check_length(count(), fault));
     for (Index k = 0; k < count(); ++k) {
         Offset const its = Offset{point[k]} - index_base;
         if (its >= 0 && its < n_points) continue;
@@ -23,6 +24,11 @@ Status PointList::check(Index n_points, Fault& fault) const noexcept {
                             Counts::from_zero, k, point[k]);
     }
     return Status::ok;
+}
+
+Status PointList::check_length(Index n, Fault& fault) noexcept {
+    if (n >= 0 && n <= most) return Status::ok;
+    return fault.refuse(Status::bad_argument, "a list may have 0 to @ points, not #", Counts::from_zero, n, most);
 }
 
 void Extract::take_work(Arena& arena, Basis const& whole) noexcept {

@@ -76,6 +76,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     engine.kernel = residual.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
+    wall.translations = analysis.translations;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     if (method.bounded()) {
         Index n = 0;

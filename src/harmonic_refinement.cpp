@@ -81,10 +81,10 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
 }
 
 // Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
-// the factor, there is none.
+// the factor, there is none. That of nodal gradients is the compact scheme's.
 bool Plan::trusts_factor() const noexcept {
-    if (method.engine != Engine::direct || method.nodal_gradients()) return true;
-    if (method.precision == Precision::in_single) return false;
+    if (method.engine != Engine::direct) return true;
+    if (method.nodal_gradients() || method.precision == Precision::in_single) return false;
     if (matrix.kind == MatrixKind::real) return engine.least_left() > uncancelled_above;
     return worst_pivot(engine, matrix) < even_below(matrix.kind);
 }
@@ -99,7 +99,7 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
     Real before[Residual::widest], left[Residual::widest] = {};
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
-        change.column[k] = 1;
+        change.column[k] = method.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
         before[k] = infinity;
         its.error[k] = factor_trusted ? 0 : 1;
     }
@@ -121,7 +121,7 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
         Residual::Changes const last = change;
         change = residual.add_to(matrix, all, first, n, wanted);
         for (Index k = 0; k < n; ++k) {
-            if (!wanted.column[k] || method.nodal_gradients()) continue;
+            if (!wanted.column[k]) continue;
             ratio[k] = change.column[k] / last.column[k];
             if (its.steps > 0) left[k] = larger(left[k], ratio[k]);
             its.error[k] = (its.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];

@@ -12,7 +12,7 @@ public:
          Span<Vec2> tangent) noexcept
         : mesh_(mesh), boundary_(boundary), chain_(chain), tied_(representative), kinds_(kinds), tangent_(tangent) {}
 
-    Status run(Condition const& condition, Fault& fault) noexcept {
+    Status run(Condition const& condition, Translations& translations, Fault& fault) noexcept {
         Index const n = collect(condition.marker, 0);
         Index const n_partner = n > 0 ? collect(condition.partner, n) : 0;
         if (n == 0 || n_partner == 0) {
@@ -44,6 +44,10 @@ public:
         if (!(worst <= translated_within * (length(high - low) + length(shift)))) {
             return fault.refuse(Status::bad_condition, "points # and @ of a periodic pair are no translates: off by ~",
                                 Counts::mesh, chain_[worst_at], image_of(worst_at), worst);
+        }
+        if (!translations.add(chain_[0], image_of(0), mesh_.points)) {
+            return fault.refuse(Status::bad_condition, "periodic marker #: there are already @ other translations",
+                                Counts::from_zero, condition.marker, Translations::most);
         }
         for (Index k = 0; k < n; ++k) HARMORPH_TRY(tie(image_of(k), chain_[k], fault));
         return Status::ok;
@@ -100,10 +104,12 @@ private:
 }  // namespace
 
 Status tie_periodic(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
-                    Span<Index> representative, Span<PointKind> kinds, Span<Vec2> tangent, Fault& fault) noexcept {
+                    Span<Index> representative, Span<PointKind> kinds, Span<Vec2> tangent, Translations& translations,
+                    Fault& fault) noexcept {
+    translations = Translations{};
     Pair pair(mesh, boundary, chain, representative, kinds, tangent);
     for (Condition const& condition : conditions) {
-        if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(pair.run(condition, fault));
+        if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(pair.run(condition, translations, fault));
     }
     for (Index k = 0; k < mesh.n_points; ++k) {
         while (representative[k] != representative[representative[k]]) representative[k] = representative[representative[k]];

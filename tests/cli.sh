@@ -161,6 +161,14 @@ check "zero move: the identical file" cmp "$ring" "$tmp/same.su2"
 check "zero move: unlimited step is null" says '"admissible_step": null'
 runs "a moved mesh only warns" 0 morph "$tmp/small.su2" "$basis" --move "$no_moves"
 check "a moved mesh only warns: says so" says 'warning'
+for kept in 5 100 4000; do
+    head -c $kept "$basis" >"$tmp/short.basis"
+    refuses "a basis file cut off after $kept bytes" 3 "short.basis: the file is cut off: it has $kept bytes, at least" \
+        morph "$ring" "$tmp/short.basis" --move "$no_moves"
+done
+: >"$tmp/short.basis"
+refuses "an empty basis file" 3 'short.basis: this is not a harmorph basis' morph "$ring" "$tmp/short.basis" --move "$no_moves"
+refuses "a mesh for a basis" 3 'this is not a harmorph basis' morph "$ring" "$ring" --move "$no_moves"
 runs "export" 0 export "$ring" "$basis" --function 12 --csv "$tmp/f.csv" --vtu "$tmp/f.vtu" --svg "$tmp/f.svg"
 check "export: CSV columns" sh -c "head -1 '$tmp/f.csv' | grep -Eqx 'point,x,y,(value,imaginary|xx,xy,yx,yy)'"
 check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625

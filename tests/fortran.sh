@@ -3,7 +3,7 @@
 # The Fortran module and the legacy calls: compiled without a warning and with all run-time checks, then with default
 # integers and reals of 8 bytes, and with OpenMP; each time all tests run.
 : "${FC:=gfortran}" "${FFLAGS:=-O2}" "${CC:=cc}" "${CFLAGS:=-O2}"
-build=$(cd "$1" && pwd)
+build=$(cd "${1:?usage: fortran.sh BUILD}" && pwd)
 dir=$build/fortran
 rm -rf "$dir"
 mkdir -p "$dir"

@@ -9,10 +9,10 @@ product product_kernel product_baseline product_avx2 product_avx512 rows
 dense dense_tiles dense_sums dense_kernel dense_moves dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 box_tree locate
 corners closure knots least_squares projection chain fit
-edges median_dual nodal_gradient nodal_balance orientation boundary delaunay distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
+translations edges median_dual nodal_gradient nodal_balance orientation boundary delaunay distortion region conditions method distance distance_tree first_layer wall_heights wall slip periodic
 graph layers border_cover places dissection dissector fronts subtrees
 symmetric_rows block_rows agglomeration
-matrix stiffness bounded basis single extract parcel residual residual_kernel residual_baseline residual_avx2 residual_avx512 nodal_equations right_hand_sides path
+matrix stiffness bounded basis basis_check single extract parcel residual residual_kernel residual_baseline residual_avx2 residual_avx512 nodal_equations right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve biconjugate_gradients iteration block_iteration multigrid multigrid_cycle control_volumes runge_kutta full_approximation approximation_cycle analysis newton_system untangle harmonic harmonic_assembly harmonic_refinement
 morph adjoint weighted_sum quality admissible_step assessment crossing transfer
 safe_morph

@@ -120,8 +120,9 @@ TEST_CASE("truncated at any length: refused, and the reason is given") {
         Copy part(whole.data(), size);   // reading behind it would be noticed
         CHECK(part.attach() == HM_BAD_BASIS);
         bool const in_header = size < sizeof(harmorph::BasisHeader);
-        CHECK(part.says(in_header ? "less than a basis's header" : "truncated"));
-        CHECK(part.error.value == static_cast<double>(in_header ? size : whole.size() - size));
+        CHECK(part.says(size == 0 ? "not a harmorph basis" : "truncated"));
+        std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
+        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
     }
     // A longer block, as a file with something behind it, is none of its business.
     std::vector<double> longer(whole.size() / 8 + 10, 3.0);
@@ -190,6 +191,63 @@ TEST_CASE("each reason has its own sentence") {
     const hm_basis* basis = nullptr;
     CHECK(hm_basis_attach(&basis, copy.data() + 4, copy.size(), nullptr, nullptr) == HM_BAD_ARGUMENT);   // misaligned
     CHECK(basis == nullptr);
+}
+
+TEST_CASE("numbers that lead nowhere are found behind a good checksum, too") {
+    Case its = two_body_case(Cells::hybrid, 4, 3);
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    Copy copy(solved);
+    harmorph::BasisHeader const good = copy.header();
+    harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(copy.data()));
+    auto const attach_sealed = [&] {
+        basis.header->checksum = harmorph::checksum_of(*basis.header);
+        return copy.attach(&mesh);
+    };
+    auto const spoils = [&](auto& number, auto wrong, const char* word) {
+        auto const right = number;
+        number = wrong;
+        CHECK((attach_sealed() == HM_BAD_BASIS && copy.says(word)));
+        number = right;
+    };
+    for (std::int32_t const far : {-1, 0x7FFFFFFF}) {
+        spoils(basis.indices[3], far, "curves");
+        spoils(basis.shape[1].first_knot, far, "curves");
+        spoils(basis.shape[0].n_indices, far, "curves");
+        spoils(basis.conditions[1].first_curve, far, "conditions");
+        spoils(basis.wall_point[5], far, "points on curves");
+        spoils(basis.wall_curve[5], far, "points on curves");
+        spoils(basis.boundary_point[9], far, "boundary");
+        spoils(basis.loop_start[1], far, "boundary");
+        spoils(basis.header->filled, far, "method");
+        spoils(basis.header->counts.bodies, far, "contradict");
+    }
+    spoils(basis.knots[4], std::nan(""), "curves");
+    spoils(basis.control[4], std::nan(""), "curves");
+    spoils(basis.wall_u[4], std::nan(""), "points on curves");
+    spoils(basis.value[100], 1e9, "largest");
+    spoils(basis.header->largest, 0.5, "largest");
+    CHECK(attach_sealed() == HM_OK);
+    CHECK(basis.header->checksum == good.checksum);
+
+    // Any word of all that is not values: refused, or of no use to whom would read elsewhere.
+    std::int32_t* const words = reinterpret_cast<std::int32_t*>(copy.data());
+    std::ptrdiff_t const n = reinterpret_cast<std::int32_t*>(basis.value.data()) - words;
+    std::vector<double> const move = some_move(20, 0.1, 1);
+    std::vector<double> x(its.mesh.x.size()), y = x, gradient(40);
+    int accepted = 0;
+    for (std::ptrdiff_t k = sizeof(harmorph::BasisHeader) / 4; k < n; ++k)
+        for (std::int32_t const wrong : {-1, 1 << 30, 0x7FF00000}) {
+            std::int32_t const right = words[k];
+            words[k] = wrong;
+            if (attach_sealed() >= 0) {
+                ++accepted;
+                CHECK(hm_morph(copy.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+                CHECK(hm_adjoint(copy.basis, mesh.x, mesh.y, 1, gradient.data(), nullptr, nullptr) == HM_OK);
+            }
+            words[k] = right;
+        }
+    CHECK((accepted > 0 && accepted < 3 * n));
 }
 
 TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {

@@ -120,11 +120,11 @@ TEST_CASE("faces that close a loop take part") {
 }
 
 TEST_CASE("touching is not crossing") {
-    Polygons corner;   // corner on side, corner on corner, side along side
+    Polygons corner;   // corner on side, corner on corner
     corner.add({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     corner.add({{1, 0.5}, {2, 0}, {2, 1}});
     corner.add({{0, 0}, {-1, 0}, {-1, -1}});
-    corner.add({{0.25, 1}, {0.75, 1}, {0.5, 2}});
+    corner.add({{0.5, 1}, {0.75, 2}, {0.25, 2}});
     CHECK(!corner.find().found);
     Polygons twice;   // a bow-tie boundary passes its point twice
     twice.x = {0, 1, 0, -1, -1};
@@ -132,6 +132,50 @@ TEST_CASE("touching is not crossing") {
     twice.point = {0, 1, 2, 0, 3, 4};
     twice.loop_start = {0, 6};
     CHECK(!twice.find().found);
+}
+
+TEST_CASE("faces that lie on each other cross, and are named, however they are turned and where their loops begin") {
+    struct {
+        std::vector<Point> first, second;
+        bool cross;
+    } const all[] = {
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 4}, {3, 4}, {2, 6}}, true},            // a side on a part of a side
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{3, 4}, {5, 4}, {5, 6}, {3, 6}}, true},    // sides on parts of each other
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 0}, {3, 0}, {3, 2}, {1, 2}}, true},    // from inside
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}, {2, 4}, {3, 4}, {3, 6}, {1, 6}, {1, 2}}, true},   // and through it
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 4}, {8, 4}, {8, 8}}, false},           // on one line, end to end
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{5, 4}, {8, 4}, {8, 8}}, false},           // on one line, apart
+        {{{0, 0}, {4, 0}, {2, 0}, {2, 4}}, {{9, 9}, {10, 9}, {9, 10}}, true},          // folded back by half
+        {{{0, 0}, {2, 0}, {4, 0}, {1, 0}, {0, 4}}, {{9, 9}, {10, 9}, {9, 10}}, true},  // by one and a half
+        {{{0, 0}, {1, 0}, {3, 0}, {1, 0}}, {{9, 9}, {10, 9}, {9, 10}}, false}};        // a plate without thickness
+    for (auto const& pair : all)
+        for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4), Complex(-1, 2)})   // whole numbers stay exact
+            for (std::size_t start = 0; start < pair.first.size(); ++start) {
+                Polygons its;
+                for (std::vector<Point> const* polygon : {&pair.first, &pair.second}) {
+                    std::vector<Point> turned;
+                    for (Point const p : *polygon) {
+                        Complex const z = Complex(p.x, p.y) * by;
+                        turned.push_back({z.real(), z.imag()});
+                    }
+                    std::ptrdiff_t const by_start = polygon == &pair.first ? static_cast<std::ptrdiff_t>(start) : 0;
+                    std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
+                    its.add(turned);
+                }
+                Crossing const found = its.find();
+                CHECK(found.found == pair.cross);
+                if (found.found) CHECK((its.has_face(found.first) && its.has_face(found.second)));
+            }
+}
+
+TEST_CASE("a point beside a line by the last bit is beside it") {
+    for (double const off : {0.0, 1.0, -1.0}) {
+        Polygons its;   // the line y = x / 3 from 0 to 9, and a face that lies on it, but for one end
+        its.add({{0, 0}, {9, 3}, {9, 9}});
+        double const y = std::nextafter(2.0, 2 + off);
+        its.add({{3, 1}, {6, y}, {6, -5}, {3, -5}});
+        CHECK(its.find().found == (off == 0 || off > 0));   // on it, through it, or touching it from outside
+    }
 }
 
 TEST_CASE("a boundary that passes exactly through points has crossed, wherever its loops begin") {

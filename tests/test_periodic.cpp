@@ -64,15 +64,37 @@ TEST_CASE("two and three periods with bodies that move alike are one period, rep
             }
 }
 
-TEST_CASE("without a weight the conformal functions of several periods are those of one, too") {
-    Case one = cascade(Cells::hybrid), two = periods(one, 2);
-    hm_options const options = options_of(HM_CONFORMAL, HM_NO_WEIGHT);
-    Solved const a(one, &options), b(two, &options);
-    std::vector<double> const move = some_move(4, 0.3, 6);
-    Field const expected = displacement(a, move);
-    Field found = displacement(b, repeated(move, 2));
-    found.resize(expected.size());
-    CHECK(largest_difference(found, expected) < 1e-13);
+TEST_CASE("weighted and conformal functions of several periods are those of one, too: the wall's images count") {
+    for (std::int32_t const kind : {HM_CONFORMAL, HM_WEIGHTED})
+        for (std::int32_t const quarters : {std::int32_t{HM_NO_WEIGHT}, 4, 16})
+            for (int const n : {2, 3}) {
+                Case one = cascade(Cells::hybrid), several = periods(one, n);
+                hm_options const options = options_of(kind, quarters);
+                Solved const a(one, &options), b(several, &options);
+                std::vector<double> const move = some_move(4, 0.3, 6);
+                Field const expected = displacement(a, move);
+                Field found = displacement(b, repeated(move, n));
+                found.resize(expected.size());
+                CHECK(largest_difference(found, expected) < 1e-12);
+            }
+}
+
+TEST_CASE("where the mesh is cut does not matter, and it may be turned") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
+        for (int const column : {1, 2})
+            for (Cells const cells : kinds)
+                for (Complex const turn : {Complex(1, 0), std::polar(3.0, 0.8)}) {
+                    std::vector<std::int32_t> number;
+                    Case a = similar(cascade(cells), turn, {1, 2});
+                    Case b = similar(cut_elsewhere(cells, column, number), turn, {1, 2});
+                    hm_options const options = options_of(kind);
+                    std::vector<double> const move = some_move(4, 0.3, 6);
+                    Field const expected = displacement(Solved(a, &options), move);
+                    Field const all = displacement(Solved(b, &options), move);
+                    Field found;
+                    for (std::int32_t const k : number) found.push_back(all[static_cast<std::size_t>(k)]);
+                    CHECK(largest_difference(found, expected) < 1e-12);
+                }
 }
 
 TEST_CASE("a pair one cell apart is one period of many, too, whatever scheme and engine") {

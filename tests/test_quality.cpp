@@ -32,6 +32,23 @@ double const root3 = std::sqrt(3.0);
 
 }  // namespace
 
+TEST_CASE("cells with a coordinate that is not finite count as inverted, and spoil no mean") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    std::int32_t cells = 0;
+    for (std::int32_t const point : its.mesh.cells) cells += point == 8 ? 1 : 0;
+    for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+        std::vector<double> x = its.mesh.x;
+        x[8] = bad;
+        hm_quality_report report{};
+        report.struct_size = sizeof report;
+        REQUIRE(hm_quality(solved.basis, &mesh, x.data(), mesh.y, 1, nullptr, nullptr, 0, nullptr, &report, nullptr) == HM_OK);
+        CHECK(report.inverted == cells);
+        CHECK((report.min_quality == 0 && report.mean_quality > 0 && report.mean_quality < 1));
+    }
+}
+
 TEST_CASE("triangles: 1 if equilateral, known values otherwise, 0 if flat or inverted") {
     CHECK(skew({{0, 0}, {1, 0}, {0.5, 0.5 * root3}}) == doctest::Approx(1).epsilon(1e-15));
     CHECK(skew({{0, 0}, {1, 0}, {0, 1}}) == doctest::Approx(0.5 * root3));   // 2 sqrt(3) 2A / (sum of squared sides)

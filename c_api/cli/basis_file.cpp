@@ -21,6 +21,20 @@ Block read_block(const std::string& path) {
     return block;
 }
 
+// The library speaks of blocks; what is missing of a file is told in its own terms.
+bool attach(const hm_basis** basis, const Block& block, const hm_mesh& mesh, const std::string& path) {
+    hm_error error = {};
+    const hm_status status = hm_basis_attach(basis, block.data(), block.size(), &mesh, &error);
+    if (status == HM_BAD_BASIS && error.value > 0) {
+        const std::string found = std::to_string(block.size());
+        const std::string expected = std::to_string(block.size() + static_cast<std::size_t>(error.value));
+        throw Failure(exit_file, path + ": the file is cut off: it has " + found + " bytes, at least " + expected +
+                                     " are expected");
+    }
+    if (status < 0) refuse(error, path);
+    return status == HM_MOVED;
+}
+
 hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
     auto info = sized<hm_basis_info>();
     call(path, hm_basis_info_get, basis, &info);
@@ -32,7 +46,7 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
 Basis::Basis(const std::string& path, const Mesh& mesh)
     : path_(path), block_(read_block(path)), info_(sized<hm_basis_info>()), curves_(sized<hm_curves>()) {
     const hm_mesh view = mesh.view();
-    mesh_has_moved_ = call(path_, hm_basis_attach, &basis_, block_.data(), block_.size(), &view) == HM_MOVED;
+    mesh_has_moved_ = attach(&basis_, block_, view, path_);
     info_ = info_of(basis_, path_);
     if (info_.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
     curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>()); // never none

@@ -77,6 +77,14 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
                 stored.in_single() ? " in single precision" : "");
 }
 
+std::string what_is_missed(const Solver& solver, const hm_options& options) {
+    const double residual = solver.report().residual;
+    if (!(residual <= options.tolerance)) return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
+    if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
+    return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
+           (options.precision == HM_SINGLE ? ": --precision double brings them nearer" : "");
+}
+
 void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
@@ -101,11 +109,7 @@ void run(const Arguments& arguments) {
     } else {
         print_for_people(solver, stored, mesh, times);
     }
-    if (!converged) {
-        const double residual = solver.report().residual, wanted = task.options.tolerance;
-        throw Failure(exit_unusable, "not converged: " + (residual <= wanted ? "values are still off by more than "
-                                                          : "the residual " + brief(residual) + " is above ") + brief(wanted));
-    }
+    if (!converged) throw Failure(exit_unusable, "not converged: " + what_is_missed(solver, task.options));
 }
 
 } // namespace

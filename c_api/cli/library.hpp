@@ -17,6 +17,7 @@ public:
     explicit Block(std::size_t bytes) { resize(bytes); }
     void resize(std::size_t bytes); // keeps the memory where it is large enough, but not what is in it
     unsigned char* data() { return memory_.get(); }
+    const unsigned char* data() const { return memory_.get(); }
     std::size_t size() const { return size_; }
 
 private:

@@ -22,7 +22,10 @@ hm_status Solver::run() {
     prepare();
     call(mesh_, hm_plan_factor, plan_, nullptr, nullptr, std::int64_t{0});
     const double before_solving = watch.seconds();
-    const hm_status status = call(mesh_, hm_plan_solve, plan_, basis_, &report_);
+    hm_error error = {};
+    const hm_status status = hm_plan_solve(plan_, basis_, &report_, &error);
+    if (status < 0) refuse(error, mesh_);
+    found_ = error.value;
     progress_.wipe();
     times_.factor = progress_.seconds(HM_PHASE_ORDERING) + progress_.seconds(HM_PHASE_SYMBOLIC) +
                     progress_.seconds(HM_PHASE_FACTOR);

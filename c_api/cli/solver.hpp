@@ -28,6 +28,7 @@ public:
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
     const hm_solve_report& report() const { return report_; }
+    double found() const { return found_; } // where the last solution has not converged: hm_error.value
     const SolveTimes& times() const { return times_; }
     std::size_t plan_bytes() const { return plan_block_.size(); }
 
@@ -46,6 +47,7 @@ private:
     hm_plan* plan_ = nullptr;
     hm_basis* basis_ = nullptr;
     hm_solve_report report_;
+    double found_ = 0;
     SolveTimes times_;
 };
 

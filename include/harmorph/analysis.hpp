@@ -42,6 +42,7 @@ struct Analysis {
     std::uint64_t topology = 0;   // fingerprint of the mesh
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
+    Translations translations;    // of periodic pairs
     Wall wall;
     Graph graph;
     Span<Index> order;            // [n] unknown at each position

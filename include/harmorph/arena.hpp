@@ -40,7 +40,7 @@ public:
         static_assert(alignof(T) <= alignment, "");
         Size const count = static_cast<Size>(n);
         out = {};
-        if (count > (limit - used_) / sizeof(T)) {
+        if (used_ >= limit || count > (limit - used_) / sizeof(T)) {
             used_ = limit;
             return;
         }

@@ -110,10 +110,13 @@ struct Basis {
     void unseal() const noexcept;
 };
 
+std::uint64_t checksum_of(BasisHeader const& header) noexcept;
 std::uint64_t topology_print(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_print(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.
+// Whatever is in a block that is accepted, nothing outside it is ever read. Of a truncated one fault.value are the bytes
+// that are missing.
 Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept;
 
 }  // namespace harmorph

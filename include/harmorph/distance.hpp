@@ -4,6 +4,7 @@
 #include "harmorph/boundary.hpp"
 #include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
+#include "harmorph/translations.hpp"
 
 namespace harmorph {
 
@@ -49,6 +50,9 @@ struct FaceDistance {
     Real extent = 0;        // the larger of their width and height
     Real unit = 0;          // largest power of two within the extent; 0: no extent
     Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
+    Translations translations;  // of a periodic mesh; weights, not distances, know of the faces' images under them
+    Index n_shifts = 0;
+    Vec2 shift[Translations::most_shifts];  // in units
     Index root_height = 0;
     Index height_start[most_heights] = {};  // in `boxes`
     Span<Segments> groups;
@@ -82,7 +86,8 @@ private:
 
 // k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
 // d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. No faces, or all of them
-// at one place: k = 1.
+// at one place: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at most: then k does not
+// depend on where the mesh is cut.
 // Fastest where cells with neighbouring numbers are neighbours.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;

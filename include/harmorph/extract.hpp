@@ -6,11 +6,14 @@
 namespace harmorph {
 
 struct PointList {
+    static constexpr Index most = Mesh::max_points;
+
     Index index_base = 0;
     Span<const Index> point;
 
     Index count() const noexcept { return point.count(); }
     Index operator[](Index k) const noexcept { return point[k] - index_base; }
+    static Status check_length(Index n, Fault& fault) noexcept;
     // Are all of them points of the mesh?
     Status check(Index n_points, Fault& fault) const noexcept;
 };

@@ -41,14 +41,13 @@ inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real r
     ++cells;
     Real const twice_smallest = corners.smallest();
     min_area = smaller(min_area, 0.5 * twice_smallest);
-    Real its = 0;
-    if (twice_smallest > 0) {
-        its = skew_quality(n, corners);
-        if (reference_area != 0) {
-            Real const area = corners.cell_area(n), size = absolute(reference_area);
-            its *= square_root(smaller(area, size) / larger(area, size));
-        }
-    } else {
+    Real its = skew_quality(n, corners);
+    if (its > 0 && reference_area != 0) {
+        Real const area = corners.cell_area(n), size = absolute(reference_area);
+        its *= square_root(smaller(area, size) / larger(area, size));
+    }
+    if (!(its > 0)) {  // NaN: a coordinate that is not finite
+        its = 0;
         if (inverted++ == 0) first_inverted = cell;
     }
     quality_sum += its;

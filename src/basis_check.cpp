@@ -1,0 +1,157 @@
+// Blocks from outside: nothing of them is believed before it has been looked at.
+#include <cstring>
+
+#include "harmorph/basis.hpp"
+#include "harmorph/fixed_sum.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr char magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
+constexpr Index most = Mesh::max_points;  // of anything: products of two such counts are far from any overflow
+
+bool is_within(Index number, Index begin, Index end) noexcept { return begin <= number && number < end; }
+
+bool counts_make_sense(BasisCounts const& counts) noexcept {
+    Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
+                         counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
+                         counts.boundary, counts.loops, counts.conditions, counts.first_held, counts.held};
+    for (Index const count : all) {
+        if (!is_within(count, 0, most + 1)) return false;
+    }
+    Offset const functions = counts.control + 2 * Offset{counts.bodies};
+    if (functions > most || counts.held > functions - counts.first_held) return false;
+    if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
+    if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
+    return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
+}
+
+// What the header's counts do not tell: numbers of other things, each of which must exist.
+class Contents {
+public:
+    explicit Contents(Basis const& basis) noexcept : basis_(basis), counts_(basis.header->counts) {}
+
+    // What contradicts itself; null if nothing does.
+    const char* wrong() const noexcept {
+        if (!method_is_one()) return "the basis is damaged: its method is none";
+        if (!curves_fit()) return "the basis is damaged: its curves contradict themselves";
+        if (!conditions_fit()) return "the basis is damaged: its conditions contradict themselves";
+        if (!wall_fits()) return "the basis is damaged: its points on curves contradict themselves";
+        if (!boundary_fits()) return "the basis is damaged: its boundary contradicts itself";
+        return largest_fits() ? nullptr : "the basis is damaged: a value is larger than the largest";
+    }
+
+private:
+    bool method_is_one() const noexcept {
+        BasisHeader const& header = *basis_.header;
+        Method const& method = header.method;
+        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.held + 1) &&
+               is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
+               is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0, 3) &&
+               is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
+               is_within(static_cast<Index>(method.precision), 0, 2);
+    }
+
+    bool curves_fit() const noexcept {
+        Index indices = 0, knots = 0;
+        for (Index number = 0; number < counts_.curves; ++number) {
+            Basis::CurveShape const& its = basis_.shape[number];
+            if (!is_within(its.degree, 1, max_degree + 1) || its.first_index != indices || its.first_knot != knots) return false;
+            if (!is_within(its.n_indices, its.degree + 1, counts_.indices - indices + 1)) return false;
+            if (its.n_indices + its.degree + 1 > counts_.knots - knots) return false;
+            Fault unheard;
+            if (failed(check_curve(basis_.curve(number), number, unheard))) return false;
+            indices += its.n_indices;
+            knots += its.n_indices + its.degree + 1;
+        }
+        return indices == counts_.indices && knots == counts_.knots;
+    }
+
+    bool conditions_fit() const noexcept {
+        for (Condition const& its : basis_.conditions) {
+            if (!is_within(static_cast<Index>(its.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
+            bool const on_curve = its.kind == ConditionKind::on_curve;
+            if (on_curve && !is_within(its.first_curve, 0, counts_.curves)) return false;
+            if (on_curve && !is_within(its.n_curves, 1, counts_.curves - its.first_curve + 1)) return false;
+            if (its.kind == ConditionKind::rigid && !is_within(its.body, 0, counts_.bodies)) return false;
+        }
+        return true;
+    }
+
+    bool wall_fits() const noexcept {
+        for (Index slot = 0; slot < counts_.wall; ++slot) {
+            if (!is_within(basis_.wall_point[slot], 0, counts_.points)) return false;
+            if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies)) return false;
+            if (!is_finite(basis_.wall_u[slot])) return false;
+        }
+        for (Index k = 0; k < counts_.joined; ++k) {
+            if (!is_within(basis_.joined_point[k], 0, counts_.points)) return false;
+            if (!is_within(basis_.joined_slot[k], 0, counts_.wall)) return false;
+        }
+        return true;
+    }
+
+    bool boundary_fits() const noexcept {
+        for (Index const point : basis_.boundary_point) {
+            if (!is_within(point, 0, counts_.points)) return false;
+        }
+        for (Index loop = 0; loop < counts_.loops; ++loop) {
+            if (!is_within(basis_.loop_start[loop], 0, basis_.loop_start[loop + 1])) return false;
+        }
+        return basis_.loop_start[0] == 0 && basis_.loop_start[counts_.loops] == counts_.boundary;
+    }
+
+    // Sums in fixed point overflow beyond it.
+    bool largest_fits() const noexcept {
+        LargestMagnitude found, said;
+        said.include(basis_.header->largest);
+        found.include(basis_.header->largest);
+        for (Real const number : basis_.value) found.include(number);
+        for (float const number : basis_.single) found.include(static_cast<Real>(number));
+        return bits_of(found.value()) == bits_of(said.value());
+    }
+
+    Basis const& basis_;
+    BasisCounts const& counts_;
+};
+
+}  // namespace
+
+Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept {
+    auto const refuse = [&](const char* why, Real found = 0) {
+        return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
+    };
+    if (bytes == 0 || std::memcmp(block, magic, smaller(bytes, sizeof magic)) != 0) return refuse("this is not a harmorph basis");
+    if (bytes < sizeof(BasisHeader)) {
+        return refuse("the basis is truncated: at least ~ bytes are missing", static_cast<Real>(sizeof(BasisHeader) - bytes));
+    }
+    BasisHeader header;
+    std::memcpy(static_cast<void*>(&header), block, sizeof header);
+    if (header.byte_order != BasisHeader::native_order) return refuse("the basis was written with another byte order");
+    if (header.format != BasisHeader::current_format) {
+        return fault.refuse(Status::bad_basis, "the basis has format version #, which this library does not read",
+                            Counts::from_zero, static_cast<Index>(header.format));
+    }
+    if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
+    if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
+        return refuse("the basis is damaged: its sizes contradict each other");
+    }
+    if (header.solved != 1) return refuse("the basis has not been solved");
+    if (checksum_of(*static_cast<const BasisHeader*>(block)) != header.checksum) {
+        return refuse("the basis is damaged: its checksum does not fit");
+    }
+    const char* const wrong = Contents(Basis::view(block)).wrong();
+    if (wrong != nullptr) return refuse(wrong);
+    if (mesh == nullptr) return Status::ok;
+    if (header.counts.cells == 0) return refuse("the basis is of a list of points: it knows no cells and goes with no mesh");
+    if (header.counts.points != mesh->n_points || header.counts.cells != mesh->n_cells) {
+        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
+                            Counts::from_zero, header.counts.points, header.counts.cells);
+    }
+    if (header.topology != topology_print(*mesh)) return refuse("the basis belongs to another mesh: the cells differ");
+    if (header.coordinates == coordinates_print(mesh->points, mesh->n_points)) return Status::ok;
+    fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
+    return Status::moved;
+}
+
+}  // namespace harmorph
