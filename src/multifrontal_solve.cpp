@@ -19,22 +19,31 @@ public:
     // Numbers in the right-hand sides of a front.
     Offset entries(Index node) const noexcept { return Offset{engine_.front_of(node)} * row_; }
 
-    // Solves U^H y = y. `front` receives the node's right-hand sides: pivots' rows, then what is left for the border's.
+    // Solves U^H y = y. `front` receives the node's right-hand sides: pivots' rows, then what is left for the border's. Most
+    // nodes are far from all known values: where a subtree's right-hand sides are 0, so is all that comes of them, and
+    // `front` holds nothing.
     template <class Told>
-    Status forward(Index node, Number* front, Number* free, Lane const& lane, Told const& told) const noexcept {
+    Status forward(Index node, Number* front, Number* free, Lane const& lane, Told const& told, bool& is_zero) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         dense::gather(engine_.kernel, values_, its.begin, panel.pivots, front, width_, engine_.planes);
-        Number* const border = front + Offset{panel.pivots} * row_;
-        fill(Span<Number>(border, static_cast<Size>(Offset{panel.border()} * row_)), Number{0});
+        Span<Number> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
+        Span<Number> const border(front + pivots.size(), static_cast<Size>(Offset{panel.border()} * row_));
+        is_zero = all_zero(pivots);
+        if (!is_zero) fill(border, Number{0});
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
-            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), lane, told));
+            bool adds_nothing = done != none && engine_.subtrees.all[done].adds_nothing;
+            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), lane, told, adds_nothing));
+            if (adds_nothing) continue;
+            if (is_zero) fill(border, Number{0});
+            is_zero = false;
             engine_.find_targets(child, node, lane.targets);
             dense::add_rows(engine_.kernel, engine_.border_of(child).count(), from + Offset{engine_.pivots_of(child)} * row_,
                             lane.targets, front, row_);
         }
+        if (is_zero) return told(node);
         prefetch_panel(node + 1);
         dense::solve_forward(engine_.kernel, panel, front, width_, lane.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, its.begin, panel.pivots);
@@ -54,6 +63,16 @@ public:
     }
 
 private:
+    static bool all_zero(Span<const Number> numbers) noexcept {
+        constexpr Size at_once = 64;  // looked at without a branch; a row is a multiple of 8, so the rest is short
+        for (Size begin = 0; begin < numbers.size(); begin += at_once) {
+            bool any = false;
+            for (Number const number : numbers.from(begin, smaller(at_once, numbers.size() - begin))) any |= number != 0;
+            if (any) return false;
+        }
+        return true;
+    }
+
     // Fronts are too small for the processor to guess what comes next.
     void prefetch_panel(Index node) const noexcept {
         if (node < 0 || node >= engine_.tree.count) return;
@@ -80,12 +99,14 @@ Status Multifrontal::solve_in(Rows const& values, Progress const& progress, Faul
     };
     Lane<Number> const lane = top_lane<Number>();
     for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& its) {
-        Number* const front = kept_rows<Number>(subtrees.find(subtree.root));
-        substitution.forward(subtree.root, front, its.rows, its, [](Index) { return Status::ok; });
+        Index const number = subtrees.find(subtree.root);
+        substitution.forward(subtree.root, kept_rows<Number>(number), its.rows, its, [](Index) { return Status::ok; },
+                             subtrees.all[number].adds_nothing);
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(substitution.forward(node, lane.rows, lane.rows + substitution.entries(node), lane, told));
+        bool is_zero;
+        HARMORPH_TRY(substitution.forward(node, lane.rows, lane.rows + substitution.entries(node), lane, told, is_zero));
     }
     Index next_subtree = subtrees.count - 1;
     for (Index node = tree.count - 1; node >= 0; --node) {

@@ -13,6 +13,7 @@ struct Subtree {
     Offset work = 0;   // multiplications
     Offset kept = 0;   // where its update matrix is kept
     Offset kept_rows = 0;  // where its root's right-hand sides are kept
+    bool adds_nothing = false;  // those at hand are 0, and nothing is kept
 };
 
 struct Subtrees {
