@@ -17,21 +17,9 @@ constexpr Index most_refinements(Method const& method) noexcept { return method.
 // Of a pivot's terms, what is left where some cancelled.
 constexpr Real uncancelled_above = 1e-3;
 
-// The largest ratio of a diagonal to what is left of it when its turn comes: on even cells about 5, beside thin ones
-// thousands. Circulations are no conductances, so that something cancels; and turned lines have no sums to rely on.
-constexpr Real even_below(MatrixKind kind) noexcept { return kind == MatrixKind::complex ? 1e5 : 30; }
-
-Real worst_pivot(Multifrontal const& engine, Matrix const& matrix) noexcept {
-    Real most = 1;
-    for (Index node = 0; node < engine.tree.count; ++node) {
-        dense::Panel<double> const panel = engine.panel<double>(node);
-        for (Index pivot = 0; pivot < panel.pivots; ++pivot) {
-            Real const inverse = panel.row(pivot)[pivot];  // of the pivot's root
-            most = larger(most, matrix.diagonal[engine.tree.nodes[node].begin + pivot] * inverse * inverse);
-        }
-    }
-    return most;
-}
+// Of a diagonal, what is left of it when its turn comes: on even cells a fifth, beside thin ones thousandths. Circulations
+// are no conductances, so that something cancels; and turned lines have no sums to rely on.
+constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::complex ? 1e-5 : 1.0 / 30; }
 
 }  // namespace
 
@@ -86,7 +74,7 @@ bool Plan::trusts_factor() const noexcept {
     if (method.engine != Engine::direct) return true;
     if (method.nodal_gradients() || method.precision == Precision::in_single) return false;
     if (matrix.kind == MatrixKind::real) return engine.least_left() > uncancelled_above;
-    return worst_pivot(engine, matrix) < even_below(matrix.kind);
+    return engine.least_pivot() > even_above(matrix.kind);
 }
 
 // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits

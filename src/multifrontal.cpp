@@ -9,6 +9,7 @@ void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalN
     arena.take(its.packing, lanes * planes * dense::packing_entries);
     arena.take(its.sums, lanes * planes * largest_front);
     arena.take(its.least_left, lanes);
+    arena.take(its.least_pivot, lanes);
     Offset const stacks = lanes > 1 ? lanes + 1 : 1;
     arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length() + dense::overread);
 }

@@ -41,6 +41,7 @@ public:
                                 its.begin + bad);
         }
         dense::update_border(engine_.kernel, panel, left, workers);
+        if (!matrix_.diagonal.empty()) note_pivots(panel, matrix_.diagonal.from(its.begin, panel.pivots), *lane.least_pivot);
         return told(node);
     }
 
@@ -74,6 +75,14 @@ private:
         }
     }
 
+    static void note_pivots(Panel const& panel, Span<const Real> diagonal, Number& least) noexcept {
+        for (Index k = 0; k < panel.pivots; ++k) {
+            Number const inverse = panel.row(k)[k];  // of the pivot's root
+            Number const part = 1 / (static_cast<Number>(diagonal[k]) * inverse * inverse);
+            if (part < least) least = part;
+        }
+    }
+
     static Index place_in(Span<const Index> border, Index position) noexcept {
         Index low = 0, high = border.count();
         while (high - low > 1) {
@@ -93,6 +102,7 @@ template <class Number>
 Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {
     Factorisation<Number> const factorisation(*this, matrix);
     fill(numbers<Number>().least_left, Number{1});
+    fill(numbers<Number>().least_pivot, Number{1});
     Fault fault_of[Executor::most_threads];
     for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& lane) {
         Fault& its = fault_of[subtree.lane];
@@ -117,12 +127,20 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     return Status::ok;
 }
 
-Real Multifrontal::least_left() const noexcept {
+namespace {
+
+Real least_of(Span<const double> doubles, Span<const float> singles) noexcept {
     Real least = 1;
-    for (double const its : doubles.least_left) least = smaller(least, its);
-    for (float const its : singles.least_left) least = smaller(least, static_cast<Real>(its));
+    for (double const its : doubles) least = smaller(least, its);
+    for (float const its : singles) least = smaller(least, static_cast<Real>(its));
     return least;
 }
+
+}  // namespace
+
+Real Multifrontal::least_left() const noexcept { return least_of(doubles.least_left, singles.least_left); }
+
+Real Multifrontal::least_pivot() const noexcept { return least_of(doubles.least_pivot, singles.least_pivot); }
 
 Status Multifrontal::factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept {
     if (precision == Precision::in_single) return factorise_in<float>(matrix, progress, fault);

@@ -22,7 +22,7 @@ struct FrontalNumbers {
     Span<Number> rows;
     Span<Number> packing;  // [lanes x planes x dense::packing_entries]
     Span<Number> sums;     // [lanes x planes x largest front]
-    Span<Number> least_left;  // [lanes] see dense::Workers
+    Span<Number> least_left, least_pivot;  // [lanes] see below
 };
 
 struct Multifrontal {
@@ -52,6 +52,8 @@ struct Multifrontal {
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
     // The least part that was left of what a pivot is summed of: 1 where nothing cancelled.
     Real least_left() const noexcept;
+    // The least part that was left of a diagonal when its turn came; 1 if the matrix has no diagonal.
+    Real least_pivot() const noexcept;
     // In place: right-hand sides become solutions.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
 
@@ -64,13 +66,14 @@ struct Multifrontal {
         Number* packing;
         Number* sums;
         Number* least_left;
+        Number* least_pivot;
         dense::Targets targets;
     };
     template <class Number>
     Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
         FrontalNumbers<Number> const& its = numbers<Number>();
         return {executor, its.stack.data(), its.rows.data(), its.packing.data(), its.sums.data(),
-                its.least_left.data(), {target.data(), run_end.data()}};
+                its.least_left.data(), its.least_pivot.data(), {target.data(), run_end.data()}};
     }
     template <class Number>
     Lane<Number> lane(Index number) const noexcept {
@@ -82,6 +85,7 @@ struct Multifrontal {
                 its.packing.data() + n * planes * dense::packing_entries,
                 its.sums.data() + n * planes * largest_front,
                 its.least_left.data() + n,
+                its.least_pivot.data() + n,
                 {target.data() + n * largest_border, run_end.data() + n * largest_border}};
     }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
