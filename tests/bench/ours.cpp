@@ -58,7 +58,7 @@ Phases Ours::run() {
     options.kernel = kernel_;
     options.engine = engine_;
     options.precision = precision_;
-    options.block_width = 4;
+    if (engine_ != HM_DIRECT) options.block_width = 4;
     options.progress = Clock::told;
     options.progress_user = &clock;
 
