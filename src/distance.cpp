@@ -30,8 +30,8 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
     HARMORPH_CALL(tree.kernel, weigh_eight(tree, quarters, x, y, k, group))
 }
 
-// Places in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is finest
-// at the faces and reaches to infinity, in Morton's order.
+// Places in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
+// finest at the faces and reaches to infinity, in Morton's order.
 struct SortedPlaces {
     static constexpr Index most = 512, levels = 5, side = 1 << levels, squares = side * side;
 
@@ -40,12 +40,13 @@ struct SortedPlaces {
     std::uint16_t number[most];
 
     void sort(FaceDistance const& faces, const Vec2* place, Index its_n) noexcept {
-        std::uint16_t square[most], start[squares] = {};
-        for (Index i = 0; i < its_n; ++i) {
-            square[i] = static_cast<std::uint16_t>(spread(place[i].x - faces.middle.x, faces.half_size.x) |
-                                                   spread(place[i].y - faces.middle.y, faces.half_size.y) << 1);
-            ++start[square[i]];
+        Index square[most];
+        std::uint16_t start[squares] = {};
+        for (Index i = 0; i < its_n; ++i) {  // nothing else, so that compilers make vectors of it
+            square[i] = spread(place[i].x - faces.middle.x, faces.half_size.x) |
+                        spread(place[i].y - faces.middle.y, faces.half_size.y) << 1;
         }
+        for (Index i = 0; i < its_n; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
         for (Index i = 0; i < its_n; ++i) set(start[square[i]]++, place[i], i);
         for (n = its_n; n % lanes != 0; ++n) set(n, {x[its_n - 1], y[its_n - 1]}, number[its_n - 1]);
@@ -58,9 +59,9 @@ private:
         number[at] = static_cast<std::uint16_t>(its_number);
     }
     // One coordinate's bits of a square's number, a place apart. Half of the grid is within half_size.
-    static std::uint32_t spread(Real from_middle, Real half_size) noexcept {
+    static Index spread(Real from_middle, Real half_size) noexcept {
         Real const part = from_middle / (absolute(from_middle) + half_size);  // -1 .. 1
-        std::uint32_t bits = part > -1 ? static_cast<std::uint32_t>((0.5 * side - 0.01) * (1 + part)) : 0;
+        Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (part > -1 ? part : -1)));
         bits = (bits | bits << 4) & 0x10f;
         bits = (bits | bits << 2) & 0x133;
         return (bits | bits << 1) & 0x155;

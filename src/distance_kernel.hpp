@@ -1,6 +1,6 @@
 // Searches of the tree of FaceDistance for one kind of vector register; see dense_kernel.hpp for what the including
-// file defines, and here, of vectors: HARMORPH_LESS(a, b): a bit for each lane in which a < b; HARMORPH_LARGER(a, b) and
-// HARMORPH_SMALLER(a, b): of each lane's numbers, b where one is NaN; HARMORPH_ROOT(v): square roots.
+// file defines, and here, of vectors: HARMORPH_LESS(a, b): a bit for each lane in which a < b; HARMORPH_LARGER(a, b)
+// and HARMORPH_SMALLER(a, b): of each lane's numbers, b where one is NaN; HARMORPH_ROOT(v): square roots.
 // Every kernel finds the least of the same numbers, whichever it passes over: so the bits are the same.
 #include "harmorph/distance.hpp"
 
@@ -64,7 +64,8 @@ HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x,
     return x * x + y * y;
 }
 
-// Those of eight nodes that may hold a face at a distance from a place of `reach` or less: nearest bound first.
+// Those of eight nodes that may hold a face at a distance from a place of `reach` or less: the nearest bound first,
+// then the others in their order.
 class Candidates {
 public:
     HARMORPH_INLINE Candidates(FaceDistance::Boxes const& its, Vec2 from, Real reach) noexcept {
@@ -85,11 +86,11 @@ public:
     HARMORPH_INLINE bool next(Index& lane) noexcept {
         if (left_ == 0) return false;
         lane = __builtin_ctz(left_);
-        for (unsigned others = sorted_ ? 0 : left_ & (left_ - 1); others != 0; others &= others - 1) {
+        for (unsigned others = nearest_is_out_ ? 0 : left_ & (left_ - 1); others != 0; others &= others - 1) {
             Index const other = __builtin_ctz(others);
             lane = square_[other] < square_[lane] ? other : lane;
         }
-        sorted_ = true;
+        nearest_is_out_ = true;
         left_ &= ~(1u << lane);
         return true;
     }
@@ -102,11 +103,11 @@ private:
     }
 
     unsigned left_ = 0;
-    bool sorted_ = false;
+    bool nearest_is_out_ = false;
     Real square_[lanes];
 };
 
-// What is looked for the faces nearest to: one place.
+// A search is for what is nearest to one place.
 struct One {
     Vec2 centre;
     Index group;  // the nearest; at first, where it is tried
@@ -132,7 +133,8 @@ struct One {
     }
 };
 
-// Or eight places, which should be neighbours.
+// Or to each of eight places, which should be neighbours: each alone would be a chain of branches that nobody can
+// predict.
 struct Eight {
     Vec2 centre;
     Index group;  // the last that was the nearest of one of them
