@@ -112,6 +112,9 @@ void FaceDistance::find_unit(Points points) noexcept {
     extent = count == 0 ? 0 : larger(all.size().x, all.size().y);
     unit = power_of_two_below(extent);
     inverse_unit = unit > 0 && is_finite(1 / unit) ? 1 / unit : 1;
+    constexpr Real margin = 1.0 / 32;
+    middle = 0.5 * (inverse_unit * all.low + inverse_unit * all.high);
+    half_size = 0.5 * (inverse_unit * all.size()) + Vec2{margin, margin};
 }
 
 // From the beginning of the group's first face to the end of its last.

@@ -73,7 +73,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
-    engine.kernel = residual.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
+    engine.kernel = residual.kernel = wall.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
     copy(reversed, Span<const std::uint8_t>(analysis.reversed));
     wall.translations = analysis.translations;

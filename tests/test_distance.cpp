@@ -344,6 +344,67 @@ TEST_CASE("weights do not depend on the numbers of cells and points, on threads,
     CHECK(weights_of(mesh, seeds, 6) == expected);
 }
 
+TEST_CASE("kernels give the same bits, of distances, feet and weights; images of the faces count as faces do") {
+    Naca4 naca;
+    naca.camber = 0.02;
+    Mesh const ordered = o_mesh(naca4(naca, 150), stretched(1e-4, 20, 40), Cells::hybrid);
+    Mesh shuffled = ordered;   // nobody's neighbours follow it
+    shuffle_cells(shuffled, 5);
+    Loops loops = body_of(ordered);
+    loops.add(ellipse(900, 3, 0.5, {4, 6}));   // boxes, too
+    Loops twice = loops;   // what the images are of
+    Vec2 const shift{0.5, -4.25};
+    for (std::size_t loop = 0; loop + 1 < loops.loop_start.size(); ++loop) {
+        std::vector<Point> moved;
+        for (Index k = loops.loop_start[loop]; k < loops.loop_start[loop + 1]; ++k)
+            moved.push_back({loops.x[std::size_t(k)] - shift.x, loops.y[std::size_t(k)] - shift.y});
+        twice.add(moved);
+    }
+    Tree tree(loops), images(loops), copies(twice);
+    images.n_shifts = 1;
+    images.shift[0] = images.inverse_unit * shift;
+    std::mt19937 random(6);
+    std::vector<Vec2> places;
+    for (int k = 0; k < 300; ++k) places.push_back({20 * uniform(random) - 10, 20 * uniform(random) - 10});
+    for (Mesh const* mesh : {&ordered, static_cast<Mesh const*>(&shuffled)})
+        for (Index const quarters : {1, 6, 16}) {
+            std::vector<double> const expected = weights_of(*mesh, tree, quarters),
+                                      with_images = weights_of(*mesh, images, quarters);
+            std::vector<double> const of_copies = weights_of(*mesh, copies, quarters);
+            double const units = std::pow(copies.unit / images.unit, 0.25 * quarters);
+            double worst = 0;
+            std::size_t nearer = 0;
+            for (std::size_t k = 0; k < expected.size(); ++k) {
+                worst = std::fmax(worst, std::fabs(units * with_images[k] / of_copies[k] - 1));
+                nearer += with_images[k] > expected[k];
+                CHECK(with_images[k] >= expected[k]);
+            }
+            CHECK(worst < 1e-9);
+            CHECK((nearer > 0 && nearer < expected.size()));
+            for (harmorph::Kernel const kernel : {harmorph::Kernel::avx2, harmorph::Kernel::avx512}) {
+                if (!harmorph::has_kernel(kernel)) continue;
+                tree.kernel = images.kernel = kernel;
+                CHECK(weights_of(*mesh, tree, quarters) == expected);
+                CHECK(weights_of(*mesh, images, quarters) == with_images);
+            }
+            tree.kernel = images.kernel = harmorph::Kernel::baseline;
+        }
+    for (Vec2 const place : places) {
+        tree.kernel = harmorph::Kernel::baseline;
+        Index group = 0;
+        FaceDistance::Foot const foot = tree.foot(place, group);
+        double const distance = tree.distance(place);
+        for (harmorph::Kernel const kernel : {harmorph::Kernel::avx2, harmorph::Kernel::avx512}) {
+            if (!harmorph::has_kernel(kernel)) continue;
+            tree.kernel = kernel;
+            Index guess = static_cast<Index>(random() % static_cast<unsigned>(tree.groups.count()));
+            FaceDistance::Foot const seen = tree.foot(place, guess);
+            CHECK((seen.face == foot.face && seen.t == foot.t && guess == group));
+            CHECK(tree.distance(place) == distance);
+        }
+    }
+}
+
 TEST_CASE("weights without faces, without extent, and at a distance of 0 are finite") {
     Mesh mesh = square(6, Cells::hybrid);
     for (double const k : weights_of(mesh, Tree(std::size_t{8}), 6)) CHECK(k == 1);

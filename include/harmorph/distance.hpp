@@ -4,6 +4,7 @@
 #include "harmorph/boundary.hpp"
 #include "harmorph/delaunay.hpp"
 #include "harmorph/executor.hpp"
+#include "harmorph/processor.hpp"
 #include "harmorph/translations.hpp"
 
 namespace harmorph {
@@ -45,9 +46,11 @@ struct FaceDistance {
         void copy(Index lane, Boxes const& other, Index its_lane) noexcept;
     };
 
+    Kernel kernel = Kernel::baseline;  // any gives the same bits
     Index count = 0;
     Span<Face> faces;       // [max_faces], of which `count` are used
     Real extent = 0;        // the larger of their width and height
+    Vec2 middle, half_size;  // of the box round them, in units; half_size a little wider
     Real unit = 0;          // largest power of two within the extent; 0: no extent
     Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
     Translations translations;  // of a periodic mesh; weights, not distances, know of the faces' images under them
@@ -86,13 +89,14 @@ private:
 
 // k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
 // d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. No faces, or all of them
-// at one place: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at most: then k does not
-// depend on where the mesh is cut.
-// Fastest where cells with neighbouring numbers are neighbours.
+// at one place: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at most: then k does
+// not depend on where the mesh is cut.
+// Fastest where, of some hundreds of cells that follow each other, each has neighbours.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 
-// k [n_edges] likewise, from the edges' midpoints. Faces themselves are edges as well, d being 0 there: no equation has them.
+// k [n_edges] likewise, from the edges' midpoints. Faces themselves are edges as well, d being 0 there: no equation has
+// them.
 void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 
