@@ -94,7 +94,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     topology = topology_print(mesh);
-    matrix = Matrix::count(graph, matrix_kind(), !is_direct() || matrix_kind() != MatrixKind::real);
+    matrix = Matrix::count(graph, matrix_kind());
     return Status::ok;
 }
 

@@ -118,7 +118,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     Status const status = factor_engine(points, fault);
     if (status == Status::not_positive && fault.item != none) fault.item = point_of(fault.item);
     HARMORPH_TRY(status);
-    factor_trusted = trusts_factor();
+    HARMORPH_TRY(test_factor(fault));
     if (method.nodal_gradients()) nodal.scheme.measure(points);
     coordinates = coordinates_print(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));

@@ -18,8 +18,9 @@ constexpr Index most_refinements(Method const& method) noexcept { return method.
 constexpr Real uncancelled_above = 1e-3;
 
 // Of a diagonal, what is left of it when its turn comes: on even cells a fifth, beside thin ones thousandths. Circulations
-// are no conductances, so that something cancels; and turned lines have no sums to rely on.
-constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::complex ? 1e-5 : 1.0 / 30; }
+// are no conductances, so that something cancels; so it does where cells' angles make conductances negative; and turned
+// lines have no sums to rely on.
+constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::two_lines ? 1.0 / 30 : 1e-5; }
 
 }  // namespace
 
@@ -70,11 +71,39 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
 
 // Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
 // the factor, there is none. That of nodal gradients is the compact scheme's.
-bool Plan::trusts_factor() const noexcept {
-    if (method.engine != Engine::direct) return true;
-    if (method.nodal_gradients() || method.precision == Precision::in_single) return false;
-    if (matrix.kind == MatrixKind::real) return engine.least_left() > uncancelled_above;
-    return engine.least_pivot() > even_above(matrix.kind);
+Status Plan::test_factor(Fault& fault) noexcept {
+    factor_trusted = method.engine != Engine::direct;
+    if (factor_trusted || method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
+    Real const even = even_above(matrix.kind), left = engine.least_left(), pivot = engine.least_pivot();
+    factor_trusted = pivot > even;
+    if (matrix.kind != MatrixKind::real) return Status::ok;
+    factor_trusted = left > uncancelled_above && pivot > even * (1 - left);
+    if (factor_trusted || !(left > uncancelled_above)) return Status::ok;
+    Real rise = 0;
+    HARMORPH_TRY(raise_by_negative(rise, fault));
+    factor_trusted = even * rise < 1;
+    return Status::ok;
+}
+
+// Conductances that are negative, as angles of cells make them, may cancel others between the same two points, which no pivot
+// shows: what is left is rounding, and flows as a conductance does. So functions are off by about as many roundings as
+// sources the size of all negative conductances raise them.
+Status Plan::raise_by_negative(Real& rise, Fault& fault) noexcept {
+    Span<Real> const source = residual.value.first(matrix.n);
+    fill(source, 0.0);
+    auto const add = [&](Index row, Real entry) { source[row] += entry > 0 ? entry : 0; };  // entries: their opposites
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+            add(i, matrix.value[e]);
+            add(matrix.column[e], matrix.value[e]);
+        }
+    }
+    for (Index c = 0; c < matrix.coupling_row.count(); ++c) add(matrix.coupling_row[c], matrix.coupling_value[c]);
+    for (Index h = 0; h < matrix.held_row.count(); ++h) add(matrix.held_row[h], matrix.held_value[h]);
+    HARMORPH_TRY(engine.solve({source.data(), nullptr, 1, 1, 1}, Progress{}, fault));
+    rise = 0;
+    for (Real const its : source) rise = larger(rise, absolute(its));
+    return Status::ok;
 }
 
 // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that its bits

@@ -41,7 +41,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     n = unknowns;
     kind = sizes.kind;
     arena.take(place, Offset{components()} * n_points);
-    arena.take(diagonal, sizes.with_diagonal ? n : 0);
+    arena.take(diagonal, n);
     arena.take(excess, n);
     arena.take(excess_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
@@ -160,7 +160,7 @@ Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
 }
 
 void Matrix::add_to_diagonal(Index i, Real conductance) const noexcept {
-    if (i >= 0 && !diagonal.empty()) diagonal[i] += conductance;
+    if (i >= 0) diagonal[i] += conductance;
 }
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {

@@ -41,7 +41,7 @@ public:
                                 its.begin + bad);
         }
         dense::update_border(engine_.kernel, panel, left, workers);
-        if (!matrix_.diagonal.empty()) note_pivots(panel, matrix_.diagonal.from(its.begin, panel.pivots), *lane.least_pivot);
+        note_pivots(panel, matrix_.diagonal.from(its.begin, panel.pivots), *lane.least_pivot);
         return told(node);
     }
 

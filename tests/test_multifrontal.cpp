@@ -165,6 +165,58 @@ TEST_CASE("Hermitian matrices with random circulations: the same as dense Choles
             }
 }
 
+TEST_CASE("right-hand sides of one number each: most of the tree sees none, wherever that number is, solve after solve") {
+    for (Index const threads : {1, 3})
+        for (bool const complex : {false, true}) {
+            Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
+            Threads const lanes(threads);
+            Analysed const seen(its, &lanes.options);
+            Index const width = 3;
+            FrontalSystem system(*seen.operator->(), complex, harmorph::Precision::in_double, width);
+            system.randomise(9, complex ? 0.8 : 0);
+            ComplexDenseMatrix dense(system.assembled.size());
+            if (complex) dense = system.assembled.complex_unknowns();
+            else std::copy_n(system.assembled.unknowns().entries.begin(), dense.entries.size(), dense.entries.begin());
+            REQUIRE(dense.factor());
+            system.factorise();
+            std::size_t const n = dense.n, length = static_cast<std::size_t>(system.row_length());
+            double worst = 0;
+            for (std::size_t at = 0; at < n; ++at) {   // of three sides two are apart, and one has nothing at all
+                std::vector<double> sides(n * length, 0.0);
+                sides[at * length] = 1;
+                sides[(n - 1 - at) * length + length - 1] = -2;
+                std::vector<double> found = sides;
+                system.solve(found);
+                worst = std::fmax(worst, largest_error(system, sides, found, dense, width));
+                for (std::size_t k = 0; k < n; ++k) worst = std::fmax(worst, std::fabs(found[k * length + 1]));
+            }
+            INFO(threads << " threads, complex " << complex);
+            CHECK(worst < 1e-13);
+            std::vector<double> nothing(n * length, 0.0);
+            system.solve(nothing);
+            CHECK(nothing == std::vector<double>(n * length, 0.0));
+        }
+}
+
+TEST_CASE("right-hand sides that are not finite are told from zeros: what they reach is not finite either") {
+    for (Index const threads : {1, 3})
+        for (double const bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+            Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
+            Threads const lanes(threads);
+            Analysed const seen(its, &lanes.options);
+            FrontalSystem system(*seen.operator->(), false, harmorph::Precision::in_double, 1);
+            system.randomise(9, 0);
+            system.factorise();
+            std::size_t const n = system.assembled.size();
+            for (std::size_t const at : {std::size_t{0}, n / 2, n - 1}) {
+                std::vector<double> values(n, 0.0);
+                values[at] = bad;
+                system.solve(values);
+                for (double const value : values) CHECK_FALSE(std::isfinite(value));
+            }
+        }
+}
+
 TEST_CASE("without circulation the complex engine gives the real one's answer") {
     Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
     Analysed const seen(its);

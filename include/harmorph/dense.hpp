@@ -118,7 +118,8 @@ struct TailSums {
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
 
-// Takes U^H U of the border's columns off the update matrix, whose diagonal are row sums too.
+// Takes U^H U of the border's columns off the update matrix. In its diagonal's place stand row sums, too: this front's and
+// its children's parts of them.
 template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;

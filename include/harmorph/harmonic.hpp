@@ -74,7 +74,10 @@ private:
     Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
     void turn_slipping_lines(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
-    bool trusts_factor() const noexcept;
+    // Sets factor_trusted.
+    Status test_factor(Fault& fault) noexcept;
+    // The largest value where negative conductances are sources; real matrices and the direct engine only.
+    Status raise_by_negative(Real& rise, Fault& fault) noexcept;
     Residual::Norms measure(Lines const& all, Index first, Index n) const noexcept;
     Status solve_rest(Index n, Index& iterations, Fault& fault) noexcept;
     Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;

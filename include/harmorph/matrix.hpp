@@ -24,13 +24,12 @@ struct Matrix {
         Offset entries = 0;
         Index couplings = 0, held = 0;
         MatrixKind kind = MatrixKind::real;
-        bool with_diagonal = false;
     };
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
     Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
-    Span<Real> diagonal;         // [n] or empty
+    Span<Real> diagonal;         // [n]
     Span<Real> excess;           // [n] what each row's entries sum to
     Span<Real> excess_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
@@ -52,8 +51,8 @@ struct Matrix {
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind, bool with_diagonal) noexcept {
-        return {graph.start[graph.n] / 2, graph.couplings, graph.held, kind, with_diagonal};
+    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
+        return {graph.start[graph.n] / 2, graph.couplings, graph.held, kind};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip

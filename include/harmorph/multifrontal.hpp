@@ -52,7 +52,7 @@ struct Multifrontal {
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
     // The least part that was left of what a pivot is summed of: 1 where nothing cancelled.
     Real least_left() const noexcept;
-    // The least part that was left of a diagonal when its turn came; 1 if the matrix has no diagonal.
+    // The least part that was left of a diagonal when its turn came.
     Real least_pivot() const noexcept;
     // In place: right-hand sides become solutions.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
