@@ -74,21 +74,21 @@ void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
 class Track {
 public:
     Track(BorderWork const& work, Range range) noexcept
-        : begin_(work.passed.data() + Offset{BorderWork::remembered} * range.begin),
-          end_(work.passed.data() + Offset{BorderWork::remembered} * range.end), next_(begin_ + 1) {}
+        : numbers_(work.passed.data() + Offset{BorderWork::remembered} * range.begin),
+          room_(Offset{BorderWork::remembered} * (range.end - range.begin)) {}
 
     void add(Index node) noexcept {
-        if (next_ < end_) *next_ = node;
+        if (next_ < room_) numbers_[next_] = node;
         ++next_;
     }
-    void close() const noexcept { *begin_ = next_ <= end_ ? 1 : 0; }
-    bool is_whole() const noexcept { return *begin_ != 0; }
-    Index next() noexcept { return *next_++; }
+    void close() const noexcept { numbers_[0] = next_ <= room_ ? 1 : 0; }
+    bool is_whole() const noexcept { return numbers_[0] != 0; }
+    Index next() noexcept { return numbers_[next_++]; }
 
 private:
-    Index* const begin_;
-    Index* const end_;
-    Index* next_;
+    Index* const numbers_;  // the first tells whether the others are all there
+    Offset const room_;
+    Offset next_ = 1;
 };
 
 }  // namespace
