@@ -27,8 +27,10 @@ struct Range {
 
 class Search {
 public:
-    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points, Points displacement) noexcept
-        : boundary_point_(boundary_point), loop_start_(loop_start), points_(points), displacement_(displacement) {}
+    Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points, Points displacement,
+           Overlaps overlaps) noexcept
+        : boundary_point_(boundary_point), loop_start_(loop_start), points_(points), displacement_(displacement),
+          overlaps_(overlaps) {}
 
     // Pairs of faces within the range.
     bool within(Range range) noexcept {
@@ -59,8 +61,8 @@ private:
 
     bool face_against(Index face, Range others) noexcept {
         for (Index other = others.begin; other < others.end; ++other) {
-            bool const cross = cross_properly(face, other) || lie_on_each_other(face, other) ||
-                               cross_at_a_point(face, other) || cross_at_a_point(other, face);
+            bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) || cross_at_a_point(other, face) ||
+                               (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
             if (!cross) continue;
             result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
             return true;
@@ -155,14 +157,15 @@ private:
 
     Span<const Index> boundary_point_, loop_start_;
     Points points_, displacement_;
+    Overlaps overlaps_;
     Crossing result_;
 };
 
 }  // namespace
 
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                       Points displacement) noexcept {
-    Search search(boundary_point, loop_start, points, displacement);
+                       Points displacement, Overlaps overlaps) noexcept {
+    Search search(boundary_point, loop_start, points, displacement, overlaps);
     search.within({0, boundary_point.count()});
     return search.result();
 }

@@ -16,7 +16,7 @@ namespace harmorph::dense {
     /* Factors the strip's own columns; sums: of the front's rows, of which the strip's become U^-H of them. */           \
     template <class Number, Index planes>                                                                                 \
     Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor,   \
-                          Number& least_left) noexcept;                                                                         \
+                          Number& least_left) noexcept;                                                                   \
     /* And then any others, taken off their rows' sums. */                                                                \
     template <class Number, Index planes>                                                                                 \
     void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) noexcept;            \

@@ -99,7 +99,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     fill(reached, 0.0);
     aim(1);
     bool const fits = is_admissible(work, basis);
-    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step());
+    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step(), Overlaps::ignored);
     if (report.crossing.found) {
         return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
                             Counts::mesh, report.crossing.first[0], report.crossing.second[0]);

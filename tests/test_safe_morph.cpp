@@ -242,6 +242,18 @@ TEST_CASE("slipping points stay on their lines and periodic sides move alike, in
     }
 }
 
+TEST_CASE("sliding points that would pass each other in one step are no crossing: in several they do not") {
+    Case its;
+    its.mesh = square(25, Cells::quads, 5, 1);
+    its.curves = polyline({{0.4, 0.48}, {0.6, 0.48}, {0.6, 0.52}, {0.4, 0.52}});
+    its.put_on_curves(body);
+    for (std::int32_t const side : {bottom, right, top, left}) its.set_slip(side);
+    Safe safe(its);   // conformal, 1 / d^1.5
+    REQUIRE(safe.run(turn_of(its, 60, {-0.2, -0.3})) == HM_OK);
+    CHECK((safe.report.step_fraction == 1 && safe.report.rung == HM_RUNG_SUBSTEPS));
+    CHECK(safe.is_valid());
+}
+
 TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
     Case its = block();
     Safe safe(its);

@@ -13,6 +13,10 @@ struct Crossing {
     Index second[2] = {none, none};
 };
 
+// Points that slide or are free go where cells take them: that their faces would lie on each other at the end of one linear
+// step says nothing about the way there in several.
+enum class Overlaps { cross, ignored };
+
 // A boundary crosses where faces do, where faces lie on each other, and where it passes exactly through a point of its own
 // or a face; decided exactly. To touch in a point is not to cross, nor are the two sides of a wall without thickness, whose
 // faces have the same ends.
@@ -20,6 +24,6 @@ struct Crossing {
 // the list halves the place it takes: boxes of list ranges prune the pairs, without any memory. The points are taken where
 // `displacement` (not given: 0) puts them.
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
-                       Points displacement = {}) noexcept;
+                       Points displacement = {}, Overlaps overlaps = Overlaps::cross) noexcept;
 
 }  // namespace harmorph
