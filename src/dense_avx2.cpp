@@ -19,6 +19,26 @@
 namespace harmorph::dense::avx2 {
 namespace {
 
+// Lanes of two vectors, in words of 32 bits: which word, whether of the second vector, whether of any.
+template <Index words>
+struct LanePicks {
+    __m256i from, second, present;
+
+    LanePicks() noexcept = default;
+    explicit LanePicks(const Index (&picked)[8 / words]) noexcept {
+        alignas(32) std::int32_t word[8], of_second[8], of_any[8];
+        for (Index k = 0; k < 8; ++k) {
+            Index const lane = picked[k / words];
+            word[k] = lane * words + k % words;  // modulo 8
+            of_second[k] = -(lane >= 8 / words);
+            of_any[k] = -(lane >= 0);
+        }
+        from = _mm256_load_si256(reinterpret_cast<const __m256i*>(word));
+        second = _mm256_load_si256(reinterpret_cast<const __m256i*>(of_second));
+        present = _mm256_load_si256(reinterpret_cast<const __m256i*>(of_any));
+    }
+};
+
 template <class Number>
 struct Registers;
 
@@ -28,13 +48,11 @@ struct Registers<double> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_pd(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_pd(a, b, c); }
-    static HARMORPH_INLINE Vector load_first(const double* from, Index n) noexcept {
-        Vector v = {};
-        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
-        return v;
-    }
-    static HARMORPH_INLINE void store_first(double* to, Vector v, Index n) noexcept {
-        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    using Picks = LanePicks<2>;
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[4]) noexcept { return Picks(picked); }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+        Vector const of_a = _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(a), its.from)), of_b = _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(b), its.from));
+        return _mm256_and_pd(_mm256_blendv_pd(of_a, of_b, _mm256_castsi256_pd(its.second)), _mm256_castsi256_pd(its.present));
     }
     static HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
 };
@@ -45,13 +63,11 @@ struct Registers<float> {
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
-    static HARMORPH_INLINE Vector load_first(const float* from, Index n) noexcept {
-        Vector v = {};
-        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
-        return v;
-    }
-    static HARMORPH_INLINE void store_first(float* to, Vector v, Index n) noexcept {
-        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    using Picks = LanePicks<1>;
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[8]) noexcept { return Picks(picked); }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+        Vector const of_a = _mm256_permutevar8x32_ps(a, its.from), of_b = _mm256_permutevar8x32_ps(b, its.from);
+        return _mm256_and_ps(_mm256_blendv_ps(of_a, of_b, _mm256_castsi256_ps(its.second)), _mm256_castsi256_ps(its.present));
     }
     static HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
 };

@@ -12,8 +12,8 @@
 namespace harmorph::dense::baseline {
 namespace {
 
-// What one register holds, numbers that may begin anywhere: c + a b, c - a b, and the first n numbers, read
-// (then zeros) or written.
+// What one register holds, numbers that may begin anywhere: c + a b, c - a b, and numbers picked from two registers: lane
+// `picked` of the first, or, counted on, of the second, or 0 where that is none.
 template <class Number>
 struct Registers {
     typedef Number Vector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
@@ -35,13 +35,22 @@ struct Registers {
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
 #endif
-    static HARMORPH_INLINE Vector load_first(const Number* from, Index n) noexcept {
-        Vector v = {};
-        for (Index lane = 0; lane < n; ++lane) v[lane] = from[lane];
-        return v;
+    struct Picks {
+        Index from[16 / sizeof(Number)];
+    };
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[16 / sizeof(Number)]) noexcept {
+        Picks its;
+        for (Size lane = 0; lane < 16 / sizeof(Number); ++lane) its.from[lane] = picked[lane];
+        return its;
     }
-    static HARMORPH_INLINE void store_first(Number* to, Vector v, Index n) noexcept {
-        for (Index lane = 0; lane < n; ++lane) to[lane] = v[lane];
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+        constexpr Index lanes = 16 / sizeof(Number);
+        Vector v = {};
+        for (Index lane = 0; lane < lanes; ++lane) {
+            Index const from = its.from[lane];
+            if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
+        }
+        return v;
     }
     static HARMORPH_INLINE Number square_root(Number x) noexcept { return static_cast<Number>(__builtin_sqrt(x)); }
 };

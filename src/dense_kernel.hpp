@@ -6,31 +6,20 @@
 namespace harmorph::dense::HARMORPH_KERNEL {
 namespace {
 
-// to [n] = factor * from, n <= block; whole vectors are read.
-template <class Number>
-HARMORPH_INLINE void copy_scaled(Number* to, const Number* from, Number factor, Index n) noexcept {
-    for (Index c = 0; c < n; c += lanes<Number>) {
-        Vector<Number> const v = factor * load(from + c);
-        if (n - c >= lanes<Number>) {
-            store(to + c, v);
-        } else {
-            Registers<Number>::store_first(to + c, v, n - c);
-        }
-    }
-}
-
 // A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H | L^-1], A = L D L^H.
 template <Index planes, class Number>
 struct BlockBesideUnit {
-    static constexpr Index width = 2 * block;
-    Number at[block][planes][width + lanes<Number>];
+    static constexpr Index block = slab, width = 2 * block;
+    Number at[block][planes][width];
 
-    BlockBesideUnit(Block<Number> a, Index n) noexcept {
-        for (Index r = 0; r < n; ++r) {
+    BlockBesideUnit(const Number* a, Index n) noexcept {
+        for (Index r = 0; r < n; ++r, a += step<planes>) {
             for (Index plane = 0; plane < planes; ++plane) {
                 Number* const row = at[r][plane];
-                copy_scaled(row, a.data + r * a.length + plane * a.plane, Number{1}, block);
-                for (Index c = block; c < width; ++c) row[c] = 0;
+                for (Index c = 0; c < block; c += lanes<Number>) {
+                    store(row + c, load(a + plane * block + c));
+                    store(row + block + c, Vector<Number>{});
+                }
             }
             at[r][0][block + r] = 1;
         }
@@ -51,14 +40,14 @@ struct BlockBesideUnit {
     }
 };
 
-// Cholesky of a diagonal block, whose place the inverse of U^H takes. `sum`: of its rows, with no more than the block's own
-// columns; their diagonals are not read. size: what those were summed of, without signs. Returns a pivot of which no more
-// than `floor` is left, or none.
+// Cholesky of a diagonal block of n <= slab pivots, whose place the inverse of U^H takes. `sum`: of its rows, with no more
+// than the block's own columns; their diagonals are not read. size: what those were summed of, without signs. Returns a
+// pivot of which no more than `floor` is left, or none.
 template <Index planes, class Number>
-Index factor_block(Block<Number> a, Index n, Number (&sum)[planes][block], const Number (&size)[block], Number floor,
-                   Number& least_left) noexcept {
+Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number (&size)[slab],
+                   Number floor, Number& least_left) noexcept {
     BlockBesideUnit<planes, Number> both(a, n);
-    Number scale[block];
+    Number scale[slab];
     for (Index k = 0; k < n; ++k) {
         Number pivot = sum[0][k], its_size = size[k];
         for (Index c = k + 1; c < n; ++c) {
@@ -79,171 +68,156 @@ Index factor_block(Block<Number> a, Index n, Number (&sum)[planes][block], const
             }
         }
     }
-    for (Index r = 0; r < n; ++r) {
+    for (Index r = 0; r < n; ++r, a += step<planes>) {
         for (Index plane = 0; plane < planes; ++plane) {
-            copy_scaled(a.data + r * a.length + plane * a.plane, both.at[r][plane] + block, scale[r], n);
+            for (Index c = 0; c < slab; c += lanes<Number>) {
+                store(a + plane * slab + c, scale[r] * load(both.at[r][plane] + slab + c));
+            }
         }
     }
     return none;
 }
 
-template <class Number>
-struct Strip : Block<Number> {  // its first pivot's column is number 0
-    Index n;
-};
-
+// Right-hand sides from a row on.
 template <Index planes, class Number>
-HARMORPH_INLINE Strip<Number> strip_of(Panel<Number> const& panel, Index first) noexcept {
-    Offset const plane = panel.front - first;
-    return {{panel.data + planes * strip_start(panel.front, first), planes * plane, plane},
-            smaller(strip, panel.pivots - first)};
+HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) noexcept {
+    return InRows<Number, planes>{y, width}.at(row, 0);
 }
-
-// Right-hand sides from a pivot's row on.
-template <Index planes, class Number>
-HARMORPH_INLINE Block<Number> sides(Number* y, Index row, Index pivot) noexcept {
-    return {y + Offset{planes} * row * pivot, Offset{planes} * row, row};
-}
-
-constexpr Index packing_pays = 224;  // rows longer than this are copied before they are multiplied
 
 }  // namespace
 
 template <class Number, Index planes>
-void take_off_earlier(Panel<Number> const& panel, Index first, Index from, Index to, Number* packing) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    for (Index earlier = 0; earlier < first; earlier += strip) {
-        Strip<Number> const above = strip_of<planes>(panel, earlier);
-        subtract_packed<planes>({own.n, to - from, above.n}, above.at(0, first - earlier), above.at(0, from - earlier),
-                                own.at(0, from - first), packing, from == first);
+void take_off_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
+                      Index to) noexcept {
+    bool const upper = own.data == columns.data && from == first;
+    for (Index k = 0; k < first; k += strip) {
+        subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to}, upper);
     }
 }
 
 template <class Number, Index planes>
-void sum_tails(Panel<Number> const& panel, Index first, Index from, Index to, TailSums<Number>& tails) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    for (Index r = from; r < to; ++r) {
-        RowSum<planes, Number> const tail(own.at(r, own.n), panel.front - first - own.n);
-        for (Index p = 0; p < planes; ++p) tails.sum[p][r] = tail.sum[p];
-        tails.size[r] = tail.size;
-    }
+void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to, TailSums<Number>& tails) noexcept {
+    Slabs<Number> const own = panel.own(), border = panel.of_border();
+    sum_rows<planes>(own, {from, to}, {end, own.columns}, &border, [&](Index row, const Number* sum, Number size) {
+        for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
+        tails.size[row - first] = size;
+    });
 }
 
 template <class Number, Index planes>
-Index factor_diagonal(Panel<Number> const& panel, Index first, Number* sums, TailSums<Number>& tails, Number floor,
-                      Number& least_left) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
+Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number* sums, TailSums<Number>& tails,
+                      Number floor, Number& least_left) noexcept {
+    Slabs<Number> const own = panel.own();
+    Offset const plane = panel.sums_plane();
     Number inner[planes][strip];  // sums of the rows within the strip's own columns
     for (Index p = 0; p < planes; ++p) {
-        for (Index r = 0; r < own.n; ++r) inner[p][r] = sums[p * panel.front + first + r] - tails.sum[p][r];
+        for (Index r = first; r < end; ++r) inner[p][r - first] = sums[p * plane + r] - tails.sum[p][r - first];
     }
-    for (Index k = 0; k < own.n; k += block) {
-        Index const n = smaller(block, own.n - k), behind = own.n - k - n;
-        Block<Number> const above = own.at(0, k), its = own.at(k, k);
-        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, own.n - k, k}, above, above, its);
-        Number sum[planes][block], size[block];
-        for (Index r = 0; r < n; ++r) {
-            RowSum<planes, Number> const rest(its.at(r, n), behind);
-            for (Index p = 0; p < planes; ++p) sum[p][r] = inner[p][k + r] - rest.sum[p];
-            size[r] = magnitude(sums[first + k + r]) + tails.size[k + r] + rest.size;
-        }
-        Index const bad = factor_block<planes>(its, n, sum, size, floor, least_left);
-        if (bad != none) return first + k + bad;
-        apply_inverse<planes>(n, behind, its, its.at(0, n));
-        eliminate_sums<planes>(its, n, behind, inner[0] + k, strip);
-        eliminate_sums<planes>(its, n, behind, sums + first + k, panel.front);
+    for (Index k = first; k < end; k += slab) {
+        Index const n = smaller(slab, end - k), behind = end - k - n;
+        if (k > first) subtract_product<planes>(own, own, own, {first, k}, {k, k + n}, {k, end});
+        Number sum[planes][slab], size[slab];
+        sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs<Number> const*>(nullptr),
+                         [&](Index row, const Number* rest, Number its_size) {
+            for (Index p = 0; p < planes; ++p) sum[p][row - k] = inner[p][row - first] - rest[p];
+            size[row - k] = magnitude(sums[row]) + tails.size[row - first] + its_size;
+        });
+        Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, least_left);
+        if (bad != none) return k + bad;
+        apply_inverse<planes>(n, behind, own.at(k, k), InSlabs<Number, planes>{own, k, k + n});
+        eliminate_sums<planes>(own, k, n, end, inner[0] + (k - first), strip);
+        eliminate_sums<planes>(own, k, n, end, sums + k, plane);
     }
     return none;
 }
 
 template <class Number, Index planes>
-void finish_columns(Panel<Number> const& panel, Index first, Index from, Index to, Number* sums) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    Block<Number> const columns = own.at(0, from - first);
-    for (Index k = 0; k < own.n; k += block) {
-        Index const n = smaller(block, own.n - k);
-        Block<Number> const its = columns.at(k, 0);
-        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, to - from, k}, own.at(0, k), columns, its);
-        apply_inverse<planes>(n, to - from, own.at(k, k), its);
-        subtract_sums<planes>(its, n, to - from, sums + first + k, sums + from, panel.front);
-    }
-}
-
-template <class Number, Index planes>
-void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin, const Number* sums,
-                 Number* packing) noexcept {
-    Offset const plane = padded(update.n - begin);  // padding may be written
-    Block<Number> const d{update.data + planes * band_start(update.n, begin), planes * plane, plane};
-    Index const rows = smaller(strip, update.n - begin);
-    Number sum[planes][strip];
-    for (Index p = 0; p < planes; ++p) {
-        for (Index r = 0; r < rows; ++r) sum[p][r] = d.at(r, r).data[p * plane] + sums[p * panel.front + begin + r];
-    }
-    for (Index first = 0; first < panel.pivots; first += strip) {
-        Strip<Number> const own = strip_of<planes>(panel, first);
-        Block<Number> const columns = own.at(0, panel.pivots - first + begin);
-        Shape const shape{rows, static_cast<Index>(plane), own.n};
-        if (own.plane > packing_pays) {
-            subtract_packed<planes>(shape, columns, columns, d, packing, true);
-        } else {
-            subtract_product<Op::conjugate_transposed, planes>(shape, columns, columns, d, true);
+void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from, Index to,
+                    Number* sums, Number* column_sums) noexcept {
+    Slabs<Number> const own = panel.own();
+    for (Index c = from; c < to; c += tile_columns<Number>) {
+        Range const its{c, smaller(to, c + tile_columns<Number>)};
+        for (Index k = first; k < end; k += slab) {
+            Index const n = smaller(slab, end - k);
+            if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, its);
+            apply_inverse<planes>(n, its.count(), own.at(k, k), InSlabs<Number, planes>{columns, k, c});
+            subtract_sums<planes>(columns, k, n, its, sums + k, column_sums + c, panel.sums_plane());
         }
     }
-    for (Index p = 0; p < planes; ++p) {
-        for (Index r = 0; r < rows; ++r) d.at(r, r).data[p * plane] = sum[p][r];
+}
+
+template <class Number, Index planes>
+void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin, const Number* sums) noexcept {
+    Slabs<Number> const border = panel.of_border(), d = update.all();
+    Index const end = smaller(update.n, begin + strip);
+    Number sum[planes][strip];
+    for (Index r = begin; r < end; ++r) {
+        for (Index p = 0; p < planes; ++p) {
+            sum[p][r - begin] = d.at(r, r)[p * slab] + sums[p * panel.sums_plane() + r];
+        }
+    }
+    for (Index c = begin; c < update.n; c += chunk) {
+        Range const its{c, smaller(update.n, c + chunk)};
+        for (Index k = 0; k < panel.pivots; k += strip) {
+            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)}, {begin, end}, its, true);
+        }
+    }
+    for (Index r = begin; r < end; ++r) {
+        for (Index p = 0; p < planes; ++p) d.at(r, r)[p * slab] = sum[p][r - begin];
     }
 }
 
 template <class Number, Index planes>
-void solve_strip_forward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    Block<Number> const done = sides<planes>(y, row, first);
-    for (Index k = 0; k < own.n; k += block) {
-        Index const n = smaller(block, own.n - k);
-        Block<Number> const its = done.at(k, 0);
-        if (k > 0) subtract_product<Op::conjugate_transposed, planes>({n, row, k}, own.at(0, k), done, its);
+void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
+    for (Index k = first; k < end; k += slab) {
+        Index const n = smaller(slab, end - k);
+        InRows<Number, planes> const its = sides<planes>(y, row, k);
+        if (k > first) subtract_from_rows<planes>(own, sides<planes>(y, row, first), its, {first, k}, {k, k + n});
         apply_inverse<planes>(n, row, own.at(k, k), its);
     }
 }
 
 template <class Number, Index planes>
-void take_off_forward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    subtract_product<Op::conjugate_transposed, planes>({to - from, row, own.n}, own.at(0, from - first),
-                                                       sides<planes>(y, row, first), sides<planes>(y, row, from));
+void take_off_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row, Index from,
+                      Index to) noexcept {
+    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from), {first, end}, {from, to});
 }
 
 template <class Number, Index planes>
-void take_off_backward(Panel<Number> const& panel, Index first, Number* y, Index row, Index from, Index to) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    Index const known = first + own.n;
-    subtract_product<Op::plain, planes>({to - from, row, panel.front - known}, own.at(from - first, own.n),
-                                        sides<planes>(y, row, known), sides<planes>(y, row, from));
+void take_off_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
+                       Index to) noexcept {
+    for (Index k = begin; k < columns.columns; k += strip) {
+        subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to}, sides<planes>(rest, row, k),
+                                sides<planes>(y, row, from));
+    }
 }
 
 template <class Number, Index planes>
-void solve_strip_backward(Panel<Number> const& panel, Index first, Number* y, Index row) noexcept {
-    Strip<Number> const own = strip_of<planes>(panel, first);
-    for (Index k = (own.n - 1) / block * block; k >= 0; k -= block) {
-        Index const n = smaller(block, own.n - k);
-        Block<Number> const its = sides<planes>(y, row, first + k);
-        subtract_product<Op::plain, planes>({n, row, own.n - k - n}, own.at(k, k + n), its.at(n, 0), its);
-        apply_inverse_transposed<planes>(n, row, own.at(k, k), its);
+void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
+    for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
+        Index const n = smaller(slab, end - k);
+        InRows<Number, planes> const its = sides<planes>(y, row, k);
+        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, its.at(n, 0), its);
+        apply_inverse_transposed<planes>(n, own.at(k, k), its);
     }
 }
 
 #define HARMORPH_MAKE(Number, planes)                                                                                      \
-    template void take_off_earlier<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;           \
-    template void sum_tails<Number, planes>(Panel<Number> const&, Index, Index, Index, TailSums<Number>&) noexcept;        \
-    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, Number*, TailSums<Number>&, Number,        \
+    template void take_off_earlier<Number, planes>(Slabs<Number> const&, Slabs<Number> const&, Index, Index, Index,        \
+                                                   Index) noexcept;                                                        \
+    template void sum_tails<Number, planes>(Panel<Number> const&, Index, Index, Index, Index, TailSums<Number>&) noexcept; \
+    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, Index, Number*, TailSums<Number>&, Number, \
                                                    Number&) noexcept;                                                      \
-    template void finish_columns<Number, planes>(Panel<Number> const&, Index, Index, Index, Number*) noexcept;             \
-    template void update_band<Number, planes>(Panel<Number> const&, UpdateMatrix<Number> const&, Index, const Number*,     \
-                                              Number*) noexcept;                                                           \
-    template void solve_strip_forward<Number, planes>(Panel<Number> const&, Index, Number*, Index) noexcept;               \
-    template void take_off_forward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;    \
-    template void take_off_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index, Index, Index) noexcept;   \
-    template void solve_strip_backward<Number, planes>(Panel<Number> const&, Index, Number*, Index) noexcept;
+    template void finish_columns<Number, planes>(Panel<Number> const&, Slabs<Number> const&, Index, Index, Index, Index,   \
+                                                 Number*, Number*) noexcept;                                               \
+    template void update_band<Number, planes>(Panel<Number> const&, UpdateMatrix<Number> const&, Index,                    \
+                                              const Number*) noexcept;                                                     \
+    template void solve_strip_forward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Index) noexcept;        \
+    template void take_off_forward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Number*, Index, Index,     \
+                                                   Index) noexcept;                                                        \
+    template void take_off_backward<Number, planes>(Slabs<Number> const&, Index, Number*, Number*, Index, Index,           \
+                                                    Index) noexcept;                                                       \
+    template void solve_strip_backward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Index) noexcept;
 HARMORPH_MAKE(double, 1)
 HARMORPH_MAKE(double, 2)
 HARMORPH_MAKE(float, 1)

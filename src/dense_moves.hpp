@@ -5,18 +5,62 @@
 namespace harmorph::dense::HARMORPH_KERNEL {
 namespace {
 
-// to [n] += from; whole vectors are read.
+// Columns of a child that come to one vector of its parent's front lie next to each other, in one vector or two.
 template <class Number>
-HARMORPH_INLINE void add_run(Number* to, const Number* from, Index n) noexcept {
-    Index i = 0;
-    for (; i + lanes<Number> <= n; i += lanes<Number>) store(to + i, load(to + i) + load(from + i));
-    if (i < n) Registers<Number>::store_first(to + i, load(to + i) + load(from + i), n - i);
+struct Source {
+    Number* first;
+    Number* second;
+    typename Registers<Number>::Picks picks;
+
+    // Columns from <= j < to, whose targets are in the vector that begins at column `begin`.
+    Source(Slabs<Number> const& child, Index from, Index to, const Index* target, Index begin) noexcept {
+        Index const its = from / lanes<Number> * lanes<Number>;
+        Index picked[lanes<Number>];
+        for (Index lane = 0; lane < lanes<Number>; ++lane) picked[lane] = none;
+        for (Index j = from; j < to; ++j) picked[target[j] - begin] = j - its;
+        first = child.at(0, its);
+        second = to > its + lanes<Number> ? child.at(0, its + lanes<Number>) : first;
+        picks = Registers<Number>::picks_of(picked);
+    }
+};
+
+// Rows from <= i < to of the child are added to rows target[i] of the column at `into`, the rest of whose vector stays.
+template <Index planes, class Number>
+HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target, Range rows, Number* into) noexcept {
+    for (Index i = rows.begin; i < rows.end; ++i) {
+        Offset const at = i * step<planes>;
+        Number* const to = into + target[i] * step<planes>;
+        for (Index p = 0; p < planes; ++p) {
+            Offset const plane = p * slab;
+            Vector<Number> const its =
+                Registers<Number>::pick(load(from.first + at + plane), load(from.second + at + plane), from.picks);
+            store(to + plane, load(to + plane) + its);
+        }
+    }
 }
 
-// A row of an upper triangle, from column `begin` on.
-template <class Number>
-HARMORPH_INLINE void add_row(Number* to, const Number* from, Index begin, Index end, Targets const& targets) noexcept {
-    for (Index c = begin; c < end; c = targets.ends[c]) add_run(to + targets.at[c], from + c, targets.ends[c] - c);
+// What is below the diagonal within a vector's columns is added, too, and never used.
+template <Index planes, class Number>
+void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> const& panel, Slabs<Number> const& update) noexcept {
+    Slabs<Number> const own = panel.own(), border = panel.of_border();
+    Index j = 0;
+    while (j < from.columns && target[j] < panel.pivots) {
+        Index const begin = target[j] / lanes<Number> * lanes<Number>, end = smaller(begin + lanes<Number>, panel.pivots);
+        Index to = j + 1;
+        while (to < from.columns && target[to] < end) ++to;
+        add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to}, own.at(0, begin));
+        j = to;
+    }
+    Index const pivots = j;
+    while (j < from.columns) {
+        Index const begin = (target[j] - panel.pivots) / lanes<Number> * lanes<Number>;
+        Index to = j + 1;
+        while (to < from.columns && target[to] < panel.pivots + begin + lanes<Number>) ++to;
+        Source<Number> const its(from, j, to, target, panel.pivots + begin);
+        add_column<planes>(its, target, {0, pivots}, border.at(0, begin));
+        add_column<planes>(its, target, {pivots, to}, update.at(0, begin) - panel.pivots * step<planes>);
+        j = to;
+    }
 }
 
 // to [n] = from, converted, as many at a time as doubles fill a register.
@@ -34,7 +78,7 @@ HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
 // The numbers that may be padding. A constant number of them: else the compiler calls memset, for every row.
 template <class Number>
 HARMORPH_INLINE void clear_last(Number* end) noexcept {
-    for (Index i = 1; i <= row_multiple; ++i) end[-i] = 0;
+    for (Index i = 1; i <= slab; ++i) end[-i] = 0;
 }
 
 HARMORPH_INLINE Real* row_at(Real* data, const Index* row_of, Offset length, Index position) noexcept {
@@ -50,29 +94,18 @@ HARMORPH_INLINE void prefetch_row(const Real* row, Offset numbers) noexcept {
 }  // namespace
 
 template <class Number>
-void extend_add(UpdateMatrix<Number> const& from, Targets const& targets, Panel<Number> const& panel,
+void extend_add(UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
                 UpdateMatrix<Number> const& update) noexcept {
-    Index const planes = from.planes;
-    for (Index r = 0; r < from.n; ++r) {
-        Index const band = r / strip * strip;
-        Offset const plane = padded(from.n - band);
-        const Number* const row = from.data + planes * (band_start(from.n, band) + (r - band) * plane) - band;
-        // The target's row, such that to[column] is the entry in a column of the front.
-        Index const target = targets.at[r];
-        bool const is_pivot = target < panel.pivots;
-        Index const number = is_pivot ? target : target - panel.pivots, first = number / strip * strip;
-        Offset const its_plane = is_pivot ? panel.front - first : padded(update.n - first);
-        Offset const start = is_pivot ? strip_start(panel.front, first) : band_start(update.n, first);
-        Number* const to = (is_pivot ? panel.data : update.data - panel.pivots) +
-                           planes * (start + (number - first) * its_plane) - first;
-        add_row(to, row, r, from.n, targets);
-        if (planes == 2) add_row(to + its_plane, row + plane, r, from.n, targets);
-    }
+    if (from.planes == 2) add_front<2>(from.all(), targets, panel, update.all());
+    else add_front<1>(from.all(), targets, panel, update.all());
 }
 
 template <class Number>
-void add_rows(Index n, const Number* from, Targets const& targets, Number* y, Index length) noexcept {
-    for (Index r = 0; r < n; ++r) add_run(y + Offset{targets.at[r]} * length, from + Offset{r} * length, length);
+void add_rows(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept {
+    for (Index r = 0; r < n; ++r, from += length) {
+        Number* const to = y + Offset{targets[r]} * length;
+        for (Index c = 0; c < length; c += lanes<Number>) store(to + c, load(to + c) + load(from + c));
+    }
 }
 
 template <class Number>
@@ -100,9 +133,9 @@ void scatter(const Number* y, Index row, Index planes, harmorph::Rows const& to,
 }
 
 #define HARMORPH_MAKE_MOVES(Number)                                                                                       \
-    template void extend_add<Number>(UpdateMatrix<Number> const&, Targets const&, Panel<Number> const&,                    \
+    template void extend_add<Number>(UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                      \
                                      UpdateMatrix<Number> const&) noexcept;                                                \
-    template void add_rows<Number>(Index, const Number*, Targets const&, Number*, Index) noexcept;                         \
+    template void add_rows<Number>(Index, const Number*, const Index*, Number*, Index) noexcept;                           \
     template void gather<Number>(harmorph::Rows const&, const Index*, Index, Index, Number*, Index, Index) noexcept;       \
     template void scatter<Number>(const Number*, Index, Index, harmorph::Rows const&, Index, Index) noexcept;
 HARMORPH_MAKE_MOVES(double)

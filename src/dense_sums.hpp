@@ -20,63 +20,94 @@ HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
     return sum[0] + sum[1];
 }
 
-// The sum of a row's n numbers, and of their real parts without signs.
-template <Index planes, class Number>
-struct RowSum {
-    Number sum[planes], size;
+// Sums of a few rows' numbers, and of their real parts without signs.
+template <Index planes, Index rows, class Number>
+struct RowSums {
+    Vector<Number> sum[planes][rows] = {}, size[rows] = {};
 
-    RowSum(Block<Number> row, Index n) noexcept {
-        Vector<Number> partial[planes] = {}, sizes = {};
-        for (Index k = 0; k < n; k += lanes<Number>) {
-            Index const wanted = smaller(lanes<Number>, n - k);
-            Vector<Number> const real = Registers<Number>::load_first(row.data + k, wanted);
-            partial[0] += real;
-            sizes += real < 0 ? -real : real;
-            if constexpr (planes == 2) partial[1] += Registers<Number>::load_first(row.data + row.plane + k, wanted);
+    // Columns from a slab's first one on.
+    HARMORPH_INLINE void add(Slabs<Number> const& u, Index row, Range columns) noexcept {
+        for (Index c = columns.begin; c < columns.end; c += slab) {
+            const Number* const its = u.at(row, c);
+#pragma GCC unroll 8
+            for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+                for (Index v = 0; v < slab; v += lanes<Number>) {
+                    Vector<Number> const real = load(its + r * step<planes> + v);
+                    sum[0][r] += real;
+                    size[r] += real < 0 ? -real : real;
+                    if constexpr (planes == 2) sum[1][r] += load(its + r * step<planes> + slab + v);
+                }
+            }
         }
-        for (Index p = 0; p < planes; ++p) sum[p] = total<Number>(partial[p]);
-        size = total<Number>(sizes);
     }
 };
 
-// sums [columns] -= U^H y of n <= block rows of U.
-template <Index planes, class Number>
-void subtract_sums(Block<Number> u, Index n, Index columns, const Number* y, Number* sums, Offset plane) noexcept {
-    for (Index c = 0; c < columns; c += lanes<Number>) {
-        Index const wanted = smaller(lanes<Number>, columns - c);
-        Vector<Number> sum[planes];
-        for (Index p = 0; p < planes; ++p) sum[p] = Registers<Number>::load_first(sums + p * plane + c, wanted);
+// take(row, sums, size) for each row of u, summed over `own`, columns of u, and over all of `others`, if there are any.
+template <Index planes, class Number, class Take>
+HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own, Slabs<Number> const* others,
+                              Take const& take) noexcept {
+    constexpr Index at_once = 4;
+    auto const some = [&](auto& sums, Index row, Index n) {
+        sums.add(u, row, own);
+        if (others != nullptr) sums.add(*others, row, {0, others->columns});
         for (Index r = 0; r < n; ++r) {
-            const Number* const row = u.data + r * u.length + c;
-            Vector<Number> const real = load(row);
+            Number sum[planes];
+            for (Index p = 0; p < planes; ++p) sum[p] = total<Number>(sums.sum[p][r]);
+            take(row + r, sum, total<Number>(sums.size[r]));
+        }
+    };
+    Index row = rows.begin;
+    for (; row + at_once <= rows.end; row += at_once) {
+        RowSums<planes, at_once, Number> sums;
+        some(sums, row, at_once);
+    }
+    for (; row < rows.end; ++row) {
+        RowSums<planes, 1, Number> sums;
+        some(sums, row, 1);
+    }
+}
+
+// sums [columns] -= U^H y: n rows of U from `row` on; columns from a slab's first one on. Sums and y are planes apart.
+template <Index planes, class Number>
+void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y, Number* sums,
+                   Offset plane) noexcept {
+    for (Index c = columns.begin; c < columns.end; c += lanes<Number>) {
+        const Number* its = u.at(row, c);
+        Number* const to = sums + (c - columns.begin);
+        Vector<Number> sum[planes];
+        for (Index p = 0; p < planes; ++p) sum[p] = load(to + p * plane);
+        for (Index r = 0; r < n; ++r, its += step<planes>) {
+            Vector<Number> const real = load(its);
             sum[0] -= y[r] * real;
             if constexpr (planes == 2) {
-                Vector<Number> const imaginary = load(row + u.plane);
+                Vector<Number> const imaginary = load(its + slab);
                 sum[0] -= y[plane + r] * imaginary;
                 sum[1] -= y[plane + r] * real - y[r] * imaginary;
             }
         }
-        for (Index p = 0; p < planes; ++p) Registers<Number>::store_first(sums + p * plane + c, sum[p], wanted);
+        for (Index p = 0; p < planes; ++p) store(to + p * plane, sum[p]);
     }
 }
 
-// Forward elimination of row sums: those of a diagonal block, whose inverse stands in its place, and of `behind` rows.
+// Forward elimination of the row sums of a diagonal block, in whose place the inverse stands, and of the columns behind it.
 template <Index planes, class Number>
-void eliminate_sums(Block<Number> inverse, Index n, Index behind, Number* sums, Offset plane) noexcept {
+void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums, Offset plane) noexcept {
+    const Number* const inverse = u.at(first, first);
     for (Index r = n - 1; r >= 0; --r) {
+        const Number* const row = inverse + r * step<planes>;
         Number sum[planes] = {};
         for (Index k = 0; k <= r; ++k) {
-            Number const real = inverse.data[r * inverse.length + k];
-            sum[0] += real * sums[k];
+            sum[0] += row[k] * sums[k];
             if constexpr (planes == 2) {
-                Number const imaginary = inverse.data[r * inverse.length + inverse.plane + k];
+                Number const imaginary = row[slab + k];
                 sum[0] -= imaginary * sums[plane + k];
-                sum[1] += real * sums[plane + k] + imaginary * sums[k];
+                sum[1] += row[k] * sums[plane + k] + imaginary * sums[k];
             }
         }
         for (Index p = 0; p < planes; ++p) sums[p * plane + r] = sum[p];
     }
-    subtract_sums<planes>(inverse.at(0, n), n, behind, sums, sums + n, plane);
+    subtract_sums<planes>(u, first, n, {first + n, end}, sums, sums + n, plane);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ namespace {
 
 // Not the core's: a copy of that compiled here might be linked everywhere.
 HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
+HARMORPH_INLINE Index larger(Index a, Index b) noexcept { return a < b ? b : a; }
 
 template <class Number>
 using Vector = typename Registers<Number>::Vector;
@@ -19,7 +20,8 @@ constexpr Index tile_rows = HARMORPH_TILE_ROWS / planes;
 constexpr Index tile_vectors = 3;
 template <class Number>
 constexpr Index tile_columns = tile_vectors * lanes<Number>;
-static_assert(block % tile_rows<1> == 0, "a block is a whole number of tiles");
+static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0, "a slab is a whole number of vectors");
+static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (3 * slab) == 0, "whole tiles, whole blocks");
 
 template <class Number>
 HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept {
@@ -30,171 +32,214 @@ HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept {
     *reinterpret_cast<Vector<Number>*>(to) = v;
 }
 
-// A block of a matrix: from one row to the next, and from a row's real parts to its imaginary parts.
-template <class Number>
-struct Block {
-    Number* data;
-    Offset length, plane;
+// From a slab's row to the next.
+template <Index planes>
+constexpr Offset step = planes * slab;
 
-    HARMORPH_INLINE Block at(Index row, Index column) const noexcept { return {data + row * length + column, length, plane}; }
+// Vectors side by side, in rows that follow one another.
+template <class Number, Index vectors>
+struct Vectors {
+    Number* at[vectors];
+    Offset row, plane;
 };
 
-struct Shape {
-    Index rows, columns, depth;
+// Where the vectors of a tile are: from an entry of a matrix in slabs on, or of right-hand sides.
+template <class Number, Index planes>
+struct InSlabs {
+    Slabs<Number> const& slabs;
+    Index row, column;
+
+    HARMORPH_INLINE InSlabs at(Index down, Index right) const noexcept { return {slabs, row + down, column + right}; }
+    template <Index vectors>
+    HARMORPH_INLINE Vectors<Number, vectors> first() const noexcept {
+        Vectors<Number, vectors> its{{}, step<planes>, slab};
+        for (Index v = 0; v < vectors; ++v) its.at[v] = slabs.at(row, column + v * lanes<Number>);
+        return its;
+    }
+};
+template <class Number, Index planes>
+struct InRows {
+    Number* entry;
+    Offset width;
+
+    HARMORPH_INLINE InRows at(Index row, Index column) const noexcept { return {entry + planes * width * row + column, width}; }
+    template <Index vectors>
+    HARMORPH_INLINE Vectors<Number, vectors> first() const noexcept {
+        Vectors<Number, vectors> its{{}, planes * width, width};
+        for (Index v = 0; v < vectors; ++v) its.at[v] = entry + v * lanes<Number>;
+        return its;
+    }
 };
 
-// op(A) of A's element (k, r): its conjugate transpose, or A as it stands, element (r, k).
+// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A (r, k) within one slab.
 enum class Op { conjugate_transposed, plain };
 enum class Store { subtract, set };
 
-// sum += op(a) b for one plane of b. Both loops are short and unrolled, whatever the compiler's level, so that the sums
-// stay in registers.
-template <Op op, Index planes, Index plane, Index rows, Index vectors, class Number>
-HARMORPH_INLINE void multiply_add(const Number* a, Offset next_row, Offset a_plane, const Number* b,
-                                  Vector<Number> (&sum)[planes][rows][vectors]) noexcept {
-    Vector<Number> factor[vectors];
-#pragma GCC unroll 8
-    for (Index v = 0; v < vectors; ++v) factor[v] = load(b + v * lanes<Number>);
-#pragma GCC unroll 8
-    for (Index r = 0; r < rows; ++r) {
-        Vector<Number> const real = a[r * next_row] - Vector<Number>{};
-#pragma GCC unroll 8
-        for (Index v = 0; v < vectors; ++v) {
-            sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
-        }
-        if constexpr (planes == 2) {
-            constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);  // i * i = -1, and the conjugate's sign
-            Vector<Number> const imaginary = a[r * next_row + a_plane] - Vector<Number>{};
-#pragma GCC unroll 8
-            for (Index v = 0; v < vectors; ++v) {
-                Vector<Number>& to = sum[1 - plane][r][v];
-                to = adds ? Registers<Number>::multiply_add(imaginary, factor[v], to)
-                          : Registers<Number>::multiply_subtract(imaginary, factor[v], to);
+// Both loops are short and unrolled, whatever the compiler's level, so that the sums stay in registers.
+template <Index planes, Index rows, Index vectors, class Number>
+struct Tile {
+    Vector<Number> sum[planes][rows][vectors] = {};
+
+    // sum += op(a) b, `depth` rows of b.
+    template <Op op>
+    HARMORPH_INLINE void add(const Number* a, Vectors<Number, vectors> const& b, Index depth) noexcept {
+        constexpr Offset next = op == Op::plain ? 1 : step<planes>;
+        for (Index k = 0; k < depth; ++k) {
+            add_plane<op, 0>(a + k * next, b, k * b.row);
+            if constexpr (planes == 2) {
+                asm volatile("" ::: "memory");  // or A's numbers stay in registers that the sums need
+                add_plane<op, 1>(a + k * next, b, k * b.row + b.plane);
             }
         }
     }
-}
 
-// The summation index goes from `begin` to `end`; `columns` of D are wanted, the rest is computed and thrown away.
-template <Op op, Store how, Index planes, Index rows, Index vectors, class Number>
-HARMORPH_INLINE void tile(Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d, Index columns) noexcept {
-    Offset const next_row = op == Op::plain ? a.length : 1, next_k = op == Op::plain ? 1 : a.length;
-    Vector<Number> sum[planes][rows][vectors] = {};
-    for (Index k = begin; k < end; ++k) {
-        const Number* const from = a.data + k * next_k;
-        const Number* const row = b.data + k * b.length;
-        multiply_add<op, planes, 0>(from, next_row, a.plane, row, sum);
-        if constexpr (planes == 2) {
-            asm volatile("" ::: "memory");  // or A's numbers stay in registers that the sums need
-            multiply_add<op, planes, 1>(from, next_row, a.plane, row + b.plane, sum);
-        }
-    }
+    template <Store how>
+    HARMORPH_INLINE void leave(Vectors<Number, vectors> const& d) const noexcept {
 #pragma GCC unroll 2
-    for (Index plane = 0; plane < planes; ++plane) {
+        for (Index plane = 0; plane < planes; ++plane) {
 #pragma GCC unroll 8
-        for (Index r = 0; r < rows; ++r) {
+            for (Index r = 0; r < rows; ++r) {
 #pragma GCC unroll 8
-            for (Index v = 0; v < vectors; ++v) {
-                Number* const to = d.data + r * d.length + plane * d.plane + v * lanes<Number>;
-                Vector<Number> const found = how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v];
-                Index const wanted = columns - v * lanes<Number>;
-                if (v + 1 < vectors || wanted >= lanes<Number>) {
-                    store(to, found);
-                } else {
-                    Registers<Number>::store_first(to, found, wanted);
+                for (Index v = 0; v < vectors; ++v) {
+                    Number* const to = d.at[v] + r * d.row + plane * d.plane;
+                    store(to, how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v]);
                 }
             }
         }
     }
-}
 
-template <Op op, Store how, Index planes, Index rows, class Number>
-void tile_of_rows(Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d, Index columns) noexcept {
-    static_assert(tile_vectors == 3, "one case for each number of vectors");
-    if (columns > 2 * lanes<Number>) return tile<op, how, planes, rows, 3>(a, b, begin, end, d, columns);
-    if (columns > lanes<Number>) return tile<op, how, planes, rows, 2>(a, b, begin, end, d, columns);
-    return tile<op, how, planes, rows, 1>(a, b, begin, end, d, columns);
-}
-
-template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number>
-HARMORPH_INLINE void any_tile(Index rows, Block<Number> a, Block<Number> b, Index begin, Index end, Block<Number> d,
-                              Index columns) noexcept {
-    if constexpr (most_rows > 1) {
-        if (rows < most_rows) return any_tile<op, how, planes, most_rows - 1>(rows, a, b, begin, end, d, columns);
-    }
-    return tile_of_rows<op, how, planes, most_rows>(a, b, begin, end, d, columns);
-}
-
-// D [rows x columns] -= op(A) B, read where they are. upper: D begins on the diagonal, and what is below it is not wanted.
-template <Op op, Index planes, class Number>
-void subtract_product(Shape shape, Block<Number> a, Block<Number> b, Block<Number> d, bool upper = false) noexcept {
-    for (Index r = 0; r < shape.rows; r += tile_rows<planes>) {
-        Index const rows = smaller(tile_rows<planes>, shape.rows - r);
-        Block<Number> const its = op == Op::plain ? a.at(r, 0) : a.at(0, r);
-        for (Index c = upper ? r : 0; c < shape.columns; c += tile_columns<Number>) {
-            any_tile<op, Store::subtract, planes>(rows, its, b.at(0, c), 0, shape.depth, d.at(r, c),
-                                                  smaller(tile_columns<Number>, shape.columns - c));
-        }
-    }
-}
-
-// Copies `width` columns next to each other; whole vectors are written.
-template <Index planes, Index width, class Number>
-HARMORPH_INLINE Block<Number> pack(Block<Number> from, Index depth, Number* to) noexcept {
-    for (Index k = 0; k < depth; ++k) {
-#pragma GCC unroll 2
-        for (Index plane = 0; plane < planes; ++plane) {
-            for (Index i = 0; i < width; ++i) {
-                to[(k * planes + plane) * width + i] = from.data[k * from.length + plane * from.plane + i];
+private:
+    // For one plane of b.
+    template <Op op, Index plane>
+    HARMORPH_INLINE void add_plane(const Number* a, Vectors<Number, vectors> const& b, Offset at) noexcept {
+        constexpr Offset next_row = op == Op::plain ? step<planes> : 1;
+        Vector<Number> factor[vectors];
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) factor[v] = load(b.at[v] + at);
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+            Vector<Number> const real = a[r * next_row] - Vector<Number>{};
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
+            }
+            if constexpr (planes == 2) {
+                constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);  // i * i = -1, the conjugate's sign
+                Vector<Number> const imaginary = a[r * next_row + slab] - Vector<Number>{};
+#pragma GCC unroll 8
+                for (Index v = 0; v < vectors; ++v) {
+                    Vector<Number>& to = sum[1 - plane][r][v];
+                    to = adds ? Registers<Number>::multiply_add(imaginary, factor[v], to)
+                              : Registers<Number>::multiply_subtract(imaginary, factor[v], to);
+                }
             }
         }
     }
-    return {to, planes * width, width};
+};
+
+template <Op op, Store how, Index planes, Index rows, Index vectors, class Number, class Place>
+void tile(const Number* a, Place const& b, Index depth, Place const& d) noexcept {
+    Tile<planes, rows, vectors, Number> its;
+    its.template add<op>(a, b.template first<vectors>(), depth);
+    its.template leave<how>(d.template first<vectors>());
 }
 
-// D [rows x columns] -= A^H B for long rows: A and B are copied piece by piece, so that the tile loop reads contiguous
-// memory. depth, rows <= strip.
+// D [rows x columns]; whole vectors are written.
+template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number, class Place>
+HARMORPH_INLINE void any_tile(Index rows, Index columns, const Number* a, Place const& b, Index depth,
+                              Place const& d) noexcept {
+    static_assert(tile_vectors == 3, "one case for each number of vectors");
+    if constexpr (most_rows > 1) {
+        if (rows < most_rows) return any_tile<op, how, planes, most_rows - 1>(rows, columns, a, b, depth, d);
+    }
+    if (columns > 2 * lanes<Number>) return tile<op, how, planes, most_rows, 3>(a, b, depth, d);
+    if (columns > lanes<Number>) return tile<op, how, planes, most_rows, 2>(a, b, depth, d);
+    return tile<op, how, planes, most_rows, 1>(a, b, depth, d);
+}
+
+struct Range {
+    Index begin, end;
+
+    Index count() const noexcept { return end - begin; }
+};
+
+// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: what is below the diagonal is not wanted.
 template <Index planes, class Number>
-void subtract_packed(Shape shape, Block<Number> a, Block<Number> b, Block<Number> d, Number* packing, bool upper) noexcept {
-    constexpr Index height = tile_rows<planes>, width = tile_columns<Number>;
-    Number* const packed_b = packing + planes * strip * strip;
-    Index const whole_rows = shape.rows / height * height;
-    auto const packed_a = [&](Index r) { return packing + Offset{planes} * r * shape.depth; };
-    for (Index r = 0; r < whole_rows; r += height) pack<planes, height>(a.at(0, r), shape.depth, packed_a(r));
-    for (Index c = 0; c < shape.columns; c += width) {
-        Block<Number> const factor = pack<planes, width>(b.at(0, c), shape.depth, packed_b);
-        Index const wanted = upper ? smaller(shape.rows, c + width) : shape.rows;
-        for (Index r = 0; r < wanted; r += height) {
-            Block<Number> const its = r < whole_rows ? Block<Number>{packed_a(r), planes * height, height} : a.at(0, r);
-            Index const below = upper && r > c ? (r - c) / lanes<Number> * lanes<Number> : 0;  // the diagonal: not wanted
-            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(height, shape.rows - r), its,
-                                                                        factor.at(0, below), 0, shape.depth,
-                                                                        d.at(r, c + below),
-                                                                        smaller(width, shape.columns - c) - below);
+void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d, Range k, Range i, Range j,
+                      bool upper = false) noexcept {
+    using Place = InSlabs<Number, planes>;
+    for (Index c = j.begin; c < j.end; c += tile_columns<Number>) {
+        Index const end = smaller(j.end, c + tile_columns<Number>), last = upper ? smaller(i.end, end) : i.end;
+        for (Index r = i.begin; r < last; r += tile_rows<planes>) {
+            Index const from = upper ? larger(c, r / lanes<Number> * lanes<Number>) : c;
+            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(tile_rows<planes>, last - r), end - from,
+                                                                        a.at(k.begin, r), Place{b, k.begin, from}, k.count(),
+                                                                        Place{d, r, from});
+        }
+    }
+}
+
+// The same for right-hand sides: row 0 of d is D's row i.begin, row 0 of b is B's row k.begin.
+template <Index planes, class Number>
+void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d, Range k, Range i) noexcept {
+    for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
+        for (Index c = 0; c < d.width; c += tile_columns<Number>) {
+            any_tile<Op::conjugate_transposed, Store::subtract, planes>(
+                smaller(tile_rows<planes>, i.end - r), static_cast<Index>(d.width) - c, a.at(k.begin, r), b.at(0, c),
+                k.count(), d.at(r - i.begin, c));
         }
     }
 }
 
 // b [n x columns] = E b, E lower triangular: row r needs rows <= r, so the last rows go first.
-template <Index planes, class Number>
-void apply_inverse(Index n, Index columns, Block<Number> inverse, Block<Number> b) noexcept {
+template <Index planes, class Number, class Place>
+HARMORPH_INLINE void apply_inverse(Index n, Index columns, const Number* inverse, Place const& b) noexcept {
     for (Index c = 0; c < columns; c += tile_columns<Number>) {
         for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0; r -= tile_rows<planes>) {
             Index const rows = smaller(tile_rows<planes>, n - r);
-            any_tile<Op::plain, Store::set, planes>(rows, inverse.at(r, 0), b.at(0, c), 0, r + rows, b.at(r, c),
-                                                    smaller(tile_columns<Number>, columns - c));
+            any_tile<Op::plain, Store::set, planes>(rows, columns - c, inverse + r * step<planes>, b.at(0, c),
+                                                    r + rows, b.at(r, c));
         }
     }
 }
 
-// b [n x columns] = E^H b: row r needs rows >= r, so the first rows go first.
+// b [n x width] = E^H b: row r needs rows >= r, so the first rows go first.
 template <Index planes, class Number>
-void apply_inverse_transposed(Index n, Index columns, Block<Number> inverse, Block<Number> b) noexcept {
-    for (Index c = 0; c < columns; c += tile_columns<Number>) {
+void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, planes> b) noexcept {
+    for (Index c = 0; c < b.width; c += tile_columns<Number>) {
         for (Index r = 0; r < n; r += tile_rows<planes>) {
-            any_tile<Op::conjugate_transposed, Store::set, planes>(smaller(tile_rows<planes>, n - r), inverse.at(0, r),
-                                                                   b.at(0, c), r, n, b.at(r, c),
-                                                                   smaller(tile_columns<Number>, columns - c));
+            any_tile<Op::conjugate_transposed, Store::set, planes>(
+                smaller(tile_rows<planes>, n - r), static_cast<Index>(b.width) - c, inverse + r * step<planes> + r,
+                b.at(r, c), n - r, b.at(r, c));
+        }
+    }
+}
+
+// Rows i of d, row 0 its row i.begin: minus A (i, k) times row k of b, row 0 its row k.begin, a slab's first.
+template <Index planes, Index rows, Index vectors, class Number>
+void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b, InRows<Number, planes> d) noexcept {
+    Tile<planes, rows, vectors, Number> its;
+    for (Index c = k.begin; c < k.end; c += slab) {
+        its.template add<Op::plain>(a.at(i, c), b.at(c - k.begin, 0).template first<vectors>(), smaller(slab, k.end - c));
+    }
+    its.template leave<Store::subtract>(d.template first<vectors>());
+}
+template <Index planes, Index most_rows = tile_rows<planes>, class Number>
+HARMORPH_INLINE void any_tile_across(Index rows, Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b,
+                                     InRows<Number, planes> d, Index columns) noexcept {
+    if constexpr (most_rows > 1) {
+        if (rows < most_rows) return any_tile_across<planes, most_rows - 1>(rows, a, k, i, b, d, columns);
+    }
+    if (columns > 2 * lanes<Number>) return tile_across<planes, most_rows, 3>(a, k, i, b, d);
+    if (columns > lanes<Number>) return tile_across<planes, most_rows, 2>(a, k, i, b, d);
+    return tile_across<planes, most_rows, 1>(a, k, i, b, d);
+}
+template <Index planes, class Number>
+void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b, InRows<Number, planes> d) noexcept {
+    for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
+        for (Index c = 0; c < d.width; c += tile_columns<Number>) {
+            any_tile_across<planes>(smaller(tile_rows<planes>, i.end - r), a, k, r, b.at(0, c), d.at(r - i.begin, c),
+                                    static_cast<Index>(d.width) - c);
         }
     }
 }

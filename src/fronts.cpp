@@ -126,12 +126,11 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
 
     FrontSizes sizes;
     for (Index t = 0; t < tree.count; ++t) {
-        Index const border = work.step[t].filled;
-        Index const front = tree.nodes[t].pivots() + border;
+        Index const pivots = tree.nodes[t].pivots(), border = work.step[t].filled;
         border_start[t] = sizes.border_entries;
         sizes.border_entries += border;
-        sizes.factor_entries += dense::panel_entries(tree.nodes[t].pivots(), front);
-        sizes.largest_front = larger(sizes.largest_front, front);
+        sizes.factor_entries += dense::panel_entries(pivots, border);
+        sizes.most_sums = larger(sizes.most_sums, dense::sum_entries(pivots, border));
         sizes.largest_border = larger(sizes.largest_border, border);
     }
     border_start[tree.count] = sizes.border_entries;

@@ -5,13 +5,12 @@ namespace harmorph {
 template <class Number>
 void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept {
     Offset const lanes = subtrees.lanes;
-    arena.take(its.factor, planes * factor_entries + (Offset{subtrees.count} + 1) * dense::overread);
-    arena.take(its.packing, lanes * planes * dense::packing_entries);
-    arena.take(its.sums, lanes * planes * largest_front);
+    arena.take(its.factor, planes * factor_entries);
+    arena.take(its.sums, lanes * planes * most_sums);
     arena.take(its.least_left, lanes);
     arena.take(its.least_pivot, lanes);
     Offset const stacks = lanes > 1 ? lanes + 1 : 1;
-    arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length() + dense::overread);
+    arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
 
 void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width,
@@ -20,7 +19,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     precision = its_precision;
     planes = complex ? 2 : 1;
     largest_border = sizes.largest_border;
-    largest_front = sizes.largest_front;
+    most_sums = sizes.most_sums;
     padded_width = dense::padded(width);
     Offset const lanes = subtrees.lanes;
     arena.take(tree.nodes, nodes);
@@ -29,7 +28,6 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     arena.take(border, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
     arena.take(target, lanes * largest_border);
-    arena.take(run_end, lanes * largest_border);
     if (precision == Precision::in_single) {
         lay_out_numbers(arena, sizes.factor_entries, singles);
     } else {
@@ -51,28 +49,22 @@ void Multifrontal::place_panels() noexcept {
     Offset next = 0;
     for (Index node = 0; node < tree.count; ++node) {
         panel_start[node] = next;
-        next += planes * dense::panel_entries(pivots_of(node), front_of(node));
-        if (subtrees.find(node) != none) next += dense::overread;  // what comes next is another lane's
+        next += planes * dense::panel_entries(pivots_of(node), border_of(node).count());
     }
     panel_start[tree.count] = next;
 }
 
-void Multifrontal::find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept {
+void Multifrontal::find_targets(Index child, Index parent, Index* targets) const noexcept {
     auto const& its = tree.nodes[parent];
     Span<const Index> const below = border_of(child), above = border_of(parent);
     Index at = 0;
     for (Index r = 0; r < below.count(); ++r) {
         if (below[r] < its.end) {
-            targets.at[r] = below[r] - its.begin;
+            targets[r] = below[r] - its.begin;
             continue;
         }
         while (above[at] != below[r]) ++at;  // both increase
-        targets.at[r] = its.pivots() + at;
-    }
-    for (Index r = below.count() - 1; r >= 0; --r) {
-        bool const goes_on = r + 1 < below.count() && targets.at[r + 1] == targets.at[r] + 1 &&
-                             targets.at[r + 1] != its.pivots();  // pivots and border lie in two blocks
-        targets.ends[r] = goes_on ? targets.ends[r + 1] : r + 1;
+        targets[r] = its.pivots() + at;
     }
 }
 

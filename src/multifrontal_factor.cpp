@@ -22,19 +22,19 @@ public:
     Status run(Index node, Number* update, Number* free, Lane const& lane, Told const& told, Fault& fault) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        UpdateMatrix const left{update, panel.border(), panel.planes};
+        UpdateMatrix const left{update, panel.border, panel.planes};
         if (its.child == none) begin(node, panel, left);
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             UpdateMatrix const added{done != none ? engine_.kept_update<Number>(done) : free,
                                      engine_.border_of(child).count(), panel.planes};
-            Number* const behind = free + added.planes * dense::update_room(added.n);
+            Number* const behind = free + added.planes * dense::update_entries(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, lane, told, fault));
             if (child == its.child) begin(node, panel, left);  // not sooner: it would have left the caches by now
             engine_.find_targets(child, node, lane.targets);
             dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
         }
-        dense::Workers<Number> const workers{lane.executor, lane.packing, lane.sums, lane.least_left};
+        dense::Workers<Number> const workers{lane.executor, lane.sums, lane.least_left};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
@@ -51,7 +51,7 @@ private:
     }
 
     void begin(Index node, Panel const& panel, UpdateMatrix const& left) const noexcept {
-        clear(panel.data, dense::panel_entries(panel.pivots, panel.front));
+        clear(panel.data, dense::panel_entries(panel.pivots, panel.border));
         clear(left.data, dense::update_entries(left.n));
         assemble(node, panel);
     }
@@ -60,24 +60,24 @@ private:
     void assemble(Index node, Panel const& panel) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
+        dense::Slabs<Number> const own = panel.own(), of_border = panel.of_border();
         for (Index i = its.begin; i < its.end; ++i) {
             Index const pivot = i - its.begin;
-            Number* const row = panel.row(pivot);
-            Number* const imaginary_row = row + panel.plane(pivot);
-            row[pivot] = static_cast<Number>(matrix_.excess[i]);
-            if (panel.planes == 2) imaginary_row[pivot] = static_cast<Number>(matrix_.excess_imaginary[i]);
+            Number* const sum = own.at(pivot, pivot);
+            sum[0] = static_cast<Number>(matrix_.excess[i]);
+            if (panel.planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.excess_imaginary[i]);
             for (Offset k = matrix_.start[i]; k < matrix_.start[i + 1]; ++k) {
                 Index const j = matrix_.column[k];
-                Index const column = j < its.end ? j - its.begin : panel.pivots + place_in(border, j);
-                row[column] = static_cast<Number>(matrix_.value[k]);
-                if (panel.planes == 2) imaginary_row[column] = static_cast<Number>(matrix_.imaginary[k]);
+                Number* const entry = j < its.end ? own.at(pivot, j - its.begin) : of_border.at(pivot, place_in(border, j));
+                entry[0] = static_cast<Number>(matrix_.value[k]);
+                if (panel.planes == 2) entry[dense::slab] = static_cast<Number>(matrix_.imaginary[k]);
             }
         }
     }
 
     static void note_pivots(Panel const& panel, Span<const Real> diagonal, Number& least) noexcept {
         for (Index k = 0; k < panel.pivots; ++k) {
-            Number const inverse = panel.row(k)[k];  // of the pivot's root
+            Number const inverse = *panel.at(k, k);  // of the pivot's root
             Number const part = 1 / (static_cast<Number>(diagonal[k]) * inverse * inverse);
             if (part < least) least = part;
         }

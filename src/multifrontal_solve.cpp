@@ -28,7 +28,7 @@ public:
         Panel const panel = engine_.panel<Number>(node);
         dense::gather(engine_.kernel, values_, its.begin, panel.pivots, front, width_, engine_.planes);
         Span<Number> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
-        Span<Number> const border(front + pivots.size(), static_cast<Size>(Offset{panel.border()} * row_));
+        Span<Number> const border(front + pivots.size(), static_cast<Size>(Offset{panel.border} * row_));
         is_zero = all_zero(pivots);
         if (!is_zero) fill(border, Number{0});
         for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {

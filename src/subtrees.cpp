@@ -10,7 +10,6 @@ public:
     Costs(AssemblyTree const& tree, Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
 
     Index border(Index node) const noexcept { return static_cast<Index>(border_start_[node + 1] - border_start_[node]); }
-    Offset update(Index node) const noexcept { return dense::update_room(border(node)); }
     Index front(Index node) const noexcept { return tree_.nodes[node].pivots() + border(node); }
 
     Subtree subtree(Index root) const noexcept {
@@ -54,11 +53,12 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     share_out();
 
     Costs const costs(tree, border_start);
+    auto const update_of = [&](Index node) { return dense::update_entries(costs.border(node)); };
     kept_entries = kept_rows = stack_entries = top_stack_entries = stack_rows = 0;
     for (Subtree& subtree : all.first(count)) {
         subtree.kept = kept_entries;
         subtree.kept_rows = kept_rows;
-        kept_entries += costs.update(subtree.root);
+        kept_entries += update_of(subtree.root);
         kept_rows += costs.front(subtree.root);
     }
     for (Index node = 0; node < tree.count; ++node) {
@@ -71,7 +71,7 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
             if (in_subtree && find(up) != none) {
                 in_subtree = false;  // the root's own matrix is kept elsewhere
             } else if (up != node || !is_root) {
-                (in_subtree ? inside : above) += costs.update(up);
+                (in_subtree ? inside : above) += update_of(up);
             }
         }
         // A leaf that meets no subtree on its way up is itself above all of them.

@@ -59,6 +59,33 @@ struct Arithmetic {
 #define ALL_ARITHMETICS \
     Arithmetic<double, false>, Arithmetic<double, true>, Arithmetic<float, false>, Arithmetic<float, true>
 
+TEST_CASE_TEMPLATE("panels and update matrices: a place of its own for every entry on and above the diagonal", Number, double, float) {
+    constexpr Index slab = dense::slab;
+    for (Index const pivots : {1, 7, 8, 15, 16, 17, 33, 128, 300})
+        for (Index const border : {0, 1, 8, 17, 33, 200}) {
+            std::vector<Number> times(static_cast<std::size_t>(dense::panel_entries(pivots, border)), Number{0});
+            dense::Panel<Number> const panel{times.data(), pivots, border};
+            for (Index k = 0; k < pivots; ++k)
+                for (Index c = k; c < panel.front(); ++c) {
+                    REQUIRE(panel.at(k, c) < times.data() + times.size());
+                    *panel.at(k, c) += 1;
+                }
+            CHECK(*std::max_element(times.begin(), times.end()) == 1);
+            double const least = pivots * (panel.front() - (pivots - 1) / 2.0);
+            CHECK(static_cast<double>(times.size()) <= least + pivots * 2.5 * slab);
+
+            times.assign(static_cast<std::size_t>(dense::update_entries(pivots)), Number{0});
+            dense::UpdateMatrix<Number> const update{times.data(), pivots};
+            for (Index r = 0; r < pivots; ++r)
+                for (Index c = r; c < pivots; ++c) {
+                    REQUIRE(update.at(r, c) < times.data() + times.size());
+                    *update.at(r, c) += 1;
+                }
+            CHECK(*std::max_element(times.begin(), times.end()) == 1);
+            CHECK(static_cast<double>(times.size()) <= pivots * ((pivots + 1) / 2.0 + 1.5 * slab));
+        }
+}
+
 // Hermitian and positive definite: diagonally dominant.
 template <class Its>
 typename Its::Matrix some_matrix(std::size_t n, unsigned seed) {
@@ -74,28 +101,34 @@ typename Its::Matrix some_matrix(std::size_t n, unsigned seed) {
     return out;
 }
 
-// A front and its update matrix; what kernels may read but not use is poisoned, and so are places they must not touch.
+constexpr std::size_t behind = 64;   // numbers that nobody must touch
+
+template <class Number>
+bool tail_is_poisoned(std::vector<Number> const& array) {
+    return std::all_of(array.end() - behind, array.end(), [](Number its) { return its != its; });
+}
+
+// A front and its update matrix, poisoned behind their ends.
 template <class Its>
 struct Front {
     using Number = typename Its::Number;
-    static constexpr Index planes = Its::planes;
+    static constexpr Index planes = Its::planes, slab = dense::slab;
 
     Kernel kernel;
     Index pivots, size;
     Backwards order;
     harmorph::Executor executor;   // one thread, unless set
-    std::vector<Number> data, update, packing, sums;
+    std::vector<Number> data, update, sums;
     Number least_left = 1;
 
     Front(Kernel its_kernel, typename Its::Matrix const& a, Index n_pivots, Index threads = 1)
         : kernel(its_kernel), pivots(n_pivots), size(static_cast<Index>(a.n)),
-          data(static_cast<std::size_t>(planes * dense::panel_entries(pivots, size) + dense::overread), Its::poison),
-          update(static_cast<std::size_t>(planes * dense::update_entries(size - pivots) + dense::overread), Its::poison),
-          packing(static_cast<std::size_t>(threads * planes * dense::packing_entries), Its::poison),
-          sums(static_cast<std::size_t>(planes * size), Its::poison) {
+          data(static_cast<std::size_t>(planes * dense::panel_entries(pivots, size - pivots)) + behind, Its::poison),
+          update(static_cast<std::size_t>(planes * dense::update_entries(size - pivots)) + behind, Its::poison),
+          sums(static_cast<std::size_t>(planes * dense::sum_entries(pivots, size - pivots)) + behind, Its::poison) {
         if (threads > 1) executor = {Backwards::run, &order, threads};
-        std::fill(data.begin(), data.end() - dense::overread, Number{0});
-        std::fill(update.begin(), update.end() - dense::overread, Number{0});
+        std::fill(data.begin(), data.end() - behind, Number{0});
+        std::fill(update.begin(), update.end() - behind, Number{0});
         auto const at = [&](Index i, Index j) { return a.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j)); };
         auto const entry = [&](Index i, Index j) {
             if (i != j) return at(i, j);
@@ -104,23 +137,21 @@ struct Front {
             return sum;
         };
         for (Index k = 0; k < pivots; ++k)
-            for (Index c = k; c < size; ++c) Its::put(entry(k, c), panel().row(k) + c, panel().plane(k));
+            for (Index c = k; c < size; ++c) Its::put(entry(k, c), panel().at(k, c), slab);
         for (Index r = 0; r < size - pivots; ++r)
             for (Index c = r; c < size - pivots; ++c)
-                Its::put(entry(pivots + r, pivots + c), update_matrix().row(r) + c, update_matrix().plane(r));
+                Its::put(entry(pivots + r, pivots + c), update_matrix().at(r, c), slab);
     }
-    dense::Panel<Number> panel() { return {data.data(), pivots, size, planes}; }
+    dense::Panel<Number> panel() { return {data.data(), pivots, size - pivots, planes}; }
     dense::UpdateMatrix<Number> update_matrix() { return {update.data(), size - pivots, planes}; }
     Index factor() {
         Number const floor = 4 * std::numeric_limits<Number>::epsilon();
         return dense::factor(kernel, panel(), floor, workers());
     }
     void update_border() { dense::update_border(kernel, panel(), update_matrix(), workers()); }
-    dense::Workers<Number> workers() { return {executor, packing.data(), sums.data(), &least_left}; }
-    bool tail_is_poisoned(std::vector<Number> const& array) const {
-        for (std::size_t k = array.size() - static_cast<std::size_t>(dense::overread); k < array.size(); ++k)
-            if (array[k] == array[k]) return false;
-        return true;
+    dense::Workers<Number> workers() { return {executor, sums.data(), &least_left}; }
+    bool is_poisoned_behind() const {
+        return tail_is_poisoned(data) && tail_is_poisoned(update) && tail_is_poisoned(sums);
     }
 };
 
@@ -134,12 +165,13 @@ public:
         CHECK(front_.factor() == harmorph::none);
         front_.update_border();
         check_factor();
-        for (Index const row : {8, 24, 40}) check_solves(row);
+        for (Index const row : {1, 3, 5}) check_solves(row * dense::slab);
     }
 
 private:
     using Number = typename Its::Number;
     using Entry = typename Its::Entry;
+    static constexpr Index slab = dense::slab;
 
     void compare(const Number* found, harmorph::Offset plane, Entry exact) {
         double const error = std::abs(Its::get(found, plane) - exact) / std::sqrt(static_cast<double>(n_));
@@ -149,23 +181,23 @@ private:
         worst_ = 0;
         auto const panel = front_.panel();
         for (Index k = 0; k < front_.pivots; ++k)   // behind each diagonal block, which holds its inverse
-            for (Index c = (k / dense::block + 1) * dense::block; c < front_.size; ++c)
-                compare(panel.row(k) + c, panel.plane(k), expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
+            for (Index c = std::min(panel.pivots, (k / slab + 1) * slab); c < front_.size; ++c)
+                compare(panel.at(k, c), slab, expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
         auto const update = front_.update_matrix();
         auto const left = [&](Index r, Index c) { return expected_.at(p_ + static_cast<std::size_t>(r), p_ + static_cast<std::size_t>(c)); };
         for (Index r = 0; r < update.n; ++r) {
             Entry sum = 0;
             for (Index c = 0; c < update.n; ++c) sum += c < r ? conjugate(left(c, r)) : left(r, c);
-            compare(update.row(r) + r, update.plane(r), sum);
-            for (Index c = r + 1; c < update.n; ++c) compare(update.row(r) + c, update.plane(r), left(r, c));
+            compare(update.at(r, r), slab, sum);
+            for (Index c = r + 1; c < update.n; ++c) compare(update.at(r, c), slab, left(r, c));
         }
         CHECK(worst_ < Its::tolerance);
-        CHECK((front_.tail_is_poisoned(front_.data) && front_.tail_is_poisoned(front_.update)));
+        CHECK(front_.is_poisoned_behind());
     }
     void check_solves(Index row) {
         std::size_t const width = static_cast<std::size_t>(row), length = Its::planes * width;
         std::vector<Entry> exact(n_ * width);
-        std::vector<Number> y(n_ * length + static_cast<std::size_t>(dense::overread), Its::poison);
+        std::vector<Number> y(n_ * length + behind, Its::poison);
         std::mt19937 random(9);
         auto const place = [&](std::size_t k) { return y.data() + k / width * length + k % width; };
         for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -189,7 +221,7 @@ private:
         dense::solve_backward(front_.kernel, front_.panel(), y.data(), row, front_.executor);
         for (std::size_t k = 0; k < exact.size(); ++k) compare(place(k), row, exact[k]);
         CHECK(worst_ < Its::tolerance);
-        CHECK(front_.tail_is_poisoned(y));
+        CHECK(tail_is_poisoned(y));
     }
 
     std::size_t n_, p_;
@@ -229,7 +261,7 @@ TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fi
 
 TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, ALL_ARITHMETICS) {
     using Number = typename Its::Number;
-    Index const sizes[][2] = {{300, 600}, {400, 0}, {40, 900}, {128, 500}};
+    Index const sizes[][2] = {{300, 600}, {600, 0}, {40, 900}, {128, 500}};
     for (auto const& size : sizes) {
         auto const a = some_matrix<Its>(static_cast<std::size_t>(size[0] + size[1]), 5);
         std::size_t const n = a.n * static_cast<std::size_t>(Its::planes) * 32;
@@ -239,12 +271,11 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
                 Front<Its> front(kernel, a, size[0], threads);
                 REQUIRE(front.factor() == harmorph::none);
                 front.update_border();
-                std::vector<Number> y(n + static_cast<std::size_t>(dense::overread), Number{0});
+                std::vector<Number> y(n);
                 for (std::size_t k = 0; k < n; ++k) y[k] = static_cast<Number>(std::sin(static_cast<double>(k)));
                 dense::solve_forward(kernel, front.panel(), y.data(), 32, front.executor);
                 dense::solve_backward(kernel, front.panel(), y.data(), 32, front.executor);
-                for (std::vector<Number>* array : {&front.data, &front.update})
-                    array->resize(array->size() - dense::overread);
+                for (std::vector<Number>* array : {&front.data, &front.update}) array->resize(array->size() - behind);
                 if (threads == 1) {
                     first[0] = front.data;
                     first[1] = front.update;
@@ -257,6 +288,41 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
             }
         }
     }
+}
+
+TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its rows go", Its, ALL_ARITHMETICS) {
+    std::mt19937 random(11);
+    for (Kernel const kernel : kernels())
+        for (int round = 0; round < 60; ++round) {
+            Index const pivots = 1 + static_cast<Index>(random() % 40), border = static_cast<Index>(random() % 70);
+            double const kept = uniform(random);   // runs of neighbours, or scattered rows
+            std::vector<Index> targets;
+            for (Index t = 0; t < pivots + border; ++t)
+                if (uniform(random) < kept) targets.push_back(t);
+            auto const parent = some_matrix<Its>(static_cast<std::size_t>(pivots + border), 1);
+            auto const child = some_matrix<Its>(targets.size(), 2);
+            Front<Its> from(kernel, child, 0), to(kernel, parent, pivots);
+            Front<Its> const before = to;
+            dense::extend_add(kernel, from.update_matrix(), targets.data(), to.panel(), to.update_matrix());
+            double worst = 0;
+            auto const compare = [&](auto const* found, auto const* old, Index i, Index j) {
+                auto const row = std::find(targets.begin(), targets.end(), i), column = std::find(targets.begin(), targets.end(), j);
+                typename Its::Entry exact = Its::get(old, Front<Its>::slab);
+                if (row != targets.end() && column != targets.end())
+                    exact += Its::get(from.update_matrix().at(static_cast<Index>(row - targets.begin()),
+                                                              static_cast<Index>(column - targets.begin())), Front<Its>::slab);
+                worst = std::fmax(worst, std::abs(Its::get(found, Front<Its>::slab) - exact));
+            };
+            Front<Its> old = before;
+            for (Index i = 0; i < pivots; ++i)
+                for (Index j = i; j < pivots + border; ++j) compare(to.panel().at(i, j), old.panel().at(i, j), i, j);
+            for (Index i = 0; i < border; ++i)
+                for (Index j = i; j < border; ++j)
+                    compare(to.update_matrix().at(i, j), old.update_matrix().at(i, j), pivots + i, pivots + j);
+            INFO("kernel " << static_cast<int>(kernel) << ", " << pivots << " pivots, border " << border);
+            CHECK(worst <= 1e3 * std::numeric_limits<typename Its::Number>::epsilon());
+            CHECK((to.is_poisoned_behind() && from.is_poisoned_behind()));
+        }
 }
 
 TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and named", Its, ALL_ARITHMETICS) {
@@ -306,18 +372,19 @@ TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Ar
                 for (std::size_t j = i + 1; j < n; ++j)
                     if (j == i + 1 || uniform(random) < 0.2) a.at(i, j) = -std::pow(10.0, 24 * uniform(random) - 12);
             Front<Its> front(kernel, a, size[0]);
-            std::vector<Number> y(8 * n + static_cast<std::size_t>(dense::overread), Number{0});
+            std::size_t const row = dense::slab;
+            std::vector<Number> y(row * n, Number{0});
             for (std::size_t i = 0; i < n; ++i) {
                 Number const tie = static_cast<Number>(std::pow(10.0, -15 - 3 * uniform(random)));
-                front.panel().row(static_cast<Index>(i))[i] = y[8 * i] = tie;
+                *front.panel().at(static_cast<Index>(i), static_cast<Index>(i)) = y[row * i] = tie;
             }
             INFO("kernel " << static_cast<int>(kernel) << ", " << n << " points");
             REQUIRE(front.factor() == harmorph::none);
             CHECK(front.least_left > 0.9);
-            dense::solve_forward(kernel, front.panel(), y.data(), 8, front.executor);
-            dense::solve_backward(kernel, front.panel(), y.data(), 8, front.executor);
+            dense::solve_forward(kernel, front.panel(), y.data(), dense::slab, front.executor);
+            dense::solve_backward(kernel, front.panel(), y.data(), dense::slab, front.executor);
             double worst = 0;
-            for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(static_cast<double>(y[8 * i]) - 1));
+            for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(static_cast<double>(y[row * i]) - 1));
             CHECK(worst < 20 * std::sqrt(static_cast<double>(n)) * std::numeric_limits<Number>::epsilon());
         }
 }

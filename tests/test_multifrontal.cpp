@@ -145,11 +145,12 @@ TEST_CASE("Hermitian matrices with random circulations: the same as dense Choles
         for (int const n_r : {3, 12})
             for (Index const threads : {1, 3}) {
                 Case its = ring_case(n_r, 5 * n_r, 0.5, 2, kind, 2, 5);
-                Threads const lanes(threads);
-                Analysed const seen(its, &lanes.options);
-                for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single})
+                for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
                     for (Index const width : {1, 8, 11}) {
-                        FrontalSystem system(*seen.operator->(), true, precision, width);
+                        Threads lanes(threads);
+                        lanes.options.precision = precision;
+                        Analysed const seen(its, &lanes.options);
+                        FrontalSystem system(*seen.operator->(), true, width);
                         system.randomise(7, 0.8);
                         ComplexDenseMatrix dense = system.assembled.complex_unknowns();
                         REQUIRE(dense.factor());
@@ -159,8 +160,8 @@ TEST_CASE("Hermitian matrices with random circulations: the same as dense Choles
                         system.solve(found);
                         double const error = largest_error(system, sides, found, dense, width);
                         INFO(dense.n << " unknowns, " << threads << " threads, " << width << " sides");
-                        CHECK(error < (precision == harmorph::Precision::in_double ? 1e-13 : 1e-4));
-                        if (precision == harmorph::Precision::in_single && dense.n > 50) CHECK(error > 1e-10);   // it is
+                        CHECK(error < (precision == HM_DOUBLE ? 1e-13 : 1e-4));
+                        if (precision == HM_SINGLE && dense.n > 50) CHECK(error > 1e-10);   // it is
                     }
             }
 }
@@ -172,7 +173,7 @@ TEST_CASE("right-hand sides of one number each: most of the tree sees none, wher
             Threads const lanes(threads);
             Analysed const seen(its, &lanes.options);
             Index const width = 3;
-            FrontalSystem system(*seen.operator->(), complex, harmorph::Precision::in_double, width);
+            FrontalSystem system(*seen.operator->(), complex, width);
             system.randomise(9, complex ? 0.8 : 0);
             ComplexDenseMatrix dense(system.assembled.size());
             if (complex) dense = system.assembled.complex_unknowns();
@@ -204,7 +205,7 @@ TEST_CASE("right-hand sides that are not finite are told from zeros: what they r
             Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
             Threads const lanes(threads);
             Analysed const seen(its, &lanes.options);
-            FrontalSystem system(*seen.operator->(), false, harmorph::Precision::in_double, 1);
+            FrontalSystem system(*seen.operator->(), false, 1);
             system.randomise(9, 0);
             system.factorise();
             std::size_t const n = system.assembled.size();
@@ -219,9 +220,11 @@ TEST_CASE("right-hand sides that are not finite are told from zeros: what they r
 
 TEST_CASE("without circulation the complex engine gives the real one's answer") {
     Case its = ring_case(12, 60, 0.5, 2, Cells::hybrid, 2, 5);
-    Analysed const seen(its);
-    for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single}) {
-        FrontalSystem complex(*seen.operator->(), true, precision, 9), real(*seen.operator->(), false, precision, 18);
+    for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
+        Threads lanes(1);
+        lanes.options.precision = precision;
+        Analysed const seen(its, &lanes.options);
+        FrontalSystem complex(*seen.operator->(), true, 9), real(*seen.operator->(), false, 18);
         complex.randomise(3, 0);
         real.randomise(3, 0);
         complex.factorise();
@@ -229,14 +232,14 @@ TEST_CASE("without circulation the complex engine gives the real one's answer") 
         std::vector<double> found = complex.some_sides(), expected = found;   // real and imaginary parts: twice as many sides
         complex.solve(found);
         real.solve(expected);
-        CHECK(largest_difference(found, expected) < (precision == harmorph::Precision::in_double ? 1e-14 : 1e-5));
+        CHECK(largest_difference(found, expected) < (precision == HM_DOUBLE ? 1e-14 : 1e-5));
     }
 }
 
 TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]") {
     Case its = ring_case(6, 30, 0.5, 2, Cells::triangles, 2, 5);
     Analysed const seen(its);
-    FrontalSystem system(*seen.operator->(), true, harmorph::Precision::in_double, 1);
+    FrontalSystem system(*seen.operator->(), true, 1);
     system.randomise(11, 1.5);
     ComplexDenseMatrix const a = system.assembled.complex_unknowns();
     std::size_t const n = a.n;
@@ -264,11 +267,12 @@ TEST_CASE("a complex system is the real one of twice the size, [[a, -b], [b, a]]
 TEST_CASE("a Hermitian matrix that is not positive definite is refused, by position") {
     Case its = ring_case(8, 40, 0.5, 2, Cells::triangles, 2, 5);
     for (Index const threads : {1, 3}) {
-        Threads const lanes(threads);
-        Analysed const seen(its, &lanes.options);
-        for (harmorph::Precision const precision : {harmorph::Precision::in_double, harmorph::Precision::in_single})
+        for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE})
             for (Index const bad : {0, 17, 100, 250}) {
-                FrontalSystem system(*seen.operator->(), true, precision, 4);
+                Threads lanes(threads);
+                lanes.options.precision = precision;
+                Analysed const seen(its, &lanes.options);
+                FrontalSystem system(*seen.operator->(), true, 4);
                 system.randomise(5, 0.5);
                 harmorph::Matrix& matrix = system.assembled.matrix;
                 matrix.excess[bad] -= matrix.diagonal[bad] + 1;

@@ -35,7 +35,7 @@ struct Walk {
         return static_cast<Index>(symbolic.start[static_cast<std::size_t>(node) + 1] -
                                   symbolic.start[static_cast<std::size_t>(node)]);
     }
-    Offset update(Index node) const { return harmorph::dense::update_room(border(node)); }
+    Offset update(Index node) const { return harmorph::dense::update_entries(border(node)); }
     Offset front(Index node) const { return tree.nodes[node].pivots() + border(node); }
 
     // `free` and `free_row`: where the node's children may be.

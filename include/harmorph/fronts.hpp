@@ -11,7 +11,7 @@ namespace harmorph {
 struct FrontSizes {
     Offset border_entries = 0;  // of all fronts
     Offset factor_entries = 0;  // of all panels; a complex number is one entry
-    Index largest_front = 0;    // pivots + border
+    Offset most_sums = 0;       // row sums of a front
     Index largest_border = 0;
 };
 

@@ -20,8 +20,7 @@ struct FrontalNumbers {
     Span<Number> factor;
     Span<Number> stack;
     Span<Number> rows;
-    Span<Number> packing;  // [lanes x planes x dense::packing_entries]
-    Span<Number> sums;     // [lanes x planes x largest front]
+    Span<Number> sums;     // [lanes x planes x most row sums of a front]
     Span<Number> least_left, least_pivot;  // [lanes] see below
 };
 
@@ -32,12 +31,12 @@ struct Multifrontal {
     Span<Index> border;
     Span<Offset> panel_start;   // [nodes + 1] in `factor`
     Span<Index> target;         // [lanes x largest border] where a border goes in the parent's front
-    Span<Index> run_end;        // [lanes x largest border] first border behind the run of neighbouring targets
     FrontalNumbers<double> doubles;  // these ...
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
     Index planes = 1;           // 1: real; 2: complex
-    Index largest_border = 0, largest_front = 0;
+    Index largest_border = 0;
+    Offset most_sums = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
     Executor executor;
@@ -63,17 +62,16 @@ struct Multifrontal {
         Executor executor;  // inside fronts
         Number* stack;
         Number* rows;
-        Number* packing;
         Number* sums;
         Number* least_left;
         Number* least_pivot;
-        dense::Targets targets;
+        Index* targets;
     };
     template <class Number>
     Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
         FrontalNumbers<Number> const& its = numbers<Number>();
-        return {executor, its.stack.data(), its.rows.data(), its.packing.data(), its.sums.data(),
-                its.least_left.data(), its.least_pivot.data(), {target.data(), run_end.data()}};
+        return {executor, its.stack.data(), its.rows.data(), its.sums.data(), its.least_left.data(), its.least_pivot.data(),
+                target.data()};
     }
     template <class Number>
     Lane<Number> lane(Index number) const noexcept {
@@ -82,11 +80,10 @@ struct Multifrontal {
         return {Executor{},
                 its.stack.data() + planes * (kept + n * subtrees.stack_entries),
                 its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
-                its.packing.data() + n * planes * dense::packing_entries,
-                its.sums.data() + n * planes * largest_front,
+                its.sums.data() + n * planes * most_sums,
                 its.least_left.data() + n,
                 its.least_pivot.data() + n,
-                {target.data() + n * largest_border, run_end.data() + n * largest_border}};
+                target.data() + n * largest_border};
     }
     // body(subtree, lane) for all subtrees, each lane's one after the other.
     template <class Number, class Body>
@@ -103,7 +100,7 @@ struct Multifrontal {
     FrontalNumbers<Number> const& numbers() const noexcept;
     template <class Number>
     dense::Panel<Number> panel(Index node) const noexcept {
-        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node), front_of(node), planes};
+        return {numbers<Number>().factor.data() + panel_start[node], pivots_of(node), border_of(node).count(), planes};
     }
     template <class Number>
     Number* kept_update(Index subtree) const noexcept {
@@ -120,8 +117,8 @@ struct Multifrontal {
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Where a child's border goes in its parent's front.
-    void find_targets(Index child, Index parent, dense::Targets const& targets) const noexcept;
+    // Where a child's border goes in its parent's front: increasing.
+    void find_targets(Index child, Index parent, Index* targets) const noexcept;
 
 private:
     template <class Number>

@@ -19,38 +19,37 @@ harmorph::Kernel chosen(int kernel) {
 }
 
 Numbers numbers(harmorph::Offset count, double value = 0) {
-    return Numbers(static_cast<std::size_t>(count + dense::overread), value);
+    return Numbers(static_cast<std::size_t>(count), value);
 }
 
 }  // namespace
 
 struct DenseFront::Inside {
     harmorph::Kernel kernel;
-    Numbers original, panel_data, update_data, packing, sums, sides;
+    Numbers original, panel_data, update_data, sums, sides;
     double least_left = 1;
     dense::Panel<double> panel;
     dense::UpdateMatrix<double> update;
 
-    dense::Workers<double> workers() { return {harmorph::Executor{}, packing.data(), sums.data(), &least_left}; }
+    dense::Workers<double> workers() { return {harmorph::Executor{}, sums.data(), &least_left}; }
 };
 
 DenseFront::DenseFront(int kernel, int pivots, int front) : inside_(new Inside) {
     Inside& in = *inside_;
     in.kernel = chosen(kernel);
-    in.original = numbers(dense::panel_entries(pivots, front));
-    dense::Panel<double> const panel{in.original.data(), pivots, front};
+    in.original = numbers(dense::panel_entries(pivots, front - pivots));
+    dense::Panel<double> const panel{in.original.data(), pivots, front - pivots};
     for (int i = 0; i < pivots; ++i)
         for (int j = 0; j < front; ++j) {   // in the diagonal's place, the row's sum
             double const its = j < i ? entry(front, j, i) : entry(front, i, j);
-            panel.row(i)[i] += its;
-            if (j > i) panel.row(i)[j] = its;
+            *panel.at(i, i) += its;
+            if (j > i) *panel.at(i, j) = its;
         }
     in.panel_data = in.original;
-    in.panel = {in.panel_data.data(), pivots, front};
+    in.panel = {in.panel_data.data(), pivots, front - pivots};
     in.update_data = numbers(dense::update_entries(front - pivots));
     in.update = {in.update_data.data(), front - pivots};
-    in.packing = numbers(dense::packing_entries);
-    in.sums = numbers(front);
+    in.sums = numbers(dense::sum_entries(pivots, front - pivots));
     in.sides = numbers(harmorph::Offset{front} * right_hand_sides, 1);
 }
 
@@ -77,7 +76,7 @@ void DenseFront::solve() {
     dense::solve_backward(in.kernel, in.panel, in.sides.data(), right_hand_sides, harmorph::Executor{});
 }
 
-double DenseFront::factored(int i, int j) const { return inside_->panel.row(i)[j]; }
+double DenseFront::factored(int i, int j) const { return *inside_->panel.at(i, j); }
 
 std::string DenseFront::kernel_name(int kernel) {
     switch (chosen(kernel)) {
