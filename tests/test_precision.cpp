@@ -96,7 +96,7 @@ TEST_CASE("the thinner cells are, the more steps; what is off after them is said
 }
 
 TEST_CASE("the plan takes less than two thirds of the memory") {
-    Case its = ring_case(40, 200, 0.5, 2, Cells::quads, 3, 20);
+    Case its = ring_case(60, 300, 0.5, 2, Cells::quads, 3, 20);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
         std::size_t bytes[2] = {};
         for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
