@@ -139,6 +139,13 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
         Range const its{c, smaller(to, c + tile_columns<Number>)};
         for (Index k = first; k < end; k += slab) {
             Index const n = smaller(slab, end - k);
+            if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers
+                if (n == slab) {
+                    InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
+                    any_finish_tile(its.count(), own.at(first, k), above, k - first, own.at(k, k), block, sums + k, column_sums + c);
+                    continue;
+                }
+            }
             if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, its);
             apply_inverse<planes>(n, its.count(), own.at(k, k), InSlabs<Number, planes>{columns, k, c});
             subtract_sums<planes>(columns, k, n, its, sums + k, column_sums + c, panel.sums_plane());

@@ -108,6 +108,39 @@ struct Tile {
         }
     }
 
+    // A block's rows: those of d less the sums, times its inverse, go to d; and y^T times them is taken off column_sums.
+    HARMORPH_INLINE void finish(const Number* inverse, Vectors<Number, vectors> const& d, const Number* y,
+                                Number* column_sums) const noexcept {
+        static_assert(planes == 1, "real blocks fit into the registers");
+        Vector<Number> row[rows][vectors], taken[vectors] = {};
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) row[r][v] = load(d.at[v] + r * d.row) - sum[0][r][v];
+        }
+#pragma GCC unroll 8
+        for (Index r = rows - 1; r >= 0; --r) {  // needs no later row
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) row[r][v] *= inverse[r * slab + r];
+#pragma GCC unroll 8
+            for (Index k = 0; k < r; ++k) {
+                Vector<Number> const factor = inverse[r * slab + k] - Vector<Number>{};
+#pragma GCC unroll 8
+                for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v], row[r][v]);
+            }
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                store(d.at[v] + r * d.row, row[r][v]);
+                taken[v] = Registers<Number>::multiply_add(y[r] - Vector<Number>{}, row[r][v], taken[v]);
+            }
+        }
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) {
+            Number* const to = column_sums + v * lanes<Number>;
+            store(to, load(to) - taken[v]);
+        }
+    }
+
 private:
     // For one plane of b.
     template <Op op, Index plane>
@@ -155,6 +188,22 @@ HARMORPH_INLINE void any_tile(Index rows, Index columns, const Number* a, Place 
     if (columns > 2 * lanes<Number>) return tile<op, how, planes, most_rows, 3>(a, b, depth, d);
     if (columns > lanes<Number>) return tile<op, how, planes, most_rows, 2>(a, b, depth, d);
     return tile<op, how, planes, most_rows, 1>(a, b, depth, d);
+}
+
+template <Index vectors, class Number>
+void finish_tile(const Number* a, InSlabs<Number, 1> const& b, Index depth, const Number* inverse, InSlabs<Number, 1> const& d,
+                 const Number* y, Number* column_sums) noexcept {
+    Tile<1, slab, vectors, Number> its;
+    its.template add<Op::conjugate_transposed>(a, b.template first<vectors>(), depth);
+    its.finish(inverse, d.template first<vectors>(), y, column_sums);
+}
+template <class Number>
+HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Number, 1> const& b, Index depth,
+                                     const Number* inverse, InSlabs<Number, 1> const& d, const Number* y,
+                                     Number* column_sums) noexcept {
+    if (columns > 2 * lanes<Number>) return finish_tile<3>(a, b, depth, inverse, d, y, column_sums);
+    if (columns > lanes<Number>) return finish_tile<2>(a, b, depth, inverse, d, y, column_sums);
+    return finish_tile<1>(a, b, depth, inverse, d, y, column_sums);
 }
 
 struct Range {
