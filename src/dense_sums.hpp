@@ -6,6 +6,13 @@ namespace {
 
 template <class Number>
 HARMORPH_INLINE Number magnitude(Number x) noexcept { return x < 0 ? -x : x; }
+// Without the signs' bits.
+template <class Number>
+HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
+    using Word = typename std::conditional<sizeof(Number) == 8, std::uint64_t, std::uint32_t>::type;
+    typedef Word Words __attribute__((vector_size(sizeof(Vector<Number>)), may_alias));
+    return Vector<Number>(Words(v) & (~Word{0} >> 1));
+}
 
 // The sum of a register's numbers.
 template <class Number>
@@ -35,7 +42,7 @@ struct RowSums {
                 for (Index v = 0; v < slab; v += lanes<Number>) {
                     Vector<Number> const real = load(its + r * step<planes> + v);
                     sum[0][r] += real;
-                    size[r] += real < 0 ? -real : real;
+                    size[r] += magnitudes<Number>(real);
                     if constexpr (planes == 2) sum[1][r] += load(its + r * step<planes> + slab + v);
                 }
             }
