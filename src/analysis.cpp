@@ -55,7 +55,8 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     for (Index k = 0; k < mesh.n_points; ++k) representative[k] = k;
     HARMORPH_TRY(edges.build(mesh, representative, fault));
     HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
-    if (join_cuts(mesh, edges, boundary.head, representative) > 0) {
+    bool const all_marked = boundary.count == edges.n_boundary;
+    if (!all_marked && join_cuts(mesh, edges, boundary.head, representative) > 0) {
         HARMORPH_TRY(edges.build(mesh, representative, fault));
         HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
     }

@@ -47,19 +47,25 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
     }
     counts_to_starts(start);
     for_each_side(mesh, representative, [&](Index point, Side side) { first[start[point]++] = side; });
-    rewind_starts(start);
 
+    n_boundary = 0;
+    Index against = 0;  // sides of two cells that run the same way
     Index n_edges = 0;
     Index sides_begin = 0;
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const sides_end = start[point + 1];
+        Index const sides_end = start[point];  // filling has advanced it
         Span<Side> const sides = first.from(sides_begin, sides_end - sides_begin);
         sort_sides(sides);
         start[point] = n_edges;
         for (Size k = 0; k < sides.size();) {  // edges overwrite sides that have been read
             Side const side = sides[k++];
             Index other = unmarked;
-            if (k < sides.size() && sides[k].end == side.end) other = sides[k++].code;
+            if (k < sides.size() && sides[k].end == side.end) {
+                other = sides[k++].code;
+                against |= ~(other ^ side.code) & 1;
+            } else {
+                ++n_boundary;
+            }
             if (k < sides.size() && sides[k].end == side.end) {
                 return fault.refuse(Status::bad_mesh, "the edge between points # and @ belongs to more than two cells",
                                     Counts::mesh, point, side.end);
@@ -70,6 +76,7 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
         sides_begin = sides_end;
     }
     start[mesh.n_points] = n_edges;
+    agree = against == 0;
     return Status::ok;
 }
 

@@ -43,14 +43,10 @@ bool is_inverted(Cell const& cell, Points points, bool reversed) noexcept {
 
 // One sense everywhere, and no cell inverted: the case of nearly all files.
 bool is_uniform(Mesh const& mesh, Edges const& edges, bool& clockwise) noexcept {
+    if (!edges.agree) return false;
     clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
     bool const sense = clockwise;
-    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, sense); }) != none) return false;
-    for (Index edge = 0; edge < edges.count(); ++edge) {
-        Index const other = edges.second[edge];
-        if (other >= 0 && runs_backwards(other) == runs_backwards(edges.first[edge].code)) return false;
-    }
-    return true;
+    return mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, sense); }) == none;
 }
 
 }  // namespace

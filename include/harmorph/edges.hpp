@@ -19,6 +19,8 @@ struct Edges {
     Span<Index> start;   // [n_points + 1]
     Span<Side> first;    // [count]
     Span<Index> second;  // [count] code of the other cell, or < 0
+    Index n_boundary = 0;  // edges with a cell on one side only
+    bool agree = false;  // the two cells of every other edge run along it in opposite directions
 
     // Arrays for as many edges as there could be.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
