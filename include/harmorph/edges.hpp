@@ -24,7 +24,7 @@ struct Edges {
 
     // Arrays for as many edges as there could be.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
-    // representative [n_points]: the point that stands for each. Refuses an edge of more than two cells.
+    // representative [n_points]: the point that stands for each; empty: itself. Refuses an edge of more than two cells.
     Status build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept;
 
     Index count() const noexcept { return start[start.size() - 1]; }
