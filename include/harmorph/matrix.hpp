@@ -87,6 +87,9 @@ struct Matrix {
     void add_corners(RowRange rows, Cell const& cell, CellConductances its, Real circulation) const noexcept;
     // The same between two points, where each has two lines.
     void add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
+    // All of a conductance but the diagonals, between two places, and of a circulation from the first to the second.
+    template <bool with_circulation>
+    void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
     // Has the cell an unknown in range? One that has none at all concerns the first range.
     bool concerns(RowRange rows, Cell const& cell) const noexcept;
     // body(range, rows) for ranges that together are all rows, one for each thread. Returns how many there are.
@@ -118,9 +121,6 @@ private:
         bool turned = false;  // it stands for the second's row
     };
     Entry entry(RowRange rows, Index i, Index j) const noexcept;
-    // All of a conductance but the diagonals.
-    template <bool with_circulation>
-    void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
     bool slips(Index point) const noexcept { return place[2 * point] >= 0 && place[2 * point + 1] == none; }
     // Is the point an unknown, and beside it the other one held?
     bool is_held_by(Index point, Index other) const noexcept;
