@@ -53,13 +53,20 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
     HARMORPH_TRY(check_mesh(mesh, fault));
     for (Index k = 0; k < mesh.n_points; ++k) representative[k] = k;
-    HARMORPH_TRY(edges.build(mesh, representative, fault));
+    Sense sense = Sense::mixed;
+    problem.executor.for_each(3, [&](Index part) {  // none needs another
+        if (part == 0) edges.build(mesh, {}, fault);
+        if (part == 1) sense = common_sense(mesh);
+        if (part == 2 && has_conditions()) topology = topology_print(mesh);
+    });
+    HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
-    if (join_cuts(mesh, edges, boundary.head, representative) > 0) {
+    bool const all_marked = boundary.count == edges.n_boundary;
+    if (!all_marked && join_cuts(mesh, edges, boundary.head, representative) > 0) {
         HARMORPH_TRY(edges.build(mesh, representative, fault));
         HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
     }
-    HARMORPH_TRY(orient(mesh, edges, orientation_work, reversed, inverted, fault));
+    HARMORPH_TRY(orient(mesh, edges, sense, orientation_work, reversed, inverted, fault));
     HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
     classify(edges, boundary, conditions, kinds);
     return Status::ok;
@@ -93,7 +100,6 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
-    topology = topology_print(mesh);
     matrix = Matrix::count(graph, matrix_kind());
     return Status::ok;
 }

@@ -8,6 +8,14 @@ namespace {
 constexpr Index face_of_edge(Index second) noexcept { return -2 - second; }
 constexpr Index marked_with(Index face) noexcept { return -2 - face; }
 
+Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
+    edges.for_each([&](Index edge, Index low, Index high) {
+        if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
+        fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on no marker", Counts::mesh, low, high);
+    });
+    return fault.status;
+}
+
 }  // namespace
 
 Size Boundary::max_faces(Mesh const& mesh) noexcept {
@@ -40,6 +48,8 @@ Status Boundary::mark(Mesh const& mesh, Edges& edges, Span<const Index> represen
         }
         if (edges.second[edge] == Edges::unmarked) {
             given_marker[count] = face.marker;
+            given_begin[count] = edge;  // which way it runs is not known yet
+            given_end[count] = smaller(representative[face.begin], representative[face.end]);
             edges.second[edge] = marked_with(count++);
         } else if (given_marker[face_of_edge(edges.second[edge])] != face.marker) {
             fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on two markers", Counts::mesh,
@@ -52,23 +62,14 @@ Status Boundary::mark(Mesh const& mesh, Edges& edges, Span<const Index> represen
 }
 
 Status Boundary::order(Mesh const& mesh, Edges const& edges, Span<const std::uint8_t> reversed, Fault& fault) noexcept {
-    edges.for_each([&](Index edge, Index low, Index high) {
-        Index const second = edges.second[edge];
-        if (second >= 0) return;
-        if (second == Edges::unmarked) {
-            if (fault.status == Status::ok) {
-                fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on no marker", Counts::mesh, low,
-                             high);
-            }
-            return;
-        }
+    if (count < edges.n_boundary) return refuse_unmarked(edges, fault);
+    for (Index face = 0; face < count; ++face) {
+        Index const edge = given_begin[face], low = given_end[face], high = edges.first[edge].end;
         Index const code = edges.first[edge].code;
         bool const downwards = runs_backwards(code) != (reversed[cell_of_side(code)] != 0);
-        given_begin[face_of_edge(second)] = downwards ? high : low;
-        given_end[face_of_edge(second)] = downwards ? low : high;
-    });
-    HARMORPH_TRY(fault.status);
-
+        given_begin[face] = downwards ? high : low;
+        given_end[face] = downwards ? low : high;
+    }
     fill(head.first(mesh.n_points), none);
     for (Index face = count; face-- > 0;) {  // faces that begin at each point, in the given order
         next[face] = head[given_begin[face]];

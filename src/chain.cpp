@@ -33,9 +33,10 @@ struct Chain {
 };
 
 void Chain::project_each() const noexcept {
+    Projector projector(curve);
     Real hint = curve.begin();
     for (Index k = 0; k < points.count(); ++k) {
-        hint = project_near(curve, points[k], curve.begin(), curve.end(), hint).u;
+        hint = projector.nearest(points[k], curve.begin(), curve.end(), hint).u;
         work.trial[k] = hint;
     }
 }

@@ -8,13 +8,18 @@ namespace {
 
 // visit(unknown or none, line, unknown or none, line) for every two lines of two points that share a cell.
 template <Index components, class Visit>
-void for_each_two_lines(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const Index> unknown,
-                        Visit visit) noexcept {
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
-        if (a == b) return;
+void for_each_two_lines(Mesh const& mesh, Edges const& edges, Span<const Index> unknown, Visit visit) noexcept {
+    auto const visit_lines = [&](Index a, Index b) {
+        if (unknown[components * a] == unknown[components * b]) return;  // one point, or two that are known
         for (Index p = components * a; p < components * (a + 1); ++p) {
             for (Index q = components * b; q < components * (b + 1); ++q) visit(unknown[p], p, unknown[q], q);
         }
+    };
+    edges.for_each([&](Index, Index low, Index high) { visit_lines(low, high); });
+    mesh.for_each_cell([&](Index, Cell const& cell) {
+        if (cell.n != 4) return;
+        visit_lines(cell.point[0], cell.point[2]);
+        visit_lines(cell.point[1], cell.point[3]);
     });
 }
 
@@ -52,19 +57,24 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
             if (is) line[n++] = n_components * k + c;
         }
     }
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        if (representative[k] == k) continue;
+        for (Index c = 0; c < n_components; ++c) unknown[n_components * k + c] = unknown[n_components * representative[k] + c];
+    }
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
     couplings = held = 0;
     Size known_begin = neighbour.size();  // two places are there for every pair
-    auto const couple = [&](Index u, Index other) {
-        bool const on_wall = kinds[other / n_components] == PointKind::on_wall;
+    auto const couple = [&](Index u, Index its_line) {
+        Index const point = representative[its_line / n_components], other = n_components * point + its_line % n_components;
+        bool const on_wall = kinds[point] == PointKind::on_wall;
         if (on_wall) beside_curve[u] = 1;
         ++(on_wall ? couplings : held);
         neighbour[--known_begin] = other;
         neighbour[--known_begin] = u;
     };
-    for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index p, Index j, Index q) {
+    for_each_two_lines<n_components>(mesh, edges, unknown, [&](Index i, Index p, Index j, Index q) {
         if (i != none && j != none) {
             ++starts[i];
             ++starts[j];
@@ -75,7 +85,7 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
         }
     });
     counts_to_starts(starts);
-    for_each_two_lines<n_components>(mesh, edges, representative, unknown, [&](Index i, Index, Index j, Index) {
+    for_each_two_lines<n_components>(mesh, edges, unknown, [&](Index i, Index, Index j, Index) {
         if (i == none || j == none) return;
         neighbour[starts[i]++] = j;
         neighbour[starts[j]++] = i;

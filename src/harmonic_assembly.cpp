@@ -14,7 +14,8 @@ Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
         wall.build(points);
         weigh_cells(wall, mesh, points, method.quarters, conductivity, engine.executor);
     }
-    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix);
+    Index const inverted =
+        assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix, engine.executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
 }

@@ -1,6 +1,7 @@
 #include "harmorph/matrix.hpp"
 
 #include "harmorph/sort.hpp"
+#include "matrix_cells.hpp"
 
 namespace harmorph {
 namespace {
@@ -24,17 +25,6 @@ Offset drop_repeats(Span<Index> row) noexcept {
     return static_cast<Offset>(kept);
 }
 
-// Rows are short: a handful of entries, but for hubs of fans.
-template <class I>
-I find_in_row(Span<const Index> columns, I begin, I end, Index column) noexcept {
-    while (end - begin > 16) {
-        I const middle = begin + (end - begin) / 2;
-        (columns[middle] <= column ? begin : end) = middle;
-    }
-    while (columns[begin] != column) ++begin;
-    return begin;
-}
-
 }  // namespace
 
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -45,7 +35,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(excess, n);
     arena.take(excess_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
-    arena.take(column, sizes.entries + 1);  // build() writes a column before it knows whether the row keeps it
+    arena.take(column, sizes.entries + short_row);  // a row is written and searched beyond its end
     arena.take(value, sizes.entries);
     arena.take(imaginary, is_complex() ? sizes.entries : 0);
     arena.take(coupling_start, Offset{components()} * wall_points + 1);
@@ -139,91 +129,99 @@ void Matrix::clear() const noexcept {
 }
 
 // i, j: their places.
-Matrix::Entry Matrix::entry(Index i, Index j) const noexcept {
+Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
     bool const turned = i < 0 || (j >= 0 && j < i);
     if (turned) {
         Index const first = i;
         i = j;
         j = first;
     }
-    if (i < 0) return {};
+    if (!rows.holds(i)) return {};
     if (j == none) {
-        Index const at = find_in_row<Index>(held_row, 0, held_row.count(), i);
+        Index const at = find_in_order<Index>(held_row, 0, held_row.count(), i);
         return {held_value.data() + at, held_imaginary.data() + at, turned};
     }
     if (j >= 0) {
-        Offset const at = find_in_row<Offset>(column, start[i], start[i + 1], j);
+        Offset const at = find_in_row(column, start[i], start[i + 1], j);
         return {value.data() + at, imaginary.data() + at, turned};
     }
-    Index const at = find_in_row<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
+    Index const at = find_in_order<Index>(coupling_row, coupling_start[wall(j)], coupling_start[wall(j) + 1], i);
     return {coupling_value.data() + at, coupling_imaginary.data() + at, turned};
 }
 
-void Matrix::add_to_diagonal(Index i, Real conductance) const noexcept {
-    if (i >= 0) diagonal[i] += conductance;
-}
-
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
+    RowRange const all{0, n};
     Index const i = place[point], j = place[other];
     if (i == j) return;
-    add_to_diagonal(i, conductance);
-    add_to_diagonal(j, conductance);
-    if (i < 0 && j >= 0) excess[j] += conductance;
-    if (j < 0 && i >= 0) excess[i] += conductance;
-    Entry const its = entry(i, j);
-    if (its.value != nullptr) *its.value -= conductance;
+    if (i >= 0) diagonal[i] += conductance;
+    if (j >= 0) diagonal[j] += conductance;
+    add_off_diagonal<false>(all, i, j, conductance, 0);
 }
 
-void Matrix::add(Index point, Index other, Real conductance, Real circulation) const noexcept {
-    if (place[components() * point] == place[components() * other]) return;
-    if (is_complex()) return add_complex(point, other, conductance, circulation);
-    add_lines(point, other, conductance, circulation);
-}
-
-void Matrix::add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept {
-    Index const i = place[point], j = place[other];
-    add_to_diagonal(i, conductance);
-    add_to_diagonal(j, conductance);
-    if (i >= 0 && j < 0) {
+template <bool with_circulation>
+void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept {
+    if (i == j) return;
+    if (j < 0 && rows.holds(i)) {
         excess[i] += conductance;
-        excess_imaginary[i] -= circulation;
+        if (with_circulation) excess_imaginary[i] -= circulation;
     }
-    if (j >= 0 && i < 0) {
+    if (i < 0 && rows.holds(j)) {
         excess[j] += conductance;
-        excess_imaginary[j] += circulation;
+        if (with_circulation) excess_imaginary[j] += circulation;
     }
-    Entry const its = entry(i, j);
+    Entry const its = entry(rows, i, j);
     if (its.value == nullptr) return;
     *its.value -= conductance;
-    *its.imaginary += its.turned ? -circulation : circulation;
+    if (with_circulation) *its.imaginary += its.turned ? -circulation : circulation;
+}
+
+template void Matrix::add_off_diagonal<false>(RowRange, Index, Index, Real, Real) const noexcept;
+template void Matrix::add_off_diagonal<true>(RowRange, Index, Index, Real, Real) const noexcept;
+
+bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
+    bool any_row = false;
+    for (Index k = 0; k < cell.n; ++k) {
+        for (Index c = 0; c < components(); ++c) {
+            Index const its = place[components() * cell.point[k] + c];
+            if (rows.holds(its)) return true;
+            any_row = any_row || its >= 0;
+        }
+    }
+    return !any_row && rows.begin == 0;
 }
 
 // The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
-void Matrix::add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept {
+void Matrix::add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {
+    if (place[2 * point] == place[2 * other]) return;
     Vec2 const its = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
     Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
+    auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
+        if (rows.holds(row)) numbers[row] += number;
+    };
     for (Index p = 0; p < 2; ++p) {
         Index const i = place[2 * point + p], own_j = place[2 * other + p];
-        add_to_diagonal(i, conductance);
-        add_to_diagonal(own_j, conductance);
-        if (i >= 0) excess[i] += conductance;
-        if (own_j >= 0) excess[own_j] += conductance;
+        Index const own[] = {i, own_j};
+        for (Index const row : own) {
+            add_to(diagonal, row, conductance);
+            add_to(excess, row, conductance);
+        }
         for (Index q = 0; q < 2; ++q) {
             Index const j = place[2 * other + q];
             if (i == none || j == none) continue;
-            Entry const at = entry(i, j);
+            Entry const at = entry(rows, i, j);
             if (at.value != nullptr) *at.value += block[p][q];
             if (i < 0 || j < 0) continue;
-            excess[i] += block[p][q];
-            excess[j] += block[p][q];
+            add_to(excess, i, block[p][q]);
+            add_to(excess, j, block[p][q]);
         }
     }
-    if (is_held_by(point, other)) hold(point, conductance, circulation);
-    if (is_held_by(other, point)) hold(other, conductance, -circulation);
+    if (is_held_by(point, other)) hold(rows, point, conductance, circulation);
+    if (is_held_by(other, point)) hold(rows, other, conductance, -circulation);
 }
 
-void Matrix::hold(Index point, Real conductance, Real circulation) const noexcept {
-    Entry const at = entry(place[2 * point], none);
+void Matrix::hold(RowRange rows, Index point, Real conductance, Real circulation) const noexcept {
+    Entry const at = entry(rows, place[2 * point], none);
+    if (at.value == nullptr) return;
     *at.value -= conductance;
     *at.imaginary += circulation;
 }
@@ -234,7 +232,7 @@ void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noex
         Index const i = place[low], j = place[high];
         if (i < 0 || j < 0 || i == j) return;
         Index const row = smaller(i, j);
-        faces[find_in_row<Offset>(column, start[row], start[row + 1], larger(i, j))] = 1;
+        faces[find_in_row(column, start[row], start[row + 1], larger(i, j))] = 1;
     });
 }
 

@@ -41,18 +41,6 @@ bool is_inverted(Cell const& cell, Points points, bool reversed) noexcept {
     return !(CellCorners(CellShape(cell, points, reversed)).smallest() > 0);
 }
 
-// One sense everywhere, and no cell inverted: the case of nearly all files.
-bool is_uniform(Mesh const& mesh, Edges const& edges, bool& clockwise) noexcept {
-    clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
-    bool const sense = clockwise;
-    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, sense); }) != none) return false;
-    for (Index edge = 0; edge < edges.count(); ++edge) {
-        Index const other = edges.second[edge];
-        if (other >= 0 && runs_backwards(other) == runs_backwards(edges.first[edge].code)) return false;
-    }
-    return true;
-}
-
 }  // namespace
 
 void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -60,12 +48,19 @@ void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(balance, mesh.n_cells);
 }
 
-Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
+Sense common_sense(Mesh const& mesh) noexcept {
+    bool const clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
+    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, clockwise); }) != none) {
+        return Sense::mixed;
+    }
+    return clockwise ? Sense::clockwise : Sense::counter_clockwise;
+}
+
+Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork const& work, Span<std::uint8_t> reversed,
               Index& inverted, Fault& fault) noexcept {
-    bool clockwise = false;
     inverted = none;
-    if (is_uniform(mesh, edges, clockwise)) {
-        fill(reversed, static_cast<std::uint8_t>(clockwise ? 1 : 0));
+    if (edges.agree && sense != Sense::mixed) {  // the case of nearly all files
+        fill(reversed, static_cast<std::uint8_t>(sense == Sense::clockwise ? 1 : 0));
         return Status::ok;
     }
     Agreement const agreement(work.parent);

@@ -57,15 +57,12 @@ Candidate minimum_between(Curve const& curve, Index span, Vec2 q, Real low, Real
 
 // The squared distance is a polynomial of degree 2p in a span (p: the curve's degree) and has at most p minima there;
 // 4p samples separate them. Every sampled minimum that may lie below the best is refined.
-void search_span(Curve const& curve, Index span, Vec2 q, Real low, Real high, Candidate& best) noexcept {
-    Index const n = 4 * curve.degree;
-    auto const parameter = [&](Index j) { return j == n ? high : low + (high - low) * static_cast<Real>(j) / n; };
-    Vec2 point[4 * max_degree + 1];
-    Real found[4 * max_degree + 1];
-    for (Index j = 0; j <= n; ++j) {
-        curve_point_in(curve, span, parameter(j), 0, &point[j]);
-        found[j] = square(point[j] - q);
-    }
+void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candidate& best) noexcept {
+    Index const n = 4 * curve.degree, span = samples.span;
+    auto const parameter = [&](Index j) { return samples.parameter(j, n); };
+    const Vec2* const point = samples.point;
+    Real found[SpanSamples::most];
+    for (Index j = 0; j <= n; ++j) found[j] = square(point[j] - q);
     for (Index j = 0; j <= n; ++j) {
         Index const before = j > 0 ? j - 1 : 0;
         Index const after = j < n ? j + 1 : n;
@@ -79,36 +76,46 @@ void search_span(Curve const& curve, Index span, Vec2 q, Real low, Real high, Ca
     }
 }
 
-// A point that coincides with the curve's end within rounding is the end.
-Real snapped_to_end(Curve const& curve, Vec2 q, Real low, Real high, Candidate const& best) noexcept {
-    Real const limit = square_root(best.square_distance) + 8 * rounding_of(q);
-    if (low <= curve.begin() && length(curve_point(curve, curve.begin()) - q) <= limit) return curve.begin();
-    if (high >= curve.end() && length(curve_point(curve, curve.end()) - q) <= limit) return curve.end();
-    return best.u;
-}
-
 }  // namespace
 
-Projection project_near(Curve const& curve, Vec2 point, Real low, Real high, Real hint) noexcept {
-    low = clamp(low, curve.begin(), curve.end());
-    high = clamp(high, low, curve.end());
+void SpanSamples::take(Curve const& curve, Index its_span, Real its_low, Real its_high) noexcept {
+    if (span == its_span && low == its_low && high == its_high) return;
+    span = its_span;
+    low = its_low;
+    high = its_high;
+    Index const n = 4 * curve.degree;
+    for (Index j = 0; j <= n; ++j) curve_point_in(curve, span, parameter(j, n), 0, &point[j]);
+}
+
+Projector::Projector(Curve const& curve) noexcept
+    : curve_(curve), begin_(curve_point(curve, curve.begin())), end_(curve_point(curve, curve.end())) {}
+
+Projection Projector::nearest(Vec2 point, Real low, Real high, Real hint) noexcept {
+    low = clamp(low, curve_.begin(), curve_.end());
+    high = clamp(high, low, curve_.end());
     // The hint is an upper bound, a little raised so that the minimum next to it wins.
     hint = clamp(hint, low, high);
-    Real const bound = length(curve_point(curve, hint) - point) + 8 * rounding_of(point);
+    Real const bound = length(curve_point(curve_, hint) - point) + 8 * rounding_of(point);
     Candidate best{hint, bound * bound};
-    Index const last = knot_span(curve, high);
-    for (Index span = knot_span(curve, low); span <= last; ++span) {
-        Real const a = larger(low, curve.knots[span]);
-        Real const b = smaller(high, curve.knots[span + 1]);
-        if (a < b && box_square_distance(curve, span, point) < best.square_distance)
-            search_span(curve, span, point, a, b, best);
+    Index const last = knot_span(curve_, high);
+    for (Index span = knot_span(curve_, low); span <= last; ++span) {
+        Real const a = larger(low, curve_.knots[span]);
+        Real const b = smaller(high, curve_.knots[span + 1]);
+        if (a < b && box_square_distance(curve_, span, point) < best.square_distance) {
+            SpanSamples& samples = recent_[span % n_recent];
+            samples.take(curve_, span, a, b);
+            search_span(curve_, samples, point, best);
+        }
     }
-    Real const u = snapped_to_end(curve, point, low, high, best);
-    return {u, length(curve_point(curve, u) - point)};
+    // A point that coincides with the curve's end within rounding is the end.
+    Real const limit = square_root(best.square_distance) + 8 * rounding_of(point);
+    if (low <= curve_.begin() && length(begin_ - point) <= limit) best.u = curve_.begin();
+    else if (high >= curve_.end() && length(end_ - point) <= limit) best.u = curve_.end();
+    return {best.u, length(curve_point(curve_, best.u) - point)};
 }
 
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept {
-    return project_near(curve, point, low, high, low);
+    return Projector(curve).nearest(point, low, high, low);
 }
 
 bool is_closed(Curve const& curve) noexcept {

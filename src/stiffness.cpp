@@ -1,56 +1,72 @@
 #include "harmorph/stiffness.hpp"
 
 #include "harmorph/cell_shape.hpp"
+#include "matrix_cells.hpp"
 
 namespace harmorph {
 namespace {
 
-// add(a, b, conductance, along_side): corners a and b of the cell; along_side where b follows a counter-clockwise.
-template <class Add>
-void add_triangle(CellShape const& shape, CellCorners const& corners, Real k, Add add) noexcept {
+// The side opposite to each corner: half the cotangent there.
+inline CellConductances triangle_conductances(CellShape const& shape, CellCorners const& corners, Real k) noexcept {
     Real const half = 0.5 * k / corners.twice_area[0];
-    for (Index apex = 0; apex < 3; ++apex) {  // the side opposite to it: half the cotangent there
+    CellConductances its;
+    for (Index apex = 0; apex < 3; ++apex) {
         Index const a = (apex + 1) % 3, b = (apex + 2) % 3;
-        add(a, b, half * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]), true);
+        its.side[a] = half * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
     }
+    return its;
 }
 
 // The two splits have four triangles: the one round corner k is made of k and its neighbours, and is the corner's area.
-template <class Add>
-void add_quad(CellShape const& shape, CellCorners const& corners, Real conductivity, Add add) noexcept {
+inline CellConductances quad_conductances(CellShape const& shape, CellCorners const& corners, Real conductivity) noexcept {
     Real quarter[4];
     for (Index k = 0; k < 4; ++k) quarter[k] = 0.25 * conductivity / corners.twice_area[k];
     // A quarter of the cotangent that `apex` sees a and b under, in the triangle round corner `round`.
     auto const quarter_cotangent = [&](Index apex, Index a, Index b, Index round) {
         return quarter[round] * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
     };
+    CellConductances its;
     for (Index a = 0; a < 4; ++a) {  // a side sees its two opposite corners, one in each split
         Index const b = (a + 1) & 3, c = (a + 2) & 3, d = (a + 3) & 3;
-        add(a, b, quarter_cotangent(c, a, b, b) + quarter_cotangent(d, a, b, a), true);
+        its.side[a] = quarter_cotangent(c, a, b, b) + quarter_cotangent(d, a, b, a);
     }
     for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only, and sees the other two corners
         Index const b = a + 1, c = a + 2, d = (a + 3) & 3;
-        add(a, c, quarter_cotangent(b, a, c, b) + quarter_cotangent(d, a, c, d), false);
+        its.across[a] = quarter_cotangent(b, a, c, b) + quarter_cotangent(d, a, c, d);
+    }
+    return its;
+}
+
+template <MatrixKind kind, Index corners>
+void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& its, Real circulation) noexcept {
+    if constexpr (kind == MatrixKind::two_lines) {
+        for (Index k = 0; k < corners; ++k) {
+            matrix.add_lines(rows, cell.point[k], cell.point[(k + 1) % corners], its.side[k], circulation);
+        }
+        for (Index k = 0; corners == 4 && k < 2; ++k) {
+            matrix.add_lines(rows, cell.point[k], cell.point[k + 2], its.across[k], 0);
+        }
+    } else {
+        matrix.add_corners<kind == MatrixKind::complex, corners>(rows, cell, its, circulation);
     }
 }
 
-// add(point, point, conductance, k along a side or 0 across the cell) for all cells.
-template <class Add>
-Index for_each_conductance(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed,
-                           Span<const Real> conductivity, Add add) noexcept {
+// The first cell of no positive area that concerns these rows.
+template <MatrixKind kind>
+Index add_cells(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Real> conductivity, Real half,
+                Matrix const& its_matrix, RowRange rows) noexcept {
+    Matrix const matrix = its_matrix;  // what is written cannot change a copy
     return mesh.find_cell([&](Index i, Cell cell) {
+        if (!matrix.concerns(rows, cell)) return false;
         if (reversed[i] != 0) cell.reverse();
         CellShape const shape(cell, points, false);
         CellCorners const corners(shape);
         if (!(corners.smallest() > 0)) return true;
         Real const k = conductivity.empty() ? 1 : conductivity[i];
-        auto const add_here = [&](Index a, Index b, Real conductance, bool along_side) {
-            add(cell.point[a], cell.point[b], conductance, along_side ? k : 0);
-        };
         if (cell.n == 3) {
-            add_triangle(shape, corners, k, add_here);
+            add_cell<kind, 3>(matrix, rows, cell, triangle_conductances(shape, corners, k), half * k);
         } else {
-            add_quad(shape, corners, k, add_here);
+            add_cell<kind, 4>(matrix, rows, cell, quad_conductances(shape, corners, k), half * k);
         }
         return false;
     });
@@ -59,16 +75,21 @@ Index for_each_conductance(Mesh const& mesh, Points points, Span<const std::uint
 }  // namespace
 
 Index assemble_stiffness(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Real> conductivity,
-                         bool conformal, Matrix const& matrix) noexcept {
+                         bool conformal, Matrix const& matrix, Executor const& executor) noexcept {
     matrix.clear();
-    if (matrix.kind == MatrixKind::real) {
-        return for_each_conductance(mesh, points, reversed, conductivity,
-                                    [&](Index a, Index b, Real conductance, Real) { matrix.add(a, b, conductance); });
-    }
     Real const half = conformal ? 0.5 : 0;
-    return for_each_conductance(mesh, points, reversed, conductivity, [&](Index a, Index b, Real conductance, Real k) {
-        matrix.add(a, b, conductance, half * k);
+    auto const add = matrix.kind == MatrixKind::real      ? add_cells<MatrixKind::real>
+                     : matrix.kind == MatrixKind::complex ? add_cells<MatrixKind::complex>
+                                                          : add_cells<MatrixKind::two_lines>;
+    Index bad_cell[Executor::most_threads];
+    Index const n_ranges = matrix.for_row_ranges(executor, [&](Index range, RowRange rows) {
+        bad_cell[range] = add(mesh, points, reversed, conductivity, half, matrix, rows);
     });
+    Index first = bad_cell[0];
+    for (Index range = 1; range < n_ranges; ++range) {
+        if (first == none || (bad_cell[range] != none && bad_cell[range] < first)) first = bad_cell[range];
+    }
+    return first;
 }
 
 }  // namespace harmorph

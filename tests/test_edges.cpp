@@ -16,7 +16,7 @@ struct Edges {
     harmorph::Status status;
     harmorph::Fault fault;
 
-    explicit Edges(Mesh const& mesh) : representative(mesh.x.size()) {
+    explicit Edges(Mesh const& mesh, bool listed = true) : representative(listed ? mesh.x.size() : 0) {
         for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = static_cast<Index>(k);
         harmorph::Mesh const view = core_mesh(mesh);
         harmorph::Arena counting;
@@ -64,9 +64,36 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
             CHECK(found.edges.find(high, low) == edge);
         });
         CHECK(wrong == 0);
+        Index n_boundary = 0;
+        bool agree = true;
+        for (auto const& edge : expected) {
+            n_boundary += edge.second.size() == 1 ? 1 : 0;
+            agree = agree && (edge.second.size() == 1 || edge.second.begin()->second != edge.second.rbegin()->second);
+        }
+        CHECK(found.edges.n_boundary == n_boundary);
+        CHECK(found.edges.agree == agree);
         for (Index a = 0; a < 40; ++a)
             for (Index b = 0; b < 40; ++b)
                 CHECK((found.edges.find(a, b) == harmorph::none) == (expected.count({std::min(a, b), std::max(a, b)}) == 0));
+    }
+}
+
+TEST_CASE("cells that all run one way agree; one that is turned does not") {
+    Mesh mesh = square(5);
+    CHECK(Edges(mesh).edges.agree);
+    reverse_some(mesh, 3);
+    CHECK(!Edges(mesh).edges.agree);
+}
+
+TEST_CASE("points that stand for themselves need no list") {
+    Mesh mesh = two_bodies(6, 4, Ellipse{}, Ellipse{0.2, 0.05, 0.3}, Cells::hybrid);
+    renumber_points(mesh, 2);
+    Edges const listed(mesh), alone(mesh, false);
+    REQUIRE(alone.edges.count() == listed.edges.count());
+    for (Index edge = 0; edge < alone.edges.count(); ++edge) {
+        CHECK(alone.edges.first[edge].end == listed.edges.first[edge].end);
+        CHECK(alone.edges.first[edge].code == listed.edges.first[edge].code);
+        CHECK(alone.edges.second[edge] == listed.edges.second[edge]);
     }
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("the nearest point is found wherever the point is, and at corners too"
             CHECK(found.distance <= expected);
             CHECK(found.distance > expected - 1e-3);
             CHECK(length(curve_point(curve, found.u) - point) == found.distance);
-            Projection const again = project_near(curve, point, curve.begin(), curve.end(), found.u);
+            Projection const again = harmorph::Projector(curve).nearest(point, curve.begin(), curve.end(), found.u);
             CHECK(again.distance == doctest::Approx(found.distance).epsilon(1e-14));
         }
     }

@@ -13,7 +13,7 @@ DenseMatrix assembled(Case& its, std::vector<double> const& k) {
     Analysed const seen(its);
     AssembledMatrix matrix(*seen.operator->());
     REQUIRE(assemble_stiffness(seen->problem.mesh, seen->problem.mesh.points, seen->reversed, span(k), false,
-                               matrix.matrix) == harmorph::none);
+                               matrix.matrix, {}) == harmorph::none);
     return matrix.unknowns();
 }
 

@@ -13,7 +13,7 @@ struct Boundary {
     Span<Index> marker;       // [count]
     Span<Index> loop_start;   // [n_loops + 1]
 
-    Span<Index> given_begin, given_end, given_marker;  // [max_faces] as marked: not yet directed, not yet in order
+    Span<Index> given_begin, given_end, given_marker;  // [max_faces] as marked; order() directs them
     Span<Index> head;         // [n_points] working space of order()
     Span<Index> next;         // [max_faces]
 

@@ -19,10 +19,12 @@ struct Edges {
     Span<Index> start;   // [n_points + 1]
     Span<Side> first;    // [count]
     Span<Index> second;  // [count] code of the other cell, or < 0
+    Index n_boundary = 0;  // edges with a cell on one side only
+    bool agree = false;  // the two cells of every other edge run along it in opposite directions
 
     // Arrays for as many edges as there could be.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
-    // representative [n_points]: the point that stands for each. Refuses an edge of more than two cells.
+    // representative [n_points]: the point that stands for each; empty: itself. Refuses an edge of more than two cells.
     Status build(Mesh const& mesh, Span<const Index> representative, Fault& fault) noexcept;
 
     Index count() const noexcept { return start[start.size() - 1]; }

@@ -26,7 +26,7 @@ struct Graph {
     Index couplings = 0;     // pairs of an unknown and a line of a point on the wall
     Index held = 0;          // pairs of an unknown and a line whose value is 0
     Span<Index> line;        // [n] of each unknown, increasing
-    Span<Index> unknown;     // [components * n_points] unknown of each line, or none
+    Span<Index> unknown;     // [components * n_points] unknown of each line, or none; of joined points too
     Span<Offset> start;      // [n + 1]
     Span<Index> neighbour;   // both directions; at the array's end couplings and held pairs: unknown, line
     Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on the wall

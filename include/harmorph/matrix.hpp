@@ -14,6 +14,20 @@ namespace harmorph {
 //   two_lines  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
 enum class MatrixKind : std::int32_t { real, complex, two_lines };
 
+// Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner k to k + 2.
+struct CellConductances {
+    Real side[4] = {};
+    Real across[2] = {};
+};
+
+// Rows begin .. end-1, what one of several threads may write to.
+struct RowRange {
+    Index begin, end;
+    bool holds(Index row) const noexcept {
+        return static_cast<std::uint32_t>(row) - static_cast<std::uint32_t>(begin) < static_cast<std::uint32_t>(end - begin);
+    }
+};
+
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
 // entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
 // unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
@@ -48,6 +62,8 @@ struct Matrix {
     Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
 
+    static constexpr Index short_row = 8;  // entries: columns that may be read from any row's first on
+
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
     static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
 
@@ -64,9 +80,27 @@ struct Matrix {
     // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
     // One unknown at both, as across a periodic pair one cell apart, has no difference that could flow. Real matrices only.
     void add(Index point, Index other, Real conductance) const noexcept;
-    // And a circulation from one to the other: + i circulation in the first one's row, - i in the other's. Not for real
-    // matrices.
-    void add(Index point, Index other, Real conductance, Real circulation) const noexcept;
+    // Those of a cell's corners, and a circulation along each of its sides: + i circulation in the row of the corner it
+    // leaves, - i in that of the next; none in a real matrix. Nothing but the rows in range is written to: threads with other
+    // ranges may go through the same cells, and every row is added to in the order of the cells.
+    template <bool with_circulation, Index corners>
+    void add_corners(RowRange rows, Cell const& cell, CellConductances its, Real circulation) const noexcept;
+    // The same between two points, where each has two lines.
+    void add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
+    // All of a conductance but the diagonals, between two places, and of a circulation from the first to the second.
+    template <bool with_circulation>
+    void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
+    // Has the cell an unknown in range? One that has none at all concerns the first range.
+    bool concerns(RowRange rows, Cell const& cell) const noexcept;
+    // body(range, rows) for ranges that together are all rows, one for each thread. Returns how many there are.
+    template <class Body>
+    Index for_row_ranges(Executor const& executor, Body const& body) const noexcept {
+        constexpr Index least = 4096;  // rows that are worth a pass through all cells
+        Index const n_ranges = executor.is_serial() ? 1 : clamp(n / least, Index{1}, executor.n_threads);
+        auto const bound = [&](Index i) { return static_cast<Index>(Offset{n} * i / n_ranges); };
+        executor.for_each(n_ranges, [&](Index range) { body(range, RowRange{bound(range), bound(range + 1)}); });
+        return n_ranges;
+    }
 
     // Two points that slip, each on a line of its own: neither moves across its line, so each holds the other.
     bool turns(Index point, Index other) const noexcept {
@@ -86,15 +120,12 @@ private:
         Real* imaginary = nullptr;
         bool turned = false;  // it stands for the second's row
     };
-    Entry entry(Index i, Index j) const noexcept;
-    void add_to_diagonal(Index i, Real conductance) const noexcept;
-    void add_complex(Index point, Index other, Real conductance, Real circulation) const noexcept;
-    void add_lines(Index point, Index other, Real conductance, Real circulation) const noexcept;
+    Entry entry(RowRange rows, Index i, Index j) const noexcept;
     bool slips(Index point) const noexcept { return place[2 * point] >= 0 && place[2 * point + 1] == none; }
     // Is the point an unknown, and beside it the other one held?
     bool is_held_by(Index point, Index other) const noexcept;
     bool holds(Index line, Index other_line) const noexcept;
-    void hold(Index point, Real conductance, Real circulation) const noexcept;
+    void hold(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
 };
 
 }  // namespace harmorph

@@ -12,10 +12,14 @@ struct OrientationWork {
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
-// reversed [n_cells]: 1 where the cell's points must be read backwards to run counter-clockwise. In each connected part
-// the sense with the larger total area is the right one, so that few inverted cells do not turn the others. inverted: the
-// first cell that has a corner of no positive area then, or none.
-Status orient(Mesh const& mesh, Edges const& edges, OrientationWork const& work, Span<std::uint8_t> reversed,
-              Index& inverted, Fault& fault) noexcept;
+// Of all cells, none of them inverted, or mixed.
+enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
+Sense common_sense(Mesh const& mesh) noexcept;
+
+// sense: the cells' common one. reversed [n_cells]: 1 where the cell's points must be read backwards to run
+// counter-clockwise. In each connected part the sense with the larger total area is the right one, so that few inverted
+// cells do not turn the others. inverted: the first cell that has a corner of no positive area then, or none.
+Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork const& work,
+              Span<std::uint8_t> reversed, Index& inverted, Fault& fault) noexcept;
 
 }  // namespace harmorph

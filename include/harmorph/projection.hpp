@@ -19,8 +19,32 @@ inline Projection project(Curve const& curve, Vec2 point) noexcept {
     return project(curve, point, curve.begin(), curve.end());
 }
 
-// The same, faster when `hint` is a parameter near the answer's.
-Projection project_near(Curve const& curve, Vec2 point, Real low, Real high, Real hint) noexcept;
+// Points of a part of one span, at equal distances of the parameter.
+struct SpanSamples {
+    static constexpr Index most = 4 * max_degree + 1;
+
+    Index span = none;
+    Real low, high;
+    Vec2 point[most];
+
+    SpanSamples() noexcept : low(0), high(0) {}
+    Real parameter(Index j, Index n) const noexcept { return j == n ? high : low + (high - low) * static_cast<Real>(j) / n; }
+    void take(Curve const& curve, Index its_span, Real its_low, Real its_high) noexcept;
+};
+
+// The same for many points of one curve: it remembers the samples of the spans it has searched.
+class Projector {
+public:
+    explicit Projector(Curve const& curve) noexcept;
+    // Faster when `hint` is a parameter near the answer's.
+    Projection nearest(Vec2 point, Real low, Real high, Real hint) noexcept;
+
+private:
+    static constexpr Index n_recent = 8;
+    Curve const& curve_;
+    Vec2 begin_, end_;
+    SpanSamples recent_[n_recent];
+};
 
 // Is C(begin) = C(end), and is the curve smooth there (periodic) or has it a corner (tied)?
 bool is_closed(Curve const& curve) noexcept;

@@ -1,0 +1,80 @@
+// What a cell adds to the matrix, laid open to the compiler: it is the inner loop of the assembly.
+#pragma once
+
+#include "harmorph/matrix.hpp"
+
+namespace harmorph {
+
+// The place of a column in a row that has it.
+template <class I>
+I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcept {
+    while (end - begin > 16) {
+        I const middle = begin + (end - begin) / 2;
+        (columns[middle] <= column ? begin : end) = middle;
+    }
+    while (columns[begin] != column) ++begin;
+    return begin;
+}
+
+typedef Index FourIndices __attribute__((vector_size(16), aligned(4), may_alias));
+typedef std::int64_t TwoPairs __attribute__((vector_size(16)));
+
+// Nearly all rows are short: the columns before are counted, without a branch that could be mispredicted. Reads `short_row`
+// columns from the row's first on.
+inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> columns, Offset begin, Offset end,
+                                                         Index column) noexcept {
+    static_assert(Matrix::short_row == 8, "two vectors");
+    if (end - begin > Matrix::short_row) return find_in_order(columns, begin, end, column);
+    const FourIndices* const row = reinterpret_cast<const FourIndices*>(columns.data() + begin);
+    Index const length = static_cast<Index>(end - begin);
+    FourIndices const lane = {0, 1, 2, 3};
+    FourIndices const before = ((row[0] < column) & (lane < length)) + ((row[1] < column) & (lane + 4 < length));
+    TwoPairs const pairs = reinterpret_cast<TwoPairs>(-before);
+    std::int64_t const sums = pairs[0] + pairs[1];
+    return begin + ((sums + (sums >> 32)) & 15);
+}
+
+// What is added to a row does not depend on which other rows are in range.
+template <bool with_circulation, Index corners>
+inline __attribute__((always_inline)) void Matrix::add_corners(RowRange rows, Cell const& cell, CellConductances its,
+                                                               Real circulation) const noexcept {
+    Index at[corners];
+    bool is_inside = true;  // all its corners are unknowns in range, and no two the same
+    for (Index k = 0; k < corners; ++k) at[k] = place[cell.point[k]];
+    constexpr Index n_across = corners == 4 ? 2 : 0;
+    for (Index k = 0; k < corners; ++k) is_inside = is_inside && rows.holds(at[k]) && at[k] != at[(k + 1) % corners];
+    for (Index k = 0; k < n_across; ++k) is_inside = is_inside && at[k] != at[k + 2];
+    if (!is_inside) {
+        for (Index k = 0; k < corners; ++k) its.side[k] = at[k] == at[(k + 1) % corners] ? 0 : its.side[k];
+        for (Index k = 0; k < n_across; ++k) its.across[k] = at[k] == at[k + 2] ? 0 : its.across[k];
+    }
+    Real sum[corners];
+    for (Index k = 0; k < corners; ++k) {
+        Real const sides = its.side[(k + corners - 1) % corners] + its.side[k];
+        sum[k] = corners == 4 ? sides + its.across[k & 1] : sides;
+    }
+    if (!is_inside) {
+        for (Index k = 0; k < corners; ++k) {
+            if (rows.holds(at[k])) diagonal[at[k]] += sum[k];
+        }
+        for (Index k = 0; k < corners; ++k) {
+            add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], its.side[k], circulation);
+        }
+        for (Index k = 0; k < n_across; ++k) add_off_diagonal<with_circulation>(rows, at[k], at[k + 2], its.across[k], 0);
+        return;
+    }
+    for (Index k = 0; k < corners; ++k) diagonal[at[k]] += sum[k];
+    auto const entry = [&](Index a, Index b) {
+        Index const row = smaller(a, b);
+        return find_in_row(column, start[row], start[row + 1], larger(a, b));
+    };
+    for (Index k = 0; k < corners; ++k) {
+        Index const a = at[k], b = at[(k + 1) % corners];
+        Offset const its_entry = entry(a, b);
+        value[its_entry] -= its.side[k];
+        if (with_circulation) imaginary[its_entry] += b < a ? -circulation : circulation;
+    }
+    for (Index k = 0; k < n_across; ++k) value[entry(at[k], at[k + 2])] -= its.across[k];
+}
+
+}  // namespace harmorph
