@@ -6,7 +6,6 @@ namespace harmorph {
 namespace {
 
 constexpr Index few_samples = 27, most_samples = 81;  // powers of 3
-constexpr Real separator_samples = 96;
 constexpr Index ahead = 16;  // samples, to be asked for before they are needed
 
 Four least_of(Four a, Four b) noexcept { return a < b ? a : b; }
@@ -20,8 +19,8 @@ Real cost_to_cut(Real n, Real b) noexcept {
     return s * (30 * n + 6.4 * s * b + 1.55 * b * b);
 }
 
-// Of a large part some unknowns tell enough: separators have about the square root of its size.
-Index stride_of(Index part) noexcept {
+// Of many unknowns some tell enough: separators have about the square root of their number.
+Index stride_of(Index part, Real separator_samples) noexcept {
     return larger(Index{1}, static_cast<Index>(square_root(part) / (2 * separator_samples)));
 }
 
@@ -70,9 +69,8 @@ struct CutSearch::Counts {
     template <bool is_large>
     Parts parts(Index direction, Index part) const noexcept {
         auto const of = [&](const FourCounts* counts) { return counts[direction / 4][direction % 4]; };
-        if (!is_large) return {of(left), part - of(left), of(near)};
         // No smallest cover is larger than a side that it could consist of.
-        Index const cover = smaller(of(near_left), of(near) - of(near_left));
+        Index const cover = is_large ? smaller(of(near_left), of(near) - of(near_left)) : of(near);
         Real const times = static_cast<Real>(part) / n;
         auto const all = [&](Index counted) { return static_cast<Index>(times * counted); };
         return {all(of(left)), all(n - of(left)), all(cover), all(of(left_border)), all(border - of(left_border))};
@@ -90,12 +88,14 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
     set_medians(begin, end - begin, medians);
     Counts counts;
     for (Index half = 0; half < halves; ++half) counts.level[half] = four(medians, half);
-    Index const stride = is_large ? stride_of(end - begin) : 1;
-    for (Index k = begin; k < end; k += stride) {
-        if (is_large && k + ahead * stride < end) __builtin_prefetch(&where_.place[order_[k + ahead * stride]]);
+    Index const stride = stride_of(end - begin, is_large ? 96 : 48);
+    if (stride == 1) {
+        for (Index k = begin; k < end; ++k) counts.add<is_large>(where_.place[order_[k]]);
+    }
+    for (Index k = begin; k < end && stride > 1; k += stride) {
+        if (k + ahead * stride < end) __builtin_prefetch(&where_.place[order_[k + ahead * stride]]);
         counts.add<is_large>(where_.place[order_[k]]);
-        // Rows of meshes may be as long as any number of steps.
-        if (is_large && counts.n % 32 == 0) k += scattered(k, stride);
+        if (counts.n % 32 == 0) k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
     }
     Cut best;
     Real least = infinity;
