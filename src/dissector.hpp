@@ -16,7 +16,7 @@ struct Division {
 // separators that are done with stand between their unknowns.
 class Dissector {
 public:
-    static constexpr Index leaf_size = 20;      // parts up to this size are eliminated densely
+    static constexpr Index leaf_size = 24;      // parts up to this size are eliminated densely
     static constexpr Index smallest_child = 4;  // smaller parts join the separator; with it, nodes <= n / 2
 
     Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
