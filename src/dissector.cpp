@@ -3,54 +3,6 @@
 #include "harmorph/sort.hpp"
 
 namespace harmorph {
-namespace {
-
-constexpr Index few_samples = 27, most_samples = 81;  // powers of 3
-constexpr Index separator_samples = 48;
-
-Four least_of(Four a, Four b) noexcept { return a < b ? a : b; }
-Four most_of(Four a, Four b) noexcept { return a < b ? b : a; }
-Four middle_of(Four a, Four b, Four c) noexcept { return most_of(least_of(a, b), least_of(most_of(a, b), c)); }
-
-}  // namespace
-
-// What a cut makes of a part.
-struct Dissector::Parts {
-    Index left = 0, right = 0, separator = 0;
-
-    static Parts of(Division const& its, Index begin, Index end) noexcept {
-        return {its.middle - begin, its.pivots - its.middle, end - its.pivots};
-    }
-    // A large separator is a large front, and so is what is left to cut in a large part.
-    Real cost() const noexcept {
-        Real const n = static_cast<Real>(left) + right + separator;
-        return separator * (0.5 + larger(left, right) / n);
-    }
-    // Longer than one through a round part of a mesh?
-    bool is_long() const noexcept {
-        return 4 * Offset{separator} * separator > 5 * (Offset{left} + right + separator);
-    }
-};
-
-// Cuts at `level` in all directions at once: left is what lies before it.
-struct Dissector::Cuts {
-    float level[direction_lanes] = {};
-    FourCounts left[halves] = {}, near[halves] = {};  // near: what may have a neighbour across
-
-    void count(Place const& place) noexcept {
-        for (Index half = 0; half < halves; ++half) {
-            Four const distance = four(place.at, half) - four(level, half), reach = four(place.reach, half);
-            left[half] -= distance < 0;  // -1 where true
-            near[half] -= (distance <= reach) & (-distance <= reach);
-        }
-    }
-    static Index in(const FourCounts* counts, Index direction) noexcept { return counts[direction / 4][direction % 4]; }
-};
-
-struct Dissector::Cut {
-    Index direction = none;  // none: halve the list as it stands
-    float level = 0;
-};
 
 Index Dissector::dissect(Index begin, Index end, AssemblyTree& tree) const noexcept {
     if (begin == end) return none;
@@ -62,23 +14,38 @@ Index Dissector::dissect(Index begin, Index end, AssemblyTree& tree) const noexc
 }
 
 Division Dissector::divide(Index begin, Index end) const noexcept {
-    Cut cut = best_cut(begin, end, directions);
+    Index const n = end - begin;
+    Cut cut = search_.best(begin, end, directions);
     Division its = partition(cut, begin, end);
-    Parts const parts = Parts::of(its, begin, end);
-    bool const is_whole = end - begin == graph_.n;  // its steps across are levels already
-    if (!is_whole && parts.is_long() && find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
+    Parts parts{its.middle - begin, its.pivots - its.middle, end - its.pivots};
+    // Levels cost a search through the part, and of the whole, the steps across are levels already.
+    if (parts.is_longer(n == graph_.n ? 1.25 : n < Parts::large ? 1.12 : 1.15)) {
+        parts.left_border = search_.border(begin, its.middle, n);
+        parts.right_border = search_.border(its.middle, its.pivots, n);
+        if (search_.find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
+    }
     if (its.middle - begin < smallest_child) absorb(begin, its);
     if (its.pivots - its.middle < smallest_child) its.pivots = its.middle;
-    // Neither part will see them.
-    for (Index k = its.pivots; k < end; ++k) work_.cover.side[order_[k]] = Side::elsewhere;
+    close_off(its.pivots, end, n >= Parts::large);
     sort_along(cut, its.pivots, end);
     return its;
+}
+
+// Neither part will see the separator. Parts that may be large know what is next to it.
+void Dissector::close_off(Index begin, Index end, bool marks_border) const noexcept {
+    Span<Side> const side = work_.cover.side;
+    for (Index k = begin; k < end; ++k) side[order_[k]] = Side::elsewhere;
+    for (Index k = begin; k < end && marks_border; ++k) {
+        for (Index const v : graph_.of(order_[k])) {
+            if (side[v] == Side::inside) work_.where.place[v].at[border_lane] = 1;
+        }
+    }
 }
 
 void Dissector::find_across() const noexcept {
     Span<Side> const side = work_.cover.side;
     for (Index u = 0; u < graph_.n; ++u) order_[u] = u;
-    Cut const cut = best_cut(0, graph_.n, straight_directions);
+    Cut const cut = search_.best(0, graph_.n, straight_directions);
     Division const its = partition(cut, 0, graph_.n);
     if (cut.direction == none || its.pivots == graph_.n) return;
     Span<const Index> const separator = order_.from(its.pivots, graph_.n - its.pivots);
@@ -100,69 +67,6 @@ void Dissector::absorb(Index begin, Division& division) const noexcept {
     middle = begin;
 }
 
-Dissector::Cut Dissector::best_cut(Index begin, Index end, Index n_directions) const noexcept {
-    // Of a large part every stride-th unknown tells enough: separators have about the square root of its size.
-    Index const part = end - begin;
-    Index stride = 1;
-    while (Offset{4 * separator_samples * stride} * separator_samples * stride <= part) stride *= 2;
-    Index const n = (part + stride - 1) / stride;
-    Cuts cuts;
-    set_levels(begin, part, cuts);
-    for (Index k = begin; k < end; k += stride) cuts.count(work_.where.place[order_[k]]);
-    Cut best;
-    Real least = infinity;
-    for (Index direction = 0; direction < n_directions; ++direction) {
-        Index const its_left = Cuts::in(cuts.left, direction), its_right = n - its_left;
-        if (smaller(its_left, its_right) < n / 4) continue;
-        Real const cost = Parts{its_left, its_right, Cuts::in(cuts.near, direction)}.cost();
-        if (cost >= least) continue;
-        least = cost;
-        best = {direction, cuts.level[direction]};
-    }
-    return best;
-}
-
-// The cut behind the level that costs least, if that is less than `least`. Where cells are much stretched or curved,
-// straight cuts run slantwise through thousands of them; steps from cell to cell do not see that.
-bool Dissector::find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept {
-    Index const n = end - begin;
-    Span<Index> const by_level = work_.where.queue.from(begin, n);
-    work_.where.find_levels(graph_, order_.from(begin, n), by_level);
-    auto const level = [&](Index k) { return work_.where.place[by_level[k]].at[level_direction]; };
-    bool found = false;
-    for (Index first = 0, behind = 0; first < n - n / 4; first = behind) {
-        while (behind < n && level(behind) == level(first)) ++behind;
-        Real const cost = Parts{first, n - behind, behind - first}.cost();
-        if (first < n / 4 || n - behind < n / 4 || cost >= least) continue;
-        least = cost;
-        cut = {level_direction, level(first) + 0.5f};
-        found = true;
-    }
-    return found;
-}
-
-// Levels close to the medians: medians of three medians of three, and so on (P. J. Rousseeuw, G. W. Bassett, J. Am. Stat.
-// Assoc. 85 (1990) 97), of samples.
-void Dissector::set_levels(Index begin, Index n, Cuts& cuts) const noexcept {
-    Index count = n < 1024 ? few_samples : most_samples;
-    Four sample[most_samples][halves];
-    for (Index k = 0; k < count; ++k) {
-        Place const& place = work_.where.place[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
-        for (Index half = 0; half < halves; ++half) sample[k][half] = four(place.at, half);
-    }
-    while (count > 1) {
-        count /= 3;
-        for (Index k = 0; k < count; ++k) {
-            for (Index half = 0; half < halves; ++half) {
-                sample[k][half] = middle_of(sample[k][half], sample[k + count][half], sample[k + 2 * count][half]);
-            }
-        }
-    }
-    for (Index half = 0; half < halves; ++half) set_four(cuts.level, half, sample[0][half]);
-    cuts.level[layer_direction] -= 0.5f;  // between two
-    cuts.level[across_direction] -= 0.5f;
-}
-
 // Sorts the part: what is left of the cut to its beginning, what is right to `moved`, and what is near the cut to `queue`,
 // with its side set. Returns how many are near.
 Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left, Index& n_right) const noexcept {
@@ -179,7 +83,9 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
     }
     Span<const Place> const place = work_.where.place;
     Index n_near = 0;
-    for (Index const u : part) {
+    for (Index k = 0; k < part.count(); ++k) {
+        if (k + 16 < part.count()) __builtin_prefetch(&place[part[k + 16]]);
+        Index const u = part[k];
         float const distance = place[u].at[cut.direction] - cut.level, reach = place[u].reach[cut.direction];
         Index const is_near = (distance <= reach) & (-distance <= reach), is_left = distance < 0;
         part[n_left] = u;

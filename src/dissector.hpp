@@ -1,6 +1,8 @@
 // Cuts parts of a graph in two, again and again.
 #pragma once
 
+#include "cut_search.hpp"
+
 #include "harmorph/dissection.hpp"
 
 namespace harmorph {
@@ -14,11 +16,11 @@ struct Division {
 // separators that are done with stand between their unknowns.
 class Dissector {
 public:
-    static constexpr Index leaf_size = 20;      // parts up to this size are eliminated densely
+    static constexpr Index leaf_size = 24;      // parts up to this size are eliminated densely
     static constexpr Index smallest_child = 4;  // smaller parts join the separator; with it, nodes <= n / 2
 
     Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
-        : graph_(graph), work_(work), order_(order) {}
+        : graph_(graph), work_(work), order_(order), search_(graph, work.where, order) {}
 
     // Makes the steps from a straight cut through everything a direction of their own.
     void find_across() const noexcept;
@@ -27,13 +29,7 @@ public:
     Division divide(Index begin, Index end) const noexcept;
 
 private:
-    struct Cuts;
-    struct Cut;
-    struct Parts;
-
-    Cut best_cut(Index begin, Index end, Index n_directions) const noexcept;
-    bool find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept;
-    void set_levels(Index begin, Index n, Cuts& cuts) const noexcept;
+    void close_off(Index begin, Index end, bool marks_border) const noexcept;
     Division partition(Cut const& cut, Index begin, Index end) const noexcept;
     Index set_sides(Cut const& cut, Index begin, Index end, Index& n_left, Index& n_right) const noexcept;
     void absorb(Index begin, Division& division) const noexcept;
@@ -42,6 +38,7 @@ private:
     Graph const& graph_;
     DissectionWork const& work_;
     Span<Index> order_;
+    CutSearch search_;
 };
 
 }  // namespace harmorph

@@ -16,6 +16,7 @@ void Places::lay_out(Arena& arena, Index max_unknowns) noexcept {
 // Breadth first: unknowns of the queue, from `read` on, hand their numbers, plus 1, to neighbours that have none.
 Index Places::spread(Graph const& graph, Span<Index> its_queue, Index read, Index filled) const noexcept {
     for (; read < filled; ++read) {
+        graph.expect(its_queue, read, filled);
         Index const u = its_queue[read];
         float const next = step[u] + 1;
         for (Index const v : graph.of(u)) {

@@ -10,7 +10,7 @@ dense dense_tiles dense_sums dense_kernel dense_moves dense_baseline dense_avx2 
 box_tree locate
 corners closure knots least_squares projection chain fit
 translations edges median_dual nodal_gradient nodal_balance orientation boundary delaunay distortion region conditions method distance distance_tree distance_kernel distance_baseline distance_avx2 distance_avx512 first_layer wall_heights wall slip periodic
-graph layers border_cover places dissection dissector fronts subtrees
+graph layers border_cover places cut_search dissection dissector fronts subtrees
 symmetric_rows block_rows agglomeration
 matrix matrix_cells stiffness bounded basis basis_check single extract parcel residual residual_kernel residual_baseline residual_avx2 residual_avx512 nodal_equations right_hand_sides path
 multifrontal multifrontal_factor multifrontal_solve biconjugate_gradients iteration block_iteration multigrid multigrid_cycle control_volumes runge_kutta full_approximation approximation_cycle analysis newton_system untangle harmonic harmonic_assembly harmonic_refinement

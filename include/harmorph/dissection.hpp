@@ -40,6 +40,7 @@ struct DissectionWork {
 
 // order [n]: the unknowns in the order of elimination. Source of the method: A. George, SIAM J. Numer. Anal. 10 (1973) 345,
 // with cuts through sampled medians, straight, between two layers or across them, and the smallest cover of the edges cut.
+// Cuts of large parts are chosen by the multiplications that they lead to, with what borders on separators above.
 // Separators are in order along the cut, so that fronts meet in runs of neighbours. Order and tree do not depend on the
 // number of threads.
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,

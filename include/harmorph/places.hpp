@@ -7,9 +7,10 @@
 namespace harmorph {
 
 // x, y, both diagonals, the layer round the curves, and the steps from a first cut across them; then, for parts that these
-// cut badly, a level of their own. Eight numbers, because vectors of numbers are; the last is not used.
+// cut badly, a level of their own.
 inline constexpr Index directions = 6, direction_lanes = 8;
 inline constexpr Index straight_directions = 4, layer_direction = 4, across_direction = 5, level_direction = 6;
+inline constexpr Index border_lane = 7;  // no direction: 1 next to a separator above, otherwise 0
 
 // Numbers of four directions: wider vectors would be taken apart on the plain architecture.
 typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
@@ -67,6 +68,8 @@ void Places::find_across(Graph const& graph, Index start, IsPiece is_piece, IsAh
         for (Index const v : graph.of(queue[read])) reach(v, is_ahead(v) ? 2 : -1);
     }
     for (Index read = 0; read < filled; ++read) {
+        graph.expect(queue, read, filled);
+        if (read + 16 < filled) __builtin_prefetch(&place[queue[read + 16]]);
         Index const u = queue[read];
         float const here = step[u], next = here + (here > 0 ? 1.0f : -1.0f);
         float farthest = 1;

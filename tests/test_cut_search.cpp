@@ -1,0 +1,114 @@
+// Where parts are cut: in the middle, across the shorter way, behind the cheapest level, with borders in mind.
+#include <doctest/doctest.h>
+
+#include <fixtures/graphs.hpp>
+
+#include <map>
+
+#include "../src/cut_search.hpp"
+
+using namespace fixtures;
+using harmorph::Cut;
+using harmorph::Index;
+using harmorph::Parts;
+
+namespace {
+
+struct Searched {
+    explicit Searched(HandMadeGraph& graph) : order(graph.x.size()) {
+        harmorph::Arena counting;
+        places.lay_out(counting, graph.n());
+        block_ = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block_->data(), block_->size());
+        places.lay_out(placing, graph.n());
+        places.find(graph.view(), graph.points(), {});
+        for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Index>(k);
+        search = std::make_unique<harmorph::CutSearch>(graph.view(), places, span(order));
+    }
+    ~Searched() { CHECK(block_->guards_intact()); }
+    Index n() const { return static_cast<Index>(order.size()); }
+    Index left_of(Cut const& cut) const {
+        Index left = 0;
+        for (Index u = 0; u < n(); ++u) left += places.place[u].at[cut.direction] < cut.level;
+        return left;
+    }
+
+    harmorph::Places places;
+    std::vector<Index> order;
+    std::unique_ptr<harmorph::CutSearch> search;
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+}  // namespace
+
+TEST_CASE("grids are cut across the shorter way, near the middle, also where only some unknowns are looked at") {
+    for (int const times : {1, 9}) {   // a small part and a large one
+        int const length = 60 * times, width = 37 * times;
+        for (bool const upright : {false, true}) {
+            HandMadeGraph grid = upright ? grid_graph(width, length) : grid_graph(length, width);
+            Searched its(grid);
+            CHECK((its.n() >= Parts::large) == (times > 1));
+            Cut const cut = its.search->best(0, its.n(), harmorph::straight_directions);
+            CHECK(cut.direction == (upright ? 1 : 0));
+            CHECK(std::abs(its.left_of(cut) - its.n() / 2) < its.n() / 8);
+        }
+    }
+}
+
+TEST_CASE("a square with a border along one side is cut such that both halves share it") {
+    int const side = 300;
+    REQUIRE(side * side >= Parts::large);
+    for (Index const direction : {0, 1}) {
+        HandMadeGraph grid = grid_graph(side, side);
+        Searched its(grid);
+        for (Index u = 0; u < its.n(); ++u) {
+            int const at = direction == 0 ? u / side : u % side;
+            if (at == 0) its.places.place[u].at[harmorph::border_lane] = 1;
+        }
+        CHECK(its.search->border(0, its.n(), its.n()) == side);
+        CHECK(its.search->border(0, its.n(), Parts::large - 1) == 0);
+        CHECK(its.search->best(0, its.n(), harmorph::straight_directions).direction == direction);
+    }
+}
+
+TEST_CASE("cost: grows with the separator, with borders and with what is left to cut; the same from both sides") {
+    for (Index const half : {40, 200000}) {
+        auto const cost = [&](Index shift, Index separator, Index left_border = 0, Index right_border = 0) {
+            return Parts{half + shift, half - shift, separator, left_border, right_border}.cost();
+        };
+        CHECK(cost(0, 8) < cost(0, 9));
+        CHECK(cost(0, 8) < cost(half / 4, 8));
+        CHECK(cost(half / 4, 8, 5, 3) == doctest::Approx(cost(-half / 4, 8, 3, 5)).epsilon(1e-14));
+        if (half < Parts::large) continue;
+        CHECK(cost(0, 800, 100, 100) < cost(0, 800, 200, 200));
+        CHECK(cost(0, 800, 200, 200) < cost(0, 800, 0, 400));
+    }
+}
+
+TEST_CASE("levels: behind the one that costs least in the middle half, if that is less than what is known") {
+    HandMadeGraph grid = grid_graph(41, 9);
+    Searched its(grid);
+    Cut cut;
+    CHECK(!its.search->find_level_cut(0, 0, its.n(), cut));
+    CHECK(cut.direction == harmorph::none);
+    REQUIRE(its.search->find_level_cut(harmorph::infinity, 0, its.n(), cut));
+    CHECK(cut.direction == harmorph::level_direction);
+    std::map<float, Index> size;
+    for (Index u = 0; u < its.n(); ++u) ++size[its.places.place[u].at[harmorph::level_direction]];
+    double least = harmorph::infinity;
+    float best = 0;
+    Index before = 0;
+    for (auto const& [level, count] : size) {
+        Index const behind = its.n() - before - count;
+        double const cost = Parts{before, behind, count}.cost();
+        if (before >= its.n() / 4 && behind >= its.n() / 4 && cost < least) {
+            least = cost;
+            best = level;
+        }
+        before += count;
+    }
+    CHECK(cut.level == best + 0.5f);
+    CHECK(!its.search->find_level_cut(least, 0, its.n(), cut));
+}
