@@ -68,7 +68,7 @@ enum {
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
     HM_BAD_CURVE = -4,        /* degree, knots, indices, weights, control points, or a fit that is not determined */
-    HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, nothing to solve */
+    HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, field of another kind, nothing to solve */
     HM_BAD_BASIS = -6,        /* the block is not a basis, truncated (error.value: missing bytes, at least), damaged,
                                  foreign, or not solved yet */
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
@@ -223,6 +223,7 @@ typedef struct hm_condition {
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
     double   x, y;                 /* rigid: the point the body turns about [length] */
 } hm_condition;
+/* Fields of other kinds than the condition's must be 0: HM_BAD_CONDITION, error.item: which condition, from 0. */
 
 typedef struct hm_problem {
     uint64_t struct_size;
@@ -269,7 +270,9 @@ enum {                             /* scheme: how fluxes are formed; all reprodu
     HM_COMPACT = 0,                /* median dual, cell gradients: second order; the choice unless another is wanted */
     HM_BOUNDED = 2,                /* compact on the constrained Delaunay triangulation of the mesh's points (edges are
                                       flipped, points and boundary stay; the weight is that of an edge's midpoint):
-                                      0 <= F <= 1 where every boundary is fixed or on a curve, not always beside free ones.
+                                      0 <= F <= 1 where every boundary is fixed or on a curve, not always beside free ones or
+                                      periodic pairs: their edges are not flipped either, so that functions depend, within the
+                                      scheme's error, on where a periodic mesh is cut.
                                       Its plan factors on the analysed coordinates alone */
     HM_NODAL_GRADIENT = 1,         /* the paper's: Green-Gauss gradients over the cells round each point; a face's flux is that
                                       of the mean of its two points' gradients, whose component along the edge is replaced
@@ -331,9 +334,12 @@ typedef struct hm_options {
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
     int32_t  kernel;               /* HM_KERNEL_...: which vector instructions; pin one for equal bits on unequal machines */
-    double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10. Engines that iterate
-                                      go on until this share of the largest value is also about what values are still off:
-                                      behind thin cells small residuals hide large errors */
+    double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10. HM_DIRECT does not
+                                      where flows through thin cells make it: where each row's residual is rounding of its own
+                                      flows, and refinement finds values off by no more than this beside the largest. (Not for
+                                      HM_NODAL_GRADIENT.) Engines that iterate go on until the residual is below it, and this
+                                      share of the largest value is also about what values are still off: behind thin cells
+                                      small residuals hide large errors, and behind very thin ones they warn of right values */
     hm_progress progress;          /* NULL: none; always called on the thread of the call */
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread; copied, but what executor.user points to must outlive the plan */
@@ -405,7 +411,7 @@ HM_API hm_status hm_plan_factor(hm_plan *plan, const double *x, const double *y,
 typedef struct hm_solve_report {
     uint64_t struct_size;
     int32_t  unknowns, functions;
-    double   residual;             /* [-] largest over the functions of |b - A F| / |b|, 2-norms */
+    double   residual;             /* [-] largest over the functions of |b - A F| / |b|, 2-norms; see options.tolerance */
     int32_t  residual_function;    /* where */
     int32_t  boundary_error_point; /* where */
     double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, N_i evaluated anew */
@@ -587,7 +593,7 @@ typedef struct hm_quality_report {
     double   min_quality, mean_quality; /* [0..1] size-skew quality sqrt(f_size) f_skew; inverted cells count 0 */
     int32_t  min_quality_cell;
     int32_t  self_crossing;        /* 1: the boundary crosses itself or another body, or faces lie on each other; the two
-                                      sides of a wall without thickness do not */
+                                      sides of a wall without thickness do not, two walls that came together do */
     int32_t  crossing_points[4];   /* begin and end of one face, then of the other; -1: none */
 } hm_quality_report;
 /* Quality of the mesh at x, y [n_points, stride]. f_size = min(t, 1/t), t the cell's area over its area at the reference

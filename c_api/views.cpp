@@ -133,6 +133,26 @@ Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept 
     return Status::ok;
 }
 
+namespace {
+
+// Fields of another kind than the condition's would be left out silently.
+Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
+    const char* wrong = nullptr;
+    if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || c.n_curves != 0)) {
+        wrong = "condition # has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
+    } else if (c.kind != HM_RIGID && c.body != 0) {
+        wrong = "condition # has body, which is of HM_RIGID only, but its kind is @";
+    } else if (c.kind != HM_RIGID && !(c.x == 0 && c.y == 0)) {
+        wrong = "condition # has x or y, which are of HM_RIGID only, but its kind is @";
+    } else if (c.kind != HM_PERIODIC_PAIR && c.partner != 0) {
+        wrong = "condition # has partner, which is of HM_PERIODIC_PAIR only, but its kind is @";
+    }
+    if (wrong == nullptr) return Status::ok;
+    return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
+}
+
+}  // namespace
+
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
@@ -146,6 +166,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
         return fault.refuse(Status::bad_condition, "condition # names rigid body @: bodies count from 0 without gaps",
                             Counts::from_zero, number, c.body);
     }
+    HARMORPH_TRY(check_fields(c, number, fault));
     out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves, c.body, c.partner, {c.x, c.y}};
     return Status::ok;
 }

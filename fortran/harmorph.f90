@@ -294,7 +294,7 @@ module harmorph
     end type
 
     ! hm_condition(3), hm_condition(4, hm_slip), hm_condition(5, hm_rigid, x=0.25d0), hm_condition(6, hm_periodic_pair,
-    ! partner=7)
+    ! partner=7). A component of another kind than the condition's that is not its default is refused.
     type, public :: hm_condition
         integer :: marker = 0
         integer :: kind = hm_on_curve
@@ -2044,6 +2044,9 @@ contains
             list(k)%kind = int(conditions(k)%kind, c_int32_t)
             list(k)%first_curve = int(conditions(k)%first_curve - 1, c_int32_t)
             list(k)%n_curves = int(conditions(k)%n_curves, c_int32_t)
+            ! What a condition of another kind has of itself is not asked for.
+            if (conditions(k)%kind /= hm_on_curve .and. conditions(k)%first_curve == 1 .and. conditions(k)%n_curves == 1) &
+                list(k)%n_curves = 0
             list(k)%body = int(conditions(k)%body - 1, c_int32_t)
             list(k)%partner = int(conditions(k)%partner, c_int32_t)
             list(k)%x = conditions(k)%x

@@ -13,7 +13,8 @@
 !                                                                U(NIDX+IDEG+1)
 !     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed
 !                                                                (as markers without condition), 3 slips along its
-!                                                                straight lines, 4 free (not with OPERATOR 0)
+!                                                                straight lines, 4 free (not with OPERATOR 0); ICURV
+!                                                                and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)            belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                    these two are translates of each other and move alike
 !     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                     before HMSOLV; NAME and values of hm_options:
@@ -544,11 +545,16 @@ subroutine hmcond(w, mark, kind, icurv, ncurv, ierr, msg)
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
+    type(hm_c_condition) :: condition
     call open_state(w, its, ierr, msg)
     if (ierr == hm_ok .and. kind == hm_rigid) call complain("a rigid body is made by HMRIGD", ierr, msg)
     if (ierr == hm_ok .and. kind == hm_periodic_pair) call complain("a periodic pair is made by HMPAIR", ierr, msg)
-    if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=kind, first_curve=icurv - 1, &
-        n_curves=ncurv), ierr, msg)
+    condition = hm_c_condition(marker=mark, kind=kind)
+    if (kind == hm_on_curve .or. .not. (icurv == ncurv .and. (icurv == 0 .or. icurv == 1))) then
+        condition%first_curve = icurv - 1
+        condition%n_curves = ncurv
+    end if
+    if (ierr == hm_ok) call put_condition(its, condition, ierr, msg)
 end subroutine
 
 subroutine hmrigd(w, mark, ibody, xc, yc, ierr, msg)

@@ -52,30 +52,26 @@ public:
             for (Index k = 0; k < W; ++k) at_[0].f[Offset{i} * W + k] = k < width_ ? given[k] : 0;
         }
         Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
-        HARMORPH_TRY(after(0, relative(given, given)));
+        for (Index k = 0; k < W; ++k) {
+            residual_[k] = relative(given[k], given[k]);
+            least_[k] = infinity;
+            goes_on_[k] = k < width_;
+        }
+        HARMORPH_TRY(after(0, largest_residual()));
         if (engine_.iteration.starts_from_zero) {
             clear<W>(at_[0].u, n);
         } else {
             start_from_coarsest();
         }
-        Real least = infinity;
         while (true) {
             take_rest(0);
-            Real const residual = relative(dot<W>(at_[0].rest, at_[0].rest, n), given);
-            if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, residual));
-            Real const left = estimate_left(report.iterations, change());
-            report.settled = left <= engine_.iteration.tolerance;
-            if (residual <= engine_.iteration.tolerance && report.settled) break;
-            if (report.iterations >= engine_.iteration.max_iterations || !(residual <= lost * least)) break;
-            least = smaller(least, residual);
+            bool const any = look(report, dot<W>(at_[0].rest, at_[0].rest, n), given);
+            if (report.iterations > 0) HARMORPH_TRY(after(report.iterations, largest_residual()));
+            if (!any) break;
             cycle(0, true);
             ++report.iterations;
         }
         report.fine_sweeps = fine_steps_;
-        for (Index i = 0; i < n; ++i) {
-            Real* const to = values_[i] + first_;
-            for (Index k = 0; k < width_; ++k) to[k] = at_[0].u[Offset{i} * W + k];
-        }
         return Status::ok;
     }
 
@@ -83,7 +79,7 @@ private:
     // Before and after the coarse correction; they are cheap below the finest level.
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real lost = 1000;           // growth of the residual from its least that will not end
+    static constexpr Real lost_beyond = 1000;    // growth of the residual from its least that will not end
     static constexpr Index remembered = 4;       // cycles over which the rate of convergence is taken
 
     struct Vectors {
@@ -94,37 +90,60 @@ private:
         Real* restricted;  // values from the finer level
     };
 
+    // Each function by itself ends when it has converged, when it is lost or at the last cycle, so that its bits do not
+    // depend on those solved with it: its values are kept as they are then. Does any go on?
+    bool look(IterationReport& report, Lanes<W> const& squares, Lanes<W> const& given) noexcept {
+        Lanes<W> const changes = change();
+        Real const tolerance = engine_.iteration.tolerance;
+        bool any = false;
+        for (Index k = 0; k < width_; ++k) {
+            if (!goes_on_[k]) continue;
+            Real const residual = relative(squares[k], given[k]);
+            bool const settled = estimate_left(report.iterations, changes[k], k) <= tolerance;
+            bool const lost = !(residual <= lost_beyond * least_[k]);
+            least_[k] = smaller(least_[k], residual);
+            residual_[k] = residual;
+            goes_on_[k] = !(residual <= tolerance && settled) && !lost && report.iterations < engine_.iteration.max_iterations;
+            any = any || goes_on_[k];
+            if (goes_on_[k]) continue;
+            report.settled = report.settled && settled;
+            keep(k);
+        }
+        return any;
+    }
+
+    void keep(Index k) const noexcept {
+        for (Index i = 0; i < a_.level[0].n; ++i) values_[i][first_ + k] = at_[0].u[Offset{i} * W + k];
+    }
+
     // What the last cycle's correction and a step from here change values by at most, beside the largest value. Far from thin
     // cells a small residual may hide a large error, as their balances dwarf all others.
-    Real change() const noexcept {
-        Lanes<W> steps;
+    Lanes<W> change() const noexcept {
+        Lanes<W> most;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
-            for (Index k = 0; k < W; ++k) steps[k] = larger(steps[k], engine_.rate[0][i] * absolute(rest[k]));
+            for (Index k = 0; k < W; ++k) most[k] = larger(most[k], engine_.rate[0][i] * absolute(rest[k]));
         }
         Lanes<W> const size = largest<W>(at_[0].u, a_.level[0].n);
-        Real most = 0;
-        for (Index k = 0; k < width_; ++k) {
-            if (size[k] > 0) most = larger(most, (steps[k] + corrected_[k]) / size[k]);
-        }
+        for (Index k = 0; k < W; ++k) most[k] = size[k] > 0 ? (most[k] + corrected_[k]) / size[k] : 0;
         return most;
     }
 
     // Changes shrink by a rate from cycle to cycle: what all that are to come amount to, at least the last one again.
-    Real estimate_left(Index iteration, Real change) noexcept {
-        Real& oldest = changes_[iteration % remembered];
+    Real estimate_left(Index iteration, Real change, Index k) noexcept {
+        Real& oldest = changes_[iteration % remembered][k];
         Real const rate = iteration < remembered ? 1 : square_root(square_root(change / oldest));
         oldest = change;
         if (change == 0) return 0;
         return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;
     }
 
-    Real relative(Lanes<W> const& squares, Lanes<W> const& size) const noexcept {
+    static Real relative(Real squares, Real size) noexcept {
+        return square_root(squares) / (size > 0 ? square_root(size) : 1);
+    }
+    Real largest_residual() const noexcept {
         Real largest = 0;
-        for (Index k = 0; k < width_; ++k) {
-            Real const share = square_root(squares[k]) / (size[k] > 0 ? square_root(size[k]) : 1);
-            if (exceeds(share, largest)) largest = share;
-        }
+        for (Index k = 0; k < width_; ++k) largest = exceeds(residual_[k], largest) ? residual_[k] : largest;
         return largest;
     }
 
@@ -237,7 +256,9 @@ private:
     Rows const& values_;
     Index first_, width_;
     Index fine_steps_ = 0;
-    Real changes_[remembered] = {};
+    bool goes_on_[W] = {};
+    Lanes<W> residual_, least_;         // relative; of what goes on now, of the others at their end
+    Lanes<W> changes_[remembered];
     Lanes<W> corrected_;  // largest change by the last correction on the finest level
     Vectors at_[Agglomeration::most_levels];
 };

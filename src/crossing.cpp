@@ -78,17 +78,26 @@ private:
                orientation_sign(c, d, a) * orientation_sign(c, d, b) < 0;
     }
 
-    // On one line, and of that a piece belongs to both. The two sides of a wall without thickness do not cross: there the
-    // faces have the same ends.
+    // On one line, and of that a piece belongs to both.
     bool lie_on_each_other(Index face, Index other) const noexcept {
         Vec2 const a = at(boundary_point_[face]), b = at(end_of(face));
         Vec2 const c = at(boundary_point_[other]), d = at(end_of(other));
-        if (same(a, b) || same(c, d) || (same(a, d) && same(b, c))) return false;
+        if (same(a, b) || same(c, d)) return false;
+        if (same(a, d) && same(b, c)) return part_by_mesh(face, other) || part_by_mesh(other, face);
         if (orientation_sign(a, b, c) != 0 || orientation_sign(a, b, d) != 0) return false;
         auto const share = [](Real p, Real q, Real r, Real s) {
             return larger(smaller(p, q), smaller(r, s)) < smaller(larger(p, q), larger(r, s));
         };
         return a.x != b.x ? share(a.x, b.x, c.x, d.x) : share(a.y, b.y, c.y, d.y);
+    }
+
+    // Of faces with the same ends, run in opposite directions: is there mesh between what comes after the one and before the
+    // other? Then two walls have come together. It is the solid where the two sides of a wall without thickness part; they
+    // need not, at its tip. Where both go on together, the faces that follow are asked.
+    bool part_by_mesh(Index face, Index other) const noexcept {
+        Index const next = after(face), last = before(other);
+        Vec2 const here = at(end_of(face)), ahead = at(end_of(next)), behind = at(boundary_point_[last]);
+        return next != other && !same(ahead, behind) && is_between(here, ahead, behind, at(boundary_point_[face]));
     }
 
     // Do the faces before and after the point where `face` begins leave the other one, or the corner where that begins, to
@@ -137,11 +146,13 @@ private:
         return face > loop_start_[loop] ? face - 1 : loop_start_[loop + 1] - 1;
     }
 
-    Index end_of(Index face) const noexcept {
+    Index after(Index face) const noexcept {
         Index loop = 0;
         while (loop_start_[loop + 1] <= face) ++loop;
-        return boundary_point_[face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop]];
+        return face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop];
     }
+
+    Index end_of(Index face) const noexcept { return boundary_point_[after(face)]; }
 
     Box box_of(Range range) const noexcept {
         Box box;

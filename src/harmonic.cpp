@@ -12,7 +12,7 @@ Index residual_width(Analysis const& analysis, Matrix const& matrix, Index colum
     Offset const room = stack_bytes / (Offset{larger(matrix.n, 1)} * static_cast<Offset>(sizeof(Real)));
     Offset const least = in_single ? 8 : 6;
     Offset const its = room >= 8 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(smaller(its, Offset{smaller(columns, Residual::widest)}));
+    return static_cast<Index>(smaller(its, Offset{smaller(larger(columns, 2), Residual::widest)}));
 }
 
 }  // namespace

@@ -215,6 +215,46 @@ Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Inde
                                : Balances<1>(matrix, lines, first, n, width, value, kernel).run();
 }
 
+Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept {
+    compute(matrix, lines, column, 1);
+    Index const planes = matrix.is_complex() ? 2 : 1;
+    auto const row_of = [&](Index i) { return value.data() + Offset{i} * planes * width; };
+    auto const entries_of = [&](Index i) -> Real& { return row_of(i)[1]; };  // beside the column's own number
+    auto const size = [&](Span<Real> re, Span<Real> im, Offset e) {
+        return absolute(re[e]) + (planes == 2 ? absolute(im[e]) : 0);
+    };
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+            Real const its = size(matrix.value, matrix.imaginary, e);
+            entries_of(i) += its;
+            entries_of(matrix.column[e]) += its;
+        }
+    }
+    for (Index c = 0; c < matrix.coupling_row.count(); ++c) {
+        entries_of(matrix.coupling_row[c]) += size(matrix.coupling_value, matrix.coupling_imaginary, c);
+    }
+    for (Index h = 0; h < matrix.held_row.count(); ++h) {
+        entries_of(matrix.held_row[h]) += size(matrix.held_value, matrix.held_imaginary, h);
+    }
+    Real largest = 0, worst = 0;
+    Offset const plane = lines.columns(matrix);
+    auto const look = [&](const Real* its) {
+        for (Index p = 0; p < planes; ++p) largest = larger(largest, absolute(its[p * plane + column]));
+    };
+    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) look(lines.wall(wall));
+    for (Index i = 0; i < matrix.n; ++i) look(lines.at(i));
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Index p = 0; p < planes; ++p) {
+            Real const left = absolute(row_of(i)[p * width]);
+            if (left == 0) continue;
+            Real const share = left / (entries_of(i) * largest);
+            if (!(share < infinity)) return infinity;
+            worst = larger(worst, share);
+        }
+    }
+    return worst;
+}
+
 Residual::Changes Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n,
                                    Choice const& chosen) const noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;

@@ -257,7 +257,7 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].first_curve = -1; }},
-        {HM_BAD_CONDITION, "nothing moves", nobody, false, [](Case& c) { c.conditions[0].kind = HM_FREE; }},
+        {HM_BAD_CONDITION, "nothing moves", nobody, false, [](Case& c) { c.conditions.clear(), c.set_free(body); }},
         {HM_BAD_CONDITION, "does not exist", 48, true, [](Case& c) { c.give(48, 0); }},
         {HM_BAD_CONDITION, "on no curve", 8, true, [](Case& c) { c.give(8, 0); }},
         {HM_BAD_CONDITION, "on no curve", 0, true, [](Case& c) { c.give(0, 0); }},   // on a fixed marker
@@ -266,6 +266,34 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "outside its curve", 17, true, [](Case& c) { c.give(17, not_a_number); }},
     };
     for (Spoiled const& bad : all) check_refused(bad);
+}
+
+TEST_CASE("fields that are not of a condition's kind are refused by name, and which condition has them") {
+    struct {
+        const char* name;
+        std::int32_t kind;   // whose they are
+        void (*set)(hm_condition& c);
+    } const fields[] = {
+        {"first_curve", HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
+        {"n_curves", HM_ON_CURVE, [](hm_condition& c) { c.n_curves = 1; }},
+        {"body", HM_RIGID, [](hm_condition& c) { c.body = 1; }},
+        {"x or y", HM_RIGID, [](hm_condition& c) { c.x = 0.5; }},
+        {"x or y", HM_RIGID, [](hm_condition& c) { c.y = -1e-300; }},
+        {"x or y", HM_RIGID, [](hm_condition& c) { c.y = not_a_number; }},
+        {"partner", HM_PERIODIC_PAIR, [](hm_condition& c) { c.partner = -7; }},
+    };
+    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_PERIODIC_PAIR; ++kind)
+        for (auto const& field : fields) {
+            if (field.kind == kind) continue;
+            Case its = tiny_case();
+            its.add_condition(far_field, kind);
+            its.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;
+            field.set(its.conditions[1]);
+            Attempt const attempt(its.problem());
+            INFO("kind " << kind << ", " << std::string(field.name) << ": " << attempt.error.text);
+            CHECK((attempt.status == HM_BAD_CONDITION && attempt.error.item == 1));
+            CHECK(std::string(attempt.error.text).find(field.name) != std::string::npos);
+        }
 }
 
 TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and curves") {

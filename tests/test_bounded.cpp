@@ -323,9 +323,7 @@ TEST_CASE("weighted functions stay between 0 and 1 as well; slip and the conform
         options.operator_kind = HM_CONFORMAL;
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
         options.operator_kind = HM_WEIGHTED;
-        its.conditions.push_back(its.conditions[0]);
-        its.conditions.back().marker = far_field;
-        its.conditions.back().kind = HM_SLIP;
+        its.set_slip(far_field);
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
     }
 }

@@ -168,6 +168,51 @@ TEST_CASE("faces that lie on each other cross, and are named, however they are t
             }
 }
 
+TEST_CASE("faces with the same ends: walls that came together cross, the two sides of a wall do not") {
+    // The mesh is on the left: bodies run clockwise, what is round the mesh runs counter-clockwise.
+    struct {
+        const char* name;
+        std::vector<std::vector<Point>> loops;
+        bool cross;
+    } const all[] = {
+        {"two bodies, by one side", {{{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{4, 0}, {4, 4}, {8, 4}, {8, 0}}}, true},
+        {"by three faces, round a corner",
+         {{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}}, {{4, 0}, {4, 4}, {2, 4}, {0, 4}, {0, 6}, {8, 6}, {8, 0}}}, true},
+        {"one fills the gap of the other",
+         {{{0, 0}, {0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 4}, {6, 4}, {6, 0}}, {{2, 4}, {4, 4}, {4, 2}, {2, 2}}}, true},
+        {"a body on the channel's wall", {{{0, 0}, {2, 0}, {4, 0}, {6, 0}, {6, 6}, {0, 6}}, {{2, 0}, {2, 2}, {4, 2}, {4, 0}}},
+         true},
+        {"a slot that closed from the outside", {{{0, 0}, {0, 6}, {2, 6}, {2, 4}, {1, 2}, {3, 2}, {2, 4}, {2, 6}, {4, 6}, {4, 0}}},
+         true},
+        {"two meshes with a wall between", {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{4, 0}, {8, 0}, {8, 4}, {4, 4}}}, false},
+        {"one mesh inside a closed wall, one outside", {{{0, 0}, {4, 0}, {2, 4}}, {{0, 0}, {2, 4}, {4, 0}}}, false},
+        {"a plate", {{{0, 0}, {1, 0}, {3, 0}, {4, 1}, {3, 0}, {1, 0}}}, false},
+        {"a body with a thin tail", {{{0, 0}, {-1, -2}, {-2, 0}, {-1, 2}, {0, 0}, {3, 0}, {5, 1}, {3, 0}}}, false},
+        {"a fin on the channel's wall", {{{0, 0}, {3, 0}, {3, 2}, {3, 4}, {3, 2}, {3, 0}, {6, 0}, {6, 6}, {0, 6}}}, false},
+        {"a plate from one wall of the channel to the body inside",
+         {{{0, 0}, {6, 0}, {6, 9}, {3, 9}, {3, 7}, {3, 6}, {5, 4}, {1, 4}, {3, 6}, {3, 7}, {3, 9}, {0, 9}}}, false},
+        {"a plate through the channel", {{{0, 0}, {6, 0}, {6, 3}, {2, 3}, {0, 3}}, {{0, 3}, {2, 3}, {6, 3}, {6, 6}, {0, 6}}}, false}};
+    for (auto const& one : all)
+        for (Complex const by : {Complex(1, 0), Complex(0, 1), Complex(3, 4), Complex(-1, 2)})
+            for (std::size_t start = 0; start < one.loops[0].size(); ++start) {
+                Polygons its;
+                for (std::vector<Point> const& loop : one.loops) {
+                    std::vector<Point> turned;
+                    for (Point const p : loop) {
+                        Complex const z = Complex(p.x, p.y) * by;
+                        turned.push_back({z.real(), z.imag()});
+                    }
+                    std::ptrdiff_t const by_start = static_cast<std::ptrdiff_t>(start % loop.size());
+                    std::rotate(turned.begin(), turned.begin() + by_start, turned.end());
+                    its.add(turned);
+                }
+                Crossing const found = its.find();
+                INFO(std::string(one.name));
+                CHECK(found.found == one.cross);
+                if (found.found) CHECK((its.has_face(found.first) && its.has_face(found.second)));
+            }
+}
+
 TEST_CASE("a point beside a line by the last bit is beside it") {
     for (double const off : {0.0, 1.0, -1.0}) {
         Polygons its;   // the line y = x / 3 from 0 to 9, and a face that lies on it, but for one end

@@ -4,6 +4,7 @@
 #include <fixtures/agglomerated.hpp>
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/parts.hpp>
 
 #include <harmorph/multigrid.hpp>
 
@@ -121,25 +122,11 @@ TEST_CASE("a function's bits do not depend on which others are solved with it") 
     its.mesh = c_mesh(naca4({}, 30), 10, 300, stretched(1e-5, 500, 48)).mesh;
     hm_options options = multigrid();
     Solved const all(its, &options);
-    std::int32_t const n = all.info().functions;
     for (std::int32_t const width : {4, 16}) {
         options.block_width = width;
         CHECK(same_bits(Solved(its, &options).all_values(), all.all_values()));
     }
-    for (std::int32_t first = 0; first < n; first += 5) {
-        std::size_t bytes = 0;
-        hm_basis* share = nullptr;
-        std::int32_t const held = std::min(5, n - first);
-        REQUIRE(hm_share_size(all.analysis, first, held, &bytes, nullptr) == HM_OK);
-        Guarded block(bytes);
-        REQUIRE(hm_share_init(&share, block.data(), bytes, all.analysis, first, held, nullptr) == HM_OK);
-        REQUIRE(hm_plan_solve(all.plan, share, nullptr, nullptr) == HM_OK);
-        for (std::int32_t function = first; function < first + held; ++function) {
-            std::vector<double> values(its.mesh.x.size());
-            REQUIRE(hm_basis_values(share, function, 0, values.data(), nullptr) == HM_OK);
-            CHECK(same_bits(values, all.values(function)));
-        }
-    }
+    for (std::int32_t const width : {1, 5}) CHECK(same_bits(values_in_shares(all, width), all.all_values()));
 }
 
 TEST_CASE("the number of iterations hardly grows with the mesh: at most 30 on even cells, 45 on stretched ones") {

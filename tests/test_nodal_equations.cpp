@@ -154,8 +154,8 @@ TEST_CASE("both engines find the same functions, also on stretched cells and bes
 
 TEST_CASE("a rigid body, a periodic pair, a factor in single precision: the scheme's equations again") {
     Case its = two_body_case(Cells::hybrid, 8, 6);
-    its.conditions[0].kind = HM_RIGID;
-    its.conditions[0].body = 0;
+    its.conditions.erase(its.conditions.begin());
+    its.set_rigid(body, 0, 0);
     hm_options options = nodal(HM_DIRECT), fas = nodal(HM_FAS), single = options;
     single.precision = HM_SINGLE;
     Solved const one(its, &options), other(its, &fas), third(its, &single);

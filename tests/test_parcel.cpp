@@ -1,6 +1,8 @@
 // Shares of the functions, solved apart and put together from parcels, are the functions solved together, bit by bit.
 #include <doctest/doctest.h>
 
+#include <fixtures/c_mesh.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/parts.hpp>
 
 #include <cstring>
@@ -141,6 +143,46 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
     }
     INFO(least << " to " << most << " steps");
     CHECK((most > 0 && least < most));
+}
+
+TEST_CASE("a function's bits do not depend on the engine's blocks: any share, any threads, whatever goes together") {
+    struct Method {
+        std::int32_t operator_kind, scheme, engine, precision;
+    };
+    Method const methods[] = {{HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_DOUBLE},
+                              {HM_CONFORMAL, HM_COMPACT, HM_DIRECT, HM_SINGLE},
+                              {HM_LAPLACE, HM_COMPACT, HM_DIRECT, HM_DOUBLE},
+                              {HM_WEIGHTED, HM_COMPACT, HM_DIRECT, HM_SINGLE},
+                              {HM_WEIGHTED, HM_BOUNDED, HM_DIRECT, HM_DOUBLE},
+                              {HM_LAPLACE, HM_NODAL_GRADIENT, HM_DIRECT, HM_DOUBLE},
+                              {HM_WEIGHTED, HM_COMPACT, HM_MULTIGRID, HM_DOUBLE},
+                              {HM_WEIGHTED, HM_COMPACT, HM_FAS, HM_DOUBLE},
+                              {HM_LAPLACE, HM_NODAL_GRADIENT, HM_FAS, HM_DOUBLE}};
+    std::vector<KindOfProblem> problems = kinds_of_problems();   // values of all kinds
+    problems.back().its = airfoil_case(20, 10);
+    problems.back().its.mesh = c_mesh(naca4({}, 16), 6, 8, stretched(1e-3, 8, 12)).mesh;
+    for (Method const& method : methods)
+        for (KindOfProblem& problem : problems) {
+            hm_options& options = problem.options;
+            options = laplace();
+            options.operator_kind = method.operator_kind;
+            options.scheme = method.scheme;
+            options.engine = method.engine;
+            options.precision = method.precision;
+            Attempt const attempt(problem.its.problem(), &options);
+            if (attempt.status == HM_UNSUPPORTED) continue;   // bodies that turn, points that slip
+            Solved const all(problem.its, &options);
+            std::int32_t const n = all.info().functions;
+            std::vector<double> const expected = values_in_shares(all, n);
+            INFO("operator " << method.operator_kind << ", scheme " << method.scheme << ", engine " << method.engine
+                             << ", problem " << &problem - &problems[0]);
+            CHECK(same_bits(std::vector<double>(expected.begin(), expected.begin() + all.info().points), all.values(0)));
+            for (std::int32_t const width : {1, 3, 7}) CHECK(same_bits(values_in_shares(all, width), expected));
+            Backwards order;
+            hm_executor const executor = order.executor(3);
+            options.executor = &executor;
+            CHECK(same_bits(values_in_shares(Solved(problem.its, &options), 7), expected));
+        }
 }
 
 TEST_CASE("shares are refused where all functions are needed, and ranges that are none") {

@@ -1,6 +1,8 @@
-// Thin cells that lean, far from the wall: some of their conductances are negative, and cancel others as the factor is made.
+// Thin cells far from the wall. Where they lean, some of their conductances are negative, and cancel others as the factor is
+// made; where they stand upright, flows through them dwarf those at the wall, and so does the rounding of these flows.
 #include <doctest/doctest.h>
 
+#include <fixtures/double_double.hpp>
 #include <fixtures/operators.hpp>
 
 #include <harmorph/harmonic.hpp>
@@ -52,13 +54,14 @@ Case plate(std::vector<double> const& steps, Cells kind, double lean) {
     return out;
 }
 
-// Largest error of all functions beside their largest value, 1: of the plan's equations, by dense elimination in long double.
+// Largest error of all functions beside their largest value, 1: of the plan's equations, by dense elimination with twice a
+// double's digits.
 double largest_error(Attempt const& solved) {
     harmorph::Plan const& plan = inside(solved.plan);
     harmorph::Matrix const& matrix = plan.matrix;
     std::size_t const n = static_cast<std::size_t>(matrix.n);
-    std::vector<long double> a(n * n, 0);
-    auto const at = [&](Index i, Index j) -> long double& { return a[static_cast<std::size_t>(i) * n + static_cast<std::size_t>(j)]; };
+    std::vector<DoubleDouble> a(n * n, 0);
+    auto const at = [&](Index i, Index j) -> DoubleDouble& { return a[static_cast<std::size_t>(i) * n + static_cast<std::size_t>(j)]; };
     for (Index i = 0; i < matrix.n; ++i)
         for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
             Index const j = matrix.column[e];
@@ -72,13 +75,13 @@ double largest_error(Attempt const& solved) {
         values.emplace_back(plan.matrix.place.size());
         REQUIRE(hm_basis_values(solved.basis, f, 0, values.back().data(), nullptr) == HM_OK);
     }
-    std::vector<std::vector<long double>> sides(values.size(), std::vector<long double>(n, 0));
+    std::vector<std::vector<DoubleDouble>> sides(values.size(), std::vector<DoubleDouble>(n, 0));
     for (Index point = 0; point < matrix.place.count(); ++point) {
         if (!harmorph::Matrix::is_wall(matrix.place[point])) continue;
         Index const wall = harmorph::Matrix::wall(matrix.place[point]);
         for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
             Index const i = matrix.coupling_row[c];
-            long double const entry = matrix.coupling_value[c];
+            DoubleDouble const entry = matrix.coupling_value[c];
             at(i, i) -= entry;
             for (std::size_t f = 0; f < values.size(); ++f)
                 sides[f][static_cast<std::size_t>(i)] -= entry * values[f][static_cast<std::size_t>(point)];
@@ -86,22 +89,46 @@ double largest_error(Attempt const& solved) {
     }
     for (Index k = 0; k < matrix.n; ++k)
         for (Index r = k + 1; r < matrix.n; ++r) {
-            long double const factor = at(k, r) / at(k, k);
-            if (factor == 0) continue;
+            DoubleDouble const factor = at(k, r) / at(k, k);
+            if (factor.is_zero()) continue;
             for (Index c = r; c < matrix.n; ++c) at(r, c) -= factor * at(k, c);
             for (auto& side : sides) side[static_cast<std::size_t>(r)] -= factor * side[static_cast<std::size_t>(k)];
         }
     double worst = 0;
     for (std::size_t f = 0; f < sides.size(); ++f)
         for (Index k = matrix.n - 1; k >= 0; --k) {
-            long double& x = sides[f][static_cast<std::size_t>(k)];
+            DoubleDouble& x = sides[f][static_cast<std::size_t>(k)];
             for (Index c = k + 1; c < matrix.n; ++c) x -= at(k, c) * sides[f][static_cast<std::size_t>(c)];
             x /= at(k, k);
-            double const error = std::fabs(static_cast<double>(x - values[f][static_cast<std::size_t>(plan.point_of(k))]));
+            double const error = std::fabs((x - values[f][static_cast<std::size_t>(plan.point_of(k))]).high);
             if (!(error <= worst)) worst = error;
         }
     return worst;
 }
+
+std::vector<double> const far_and_thin(double h) { return {.1, .1, h, h, h, .1, .2}; }
+
+// Solves again with another factor: what is called done must be right. Counts what is refined away, and what is told.
+struct Damage {
+    int healed = 0, told = 0;
+
+    template <class Change>
+    void test(Attempt& solved, double& entry, Change change) {
+        double const before = entry;
+        entry = change(before);
+        hm_status const status = hm_plan_solve(solved.plan, solved.basis, &solved.report, &solved.error);
+        INFO(before << " became " << entry << ": residual " << solved.report.residual);
+        CHECK(status >= 0);
+        if (status == HM_OK) {
+            double const error = largest_error(solved);
+            CHECK(error < 1e-9);
+            ++healed;
+        } else {
+            ++told;
+        }
+        entry = before;
+    }
+};
 
 }  // namespace
 
@@ -140,5 +167,73 @@ TEST_CASE("cells that are thin but upright lose nothing and are not refined, nor
             Attempt const solved(its.problem(), &options);
             CHECK(inside(solved.plan).factor_trusted);
             CHECK(largest_error(solved) < 1e-11);
+        }
+}
+
+TEST_CASE("residuals that are rounding of flows through thin cells are no errors: right functions are called done") {
+    for (double const h : {1e-3, 1e-7, 1e-9, 1e-11, 1e-13})
+        for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
+            for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED}) {
+                Case its = plate(far_and_thin(h), kind, 0);
+                hm_options options = options_of(operator_kind);
+                Solved const solved(its, &options);
+                CHECK(largest_error(solved) < 1e-12);
+                CHECK((h > 1e-8 || solved.report.residual > options.tolerance));
+                if (h < 1e-8) CHECK(solved.report.residual > 1e-10);
+                options.operator_kind = HM_CONFORMAL;   // the same functions, with complex numbers
+                options.exponent_quarters = HM_NO_WEIGHT;
+                if (operator_kind == HM_LAPLACE)
+                    CHECK(largest_difference(Solved(its, &options).all_values(), solved.all_values()) < 1e-11);
+                options = options_of(operator_kind);
+                options.tolerance = 1e-300;             // what nothing reaches is told
+                CHECK(Attempt(its.problem(), &options).status == HM_NOT_CONVERGED);
+            }
+}
+
+TEST_CASE("a factor that is damaged is healed by refinement, or the functions are called wrong") {
+    for (double const h : {1e-1, 1e-6, 1e-9, 1e-12}) {
+        Damage damage;
+        Case its = plate(far_and_thin(h), Cells::hybrid, 0);
+        hm_options const options = options_of(HM_LAPLACE);
+        Solved solved(its, &options);
+        harmorph::Span<double> const factor = inside(solved.plan).engine.doubles.factor;
+        std::mt19937 random(3);
+        for (int k = 0; k < 60; ++k) {
+            double& entry = factor[random() % factor.size()];
+            damage.test(solved, entry, [](double) { return 0.0; });
+            damage.test(solved, entry, [](double x) { return -x; });
+            damage.test(solved, entry, [](double x) { return 1.01 * x; });
+            damage.test(solved, entry, [](double x) { return 1e9 * x; });
+            damage.test(solved, entry, [](double x) { return x + 1e-4; });
+        }
+        INFO("cells " << h << " thin");
+        CHECK((damage.healed > 0 && damage.told > 0));
+    }
+}
+
+TEST_CASE("solutions that are spoilt before they are judged are refined, those in thin cells too") {
+    struct Spoiler {
+        double* value = nullptr;
+        std::size_t first = 0, n = 0, stride = 1;
+        static std::int32_t call(void* user, std::int32_t phase, double fraction) {
+            Spoiler& its = *static_cast<Spoiler*>(user);
+            if (phase != HM_PHASE_SOLVE || fraction < 1 || its.value == nullptr) return 0;
+            for (std::size_t k = 0; k < its.n * its.stride; ++k) its.value[its.first * its.stride + k] += 1e-3;
+            return 0;
+        }
+    };
+    for (double const h : {1e-1, 1e-6, 1e-9, 1e-12})
+        for (std::size_t const n_rows : {1u, 2u, 3u, 4u}) {
+            Spoiler spoiler;
+            Case its = plate(far_and_thin(h), Cells::quads, 0);
+            hm_options options = options_of(HM_LAPLACE);
+            options.progress = Spoiler::call;
+            options.progress_user = &spoiler;
+            Solved solved(its, &options);
+            harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
+            spoiler = {basis.value.data(), 2 * 17, 17 * n_rows, static_cast<std::size_t>(basis.row_length())};
+            REQUIRE(hm_plan_solve(solved.plan, solved.basis, &solved.report, nullptr) == HM_OK);
+            CHECK(solved.report.refinements > 0);
+            CHECK(largest_error(solved) < 1e-12);
         }
 }

@@ -1512,6 +1512,12 @@ contains
         call check(stat == hm_bad_condition, "a marker that no face has: " // err%text)
         call plan%analyse(mesh, curves, [hm_condition(body, first_curve=2)], stat=stat, err=err)
         call check(stat == hm_bad_condition, "a curve that does not exist: " // err%text)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, body=2)], &
+            stat=stat, err=err)
+        call check(stat == hm_bad_condition .and. index(err%text, "body") > 0, "of another kind: " // err%text)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, first_curve=2)], &
+            stat=stat)
+        call check(stat == hm_bad_condition, "a fixed marker on a curve")
         call plan%analyse(mesh, curves, stat=stat)
         call check(stat == hm_bad_condition, "no condition")
         options%engine = 77

@@ -19,8 +19,8 @@ enum class Overlaps { cross, ignored };
 
 // A boundary crosses where faces do, where faces lie on each other, and where it passes exactly through a point of its own
 // or a face; decided exactly. To touch in a point is not to cross, nor are the two sides of a wall without thickness, whose
-// faces have the same ends.
-// Boundary faces in the order of their loops (see Boundary). Faces that follow each other lie close together, so halving
+// faces have the same ends: of walls that came to lie on each other face by face, mesh is between them where they part.
+// Boundary faces in the order of their loops, the mesh on the left (see Boundary). Faces that follow each other lie close together, so halving
 // the list halves the place it takes: boxes of list ranges prune the pairs, without any memory. The points are taken where
 // `displacement` (not given: 0) puts them.
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,

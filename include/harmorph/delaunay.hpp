@@ -17,6 +17,7 @@ struct DelaunayEdge {
 // two. Boundary edges stay, so the domain does. No flip can fail: such two triangles form a strictly convex quad. It
 // ends: each flip lowers the surface of (x, y, x^2 + y^2) over the mesh, so that no triangulation comes twice, and
 // there are finitely many; all that needs decisions that are exact, see predicates.hpp. Points joined by a cut are one.
+// Edges of a periodic pair are boundary: across it a flip would have to decide about translated points, which rounding moves.
 struct Triangulation {
     Mesh mesh;     // triangles counter-clockwise, over the same points (representatives), without boundary faces
     Edges edges;   // of these triangles

@@ -17,6 +17,8 @@ struct SolveReport {
     Index unknowns = 0, functions = 0;
     Real residual = 0;
     Index residual_function = none;
+    Real missed = 0;              // largest residual of those that are more than rounding of values that are right
+    Index missed_function = none;
     Index refinements = 0;
     Real error = 0;               // of the direct engine, beside the largest value, as far as it can be told
     Index error_function = none;
@@ -87,6 +89,7 @@ private:
         Index steps = 0, iterations = 0;
     };
     Status refine_columns(Lines const& all, Index first, Index n, Refined& its, Fault& fault) noexcept;
+    bool is_only_rounding(Lines const& all, Index column, Real error) const noexcept;
     Status judge(SolveReport const& report, Fault& fault) const noexcept;
 };
 

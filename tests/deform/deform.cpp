@@ -187,6 +187,7 @@ int block(const std::string& folder, const cli::Threads& threads) {
         task.conditions.push_back(condition);
         condition.marker = mesh.find_markers("outer")[0];
         condition.kind = HM_SLIP;
+        condition.n_curves = 0;
         task.conditions.push_back(condition);
         task.options.exponent_quarters = quarters;
         const Case its(mesh, task, threads, folder + "/block.basis");
