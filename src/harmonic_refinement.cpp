@@ -9,8 +9,10 @@ namespace {
 constexpr Real refined_above = 1e-13;
 // And what values are thought to be off, beside the largest.
 constexpr Real certain_within = 1e-10;
-// Of what a step must leave less than, to be worth another.
+// Of what a step must leave less than, to be worth another; of an error, this often in a row it may leave more: what the first
+// correction leaves is rounding of its rough right-hand sides, which bears no relation to the error it took away.
 constexpr Real shrinking = 0.5;
+constexpr Index most_stalls = 1;
 // Enough for a factor off by nearly that. Engines that iterate stop where they are asked to.
 constexpr Index most_refinements(Method const& method) noexcept { return method.engine == Engine::direct ? 40 : 0; }
 
@@ -114,6 +116,7 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
     Residual::Choice wanted;
     Residual::Changes change;  // by a step of refinement; the first one's was from nothing
     Real before[Residual::widest], left[Residual::widest] = {};
+    Index stalls[Residual::widest] = {};
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
         change.column[k] = method.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
@@ -126,7 +129,8 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
         for (Index k = 0; k < n; ++k) {
             Real const now = its.norms.relative(k);
             bool const large = now > refined_above && now < shrinking * before[k];
-            bool const off = its.error[k] > certain_within && ratio[k] < shrinking;
+            stalls[k] = ratio[k] < shrinking ? 0 : stalls[k] + 1;
+            bool const off = its.error[k] > certain_within && stalls[k] <= most_stalls;
             wanted.column[k] = wanted.column[k] && (large || off);
             before[k] = now;
             any = any || wanted.column[k];
