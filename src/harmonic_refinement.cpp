@@ -38,6 +38,9 @@ Residual::Norms Plan::measure(Lines const& all, Index first, Index n) const noex
 // In the place of the residuals, of n columns.
 Status Plan::solve_rest(Index n, Index& iterations, Fault& fault) noexcept {
     Offset const row_length = Offset{engine.planes} * residual.width;
+    if (!residual.single.empty()) {
+        return engine.solve(RowsOf<float>{residual.single.data(), nullptr, row_length, n, residual.width}, Progress{}, fault);
+    }
     auto const solve = [&](Real* rows) { return engine.solve({rows, nullptr, row_length, n, residual.width}, Progress{}, fault); };
     if (!method.nodal_gradients()) return solve(residual.value.data());
     auto const apply = [&](const Real* from, Real* to) { nodal.apply(from, residual.width, to); };
@@ -51,10 +54,14 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
     auto const function = [&](Index column) {
         return basis.header->counts.first_held + column % basis.n_functions();
     };
-    for (Index first = 0; first < n_columns; first += residual.width) {
-        Index const n = smaller(residual.width, n_columns - first);
+    for (Index first = 0, n = 0; first < n_columns; first += n) {
+        if (first > 0) HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
         Refined its;
-        HARMORPH_TRY(refine_columns(all, first, n, its, fault));
+        n = smaller(Residual::widest, n_columns - first);
+        if (!need_nothing(all, first, n, its)) {
+            n = smaller(residual.width, n_columns - first);
+            HARMORPH_TRY(refine_columns(all, first, n, its, fault));
+        }
         report.refinements = larger(report.refinements, its.steps);
         report.iteration.iterations = larger(report.iteration.iterations, its.iterations);
         auto const note = [](Real found, Index its_function, Real& worst, Index& where) {
@@ -66,9 +73,18 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
             note(its.norms.relative(k), function(first + k), report.residual, report.residual_function);
             note(its.error[k], function(first + k), report.error, report.error_function);
         }
-        HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
+}
+
+// Most often all is well, which is seen of many columns at once as nothing is stored.
+bool Plan::need_nothing(Lines const& all, Index first, Index n, Refined& its) const noexcept {
+    if (!factor_trusted || method.nodal_gradients() || matrix.kind == MatrixKind::two_lines) return false;
+    its = {};
+    its.norms = residual.measure(matrix, all, first, n);
+    bool any = false;
+    for (Index k = 0; k < n; ++k) any = any || !(its.norms.relative(k) <= refined_above);
+    return !any || most_refinements(method) == 0;
 }
 
 // Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in

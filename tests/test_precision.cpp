@@ -95,6 +95,12 @@ TEST_CASE("the thinner cells are, the more steps; what is off after them is said
     CHECK((done >= 15 && missed > 0 && refused > 0));
 }
 
+TEST_CASE("a second correction as large as the first: rough right-hand sides, no stagnation") {
+    Case its = airfoil_case(40, 12, Cells::quads);
+    its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 40)).mesh;
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-10);
+}
+
 TEST_CASE("the plan takes less than two thirds of the memory") {
     Case its = ring_case(40, 200, 0.5, 2, Cells::quads, 3, 20);
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
