@@ -316,8 +316,8 @@ enum {                             /* precision; HM_SINGLE goes with whatever go
     HM_DOUBLE = 0,
     HM_SINGLE = 1                  /* the factor takes half the memory, the plan .6 of it; the functions are as accurate:
                                       they are refined until they are off by 1e-10 of the largest at most, as far as the
-                                      last steps tell: 2 of them, a solve each, or 3 where the first cell is 1e-5 high. Where
-                                      cells are too thin for it, as on some viscous meshes, there is HM_NOT_CONVERGED and
+                                      last steps tell: 2 of them, a solve each, or 3 where first cells are 1e-5 high or thin
+                                      ones far from the wall. Where cells are too thin for it there is HM_NOT_CONVERGED and
                                       error.value about the error, or HM_NOT_POSITIVE (hm_plan_factor) */
 };
 enum {                             /* phases, in the order in which they are reported */

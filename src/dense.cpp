@@ -1,4 +1,5 @@
 #include "harmorph/dense.hpp"
+#include "harmorph/flush.hpp"
 
 #include "kernel_call.hpp"
 
@@ -48,11 +49,11 @@ namespace harmorph::dense {
     template <class Number>                                                                                                \
     void add_rows(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;                    \
     /* positions null: begin, begin + 1, ... */                                                                            \
-    template <class Number>                                                                                                \
-    void gather(Rows const& from, const Index* positions, Index begin, Index n, Number* y, Index row,                      \
+    template <class Number, class Value>                                                                                   \
+    void gather(RowsOf<Value> const& from, const Index* positions, Index begin, Index n, Number* y, Index row,             \
                 Index planes) noexcept;                                                                                    \
-    template <class Number>                                                                                                \
-    void scatter(const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept;                 \
+    template <class Number, class Value>                                                                                   \
+    void scatter(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin, Index n) noexcept;        \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
@@ -60,6 +61,12 @@ namespace {
 
 constexpr Offset worth_threads = Offset{1} << 22;  // multiplications
 constexpr Index most_tile_rows = 8;                // of all kernels: a range of rows is cut into the same tiles as the whole
+
+// A kernel's call, without what is too small to count.
+#define HARMORPH_CALL_FLUSHED(kernel, ...) \
+    Flush<Number> const flush;             \
+    static_cast<void>(flush);              \
+    HARMORPH_CALL(kernel, __VA_ARGS__)
 
 // A panel, and the kernels for its numbers.
 template <class Number, Index planes>
@@ -74,35 +81,35 @@ struct Front {
     Number* border_rows(Number* y, Index row) const noexcept { return y + Offset{planes} * row * panel.pivots; }
 
     void take_off_earlier(Slabs<Number> const& columns, Index first, Index from, Index to) const noexcept {
-        HARMORPH_CALL(kernel, take_off_earlier<Number, planes>(own, columns, first, end_of(first), from, to))
+        HARMORPH_CALL_FLUSHED(kernel, take_off_earlier<Number, planes>(own, columns, first, end_of(first), from, to))
     }
     void sum_tails(Index first, Index from, Index to, TailSums<Number>& tails) const noexcept {
-        HARMORPH_CALL(kernel, sum_tails<Number, planes>(panel, first, end_of(first), from, to, tails))
+        HARMORPH_CALL_FLUSHED(kernel, sum_tails<Number, planes>(panel, first, end_of(first), from, to, tails))
     }
     Index factor_diagonal(Index first, Number* sums, TailSums<Number>& tails, Number floor, Number& least_left) const noexcept {
-        HARMORPH_CALL(kernel, factor_diagonal<Number, planes>(panel, first, end_of(first), sums, tails, floor, least_left))
+        HARMORPH_CALL_FLUSHED(kernel, factor_diagonal<Number, planes>(panel, first, end_of(first), sums, tails, floor, least_left))
     }
     void finish_columns(Slabs<Number> const& columns, Index first, Index from, Index to, Number* sums,
                         Number* column_sums) const noexcept {
-        HARMORPH_CALL(kernel,
-                      finish_columns<Number, planes>(panel, columns, first, end_of(first), from, to, sums, column_sums))
+        HARMORPH_CALL_FLUSHED(kernel,
+                              finish_columns<Number, planes>(panel, columns, first, end_of(first), from, to, sums, column_sums))
     }
     void update_band(UpdateMatrix<Number> const& update, Index first, const Number* sums) const noexcept {
-        HARMORPH_CALL(kernel, update_band<Number, planes>(panel, update, first, sums))
+        HARMORPH_CALL_FLUSHED(kernel, update_band<Number, planes>(panel, update, first, sums))
     }
     void solve_strip_forward(Index first, Number* y, Index row) const noexcept {
-        HARMORPH_CALL(kernel, solve_strip_forward<Number, planes>(own, first, end_of(first), y, row))
+        HARMORPH_CALL_FLUSHED(kernel, solve_strip_forward<Number, planes>(own, first, end_of(first), y, row))
     }
     void take_off_forward(Slabs<Number> const& columns, Index first, Number* y, Number* rest, Index row, Index from,
                           Index to) const noexcept {
-        HARMORPH_CALL(kernel, take_off_forward<Number, planes>(columns, first, end_of(first), y, rest, row, from, to))
+        HARMORPH_CALL_FLUSHED(kernel, take_off_forward<Number, planes>(columns, first, end_of(first), y, rest, row, from, to))
     }
     void take_off_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
                            Index to) const noexcept {
-        HARMORPH_CALL(kernel, take_off_backward<Number, planes>(columns, begin, y, rest, row, from, to))
+        HARMORPH_CALL_FLUSHED(kernel, take_off_backward<Number, planes>(columns, begin, y, rest, row, from, to))
     }
     void solve_strip_backward(Index first, Number* y, Index row) const noexcept {
-        HARMORPH_CALL(kernel, solve_strip_backward<Number, planes>(own, first, end_of(first), y, row))
+        HARMORPH_CALL_FLUSHED(kernel, solve_strip_backward<Number, planes>(own, first, end_of(first), y, row))
     }
 
     // The pivots' sums take what stands in the diagonal's place.
@@ -231,27 +238,29 @@ void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index 
 template <class Number>
 void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
                 UpdateMatrix<Number> const& update) noexcept {
-    HARMORPH_CALL(kernel, extend_add<Number>(from, targets, panel, update))
+    HARMORPH_CALL_FLUSHED(kernel, extend_add<Number>(from, targets, panel, update))
 }
 
 template <class Number>
 void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept {
-    HARMORPH_CALL(kernel, add_rows<Number>(n, from, targets, y, length))
+    HARMORPH_CALL_FLUSHED(kernel, add_rows<Number>(n, from, targets, y, length))
 }
 
-template <class Number>
-void gather(Kernel kernel, Rows const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
-    HARMORPH_CALL(kernel, gather<Number>(from, nullptr, begin, n, y, row, planes))
+template <class Number, class Value>
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
+    HARMORPH_CALL_FLUSHED(kernel, gather(from, nullptr, begin, n, y, row, planes))
 }
 
-template <class Number>
-void gather(Kernel kernel, Rows const& from, Span<const Index> positions, Number* y, Index row, Index planes) noexcept {
-    HARMORPH_CALL(kernel, gather<Number>(from, positions.data(), 0, positions.count(), y, row, planes))
+template <class Number, class Value>
+void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
+            Index planes) noexcept {
+    HARMORPH_CALL_FLUSHED(kernel, gather(from, positions.data(), 0, positions.count(), y, row, planes))
 }
 
-template <class Number>
-void scatter(Kernel kernel, const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept {
-    HARMORPH_CALL(kernel, scatter<Number>(y, row, planes, to, begin, n))
+template <class Number, class Value>
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
+             Index n) noexcept {
+    HARMORPH_CALL_FLUSHED(kernel, scatter(y, row, planes, to, begin, n))
 }
 
 #define HARMORPH_MAKE(Number)                                                                                            \
@@ -261,11 +270,15 @@ void scatter(Kernel kernel, const Number* y, Index row, Index planes, Rows const
     template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
     template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                    \
                              UpdateMatrix<Number> const&) noexcept;                                                      \
-    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                         \
-    template void gather(Kernel, Rows const&, Index, Index, Number*, Index, Index) noexcept;                             \
-    template void gather(Kernel, Rows const&, Span<const Index>, Number*, Index, Index) noexcept;                        \
-    template void scatter(Kernel, const Number*, Index, Index, Rows const&, Index, Index) noexcept;
+    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
+#define HARMORPH_MAKE_MOVES(Number, Value)                                                                               \
+    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Number*, Index, Index) noexcept;                    \
+    template void gather(Kernel, RowsOf<Value> const&, Span<const Index>, Number*, Index, Index) noexcept;               \
+    template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)
+HARMORPH_MAKE_MOVES(double, double)
+HARMORPH_MAKE_MOVES(float, double)
+HARMORPH_MAKE_MOVES(float, float)
 
 }  // namespace harmorph::dense

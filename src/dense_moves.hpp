@@ -81,14 +81,17 @@ HARMORPH_INLINE void clear_last(Number* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;
 }
 
-HARMORPH_INLINE Real* row_at(Real* data, const Index* row_of, Offset length, Index position) noexcept {
+template <class Value>
+HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length, Index position) noexcept {
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
 
 constexpr Index rows_ahead = 4;  // rows of values lie anywhere: those are on their way while one is copied
 
-HARMORPH_INLINE void prefetch_row(const Real* row, Offset numbers) noexcept {
-    for (Offset i = 0; i < numbers; i += 8) __builtin_prefetch(row + i);
+template <class Value>
+HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {
+    constexpr Offset line = 64 / sizeof(Value);
+    for (Offset i = 0; i < numbers; i += line) __builtin_prefetch(row + i);
 }
 
 }  // namespace
@@ -108,15 +111,15 @@ void add_rows(Index n, const Number* from, const Index* targets, Number* y, Inde
     }
 }
 
-template <class Number>
-void gather(harmorph::Rows const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
+template <class Number, class Value>
+void gather(harmorph::RowsOf<Value> const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
             Index planes) noexcept {
     auto const position = [&](Index k) { return positions != nullptr ? positions[k] : begin + k; };
     auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, position(k)); };
     Offset const numbers = (planes - 1) * from.plane + from.width;
     for (Index k = 0; k < n; ++k) {
         if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
-        const Real* its = values(k);
+        const Value* its = values(k);
         for (Index plane = 0; plane < planes; ++plane, its += from.plane, y += row) {
             if (from.width < row) clear_last(y + row);
             convert_run(its, from.width, y);
@@ -124,10 +127,10 @@ void gather(harmorph::Rows const& from, const Index* positions, Index begin, Ind
     }
 }
 
-template <class Number>
-void scatter(const Number* y, Index row, Index planes, harmorph::Rows const& to, Index begin, Index n) noexcept {
+template <class Number, class Value>
+void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> const& to, Index begin, Index n) noexcept {
     for (Index k = 0; k < n; ++k) {
-        Real* its = row_at(to.data, to.row_of, to.row_length, begin + k);
+        Value* its = row_at(to.data, to.row_of, to.row_length, begin + k);
         for (Index plane = 0; plane < planes; ++plane, its += to.plane, y += row) convert_run(y, to.width, its);
     }
 }
@@ -135,10 +138,15 @@ void scatter(const Number* y, Index row, Index planes, harmorph::Rows const& to,
 #define HARMORPH_MAKE_MOVES(Number)                                                                                       \
     template void extend_add<Number>(UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                      \
                                      UpdateMatrix<Number> const&) noexcept;                                                \
-    template void add_rows<Number>(Index, const Number*, const Index*, Number*, Index) noexcept;                           \
-    template void gather<Number>(harmorph::Rows const&, const Index*, Index, Index, Number*, Index, Index) noexcept;       \
-    template void scatter<Number>(const Number*, Index, Index, harmorph::Rows const&, Index, Index) noexcept;
+    template void add_rows<Number>(Index, const Number*, const Index*, Number*, Index) noexcept;
+#define HARMORPH_MAKE_COPIES(Number, Value)                                                                               \
+    template void gather<Number>(harmorph::RowsOf<Value> const&, const Index*, Index, Index, Number*, Index,               \
+                                 Index) noexcept;                                                                         \
+    template void scatter<Number>(const Number*, Index, Index, harmorph::RowsOf<Value> const&, Index, Index) noexcept;
 HARMORPH_MAKE_MOVES(double)
 HARMORPH_MAKE_MOVES(float)
+HARMORPH_MAKE_COPIES(double, double)
+HARMORPH_MAKE_COPIES(float, double)
+HARMORPH_MAKE_COPIES(float, float)
 
 }  // namespace harmorph::dense::HARMORPH_KERNEL

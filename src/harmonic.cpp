@@ -3,15 +3,26 @@
 namespace harmorph {
 namespace {
 
+// Residuals are stored as the engine solves for them.
+Precision residual_precision(Method const& method, Matrix const& matrix) noexcept {
+    bool const in_rows = !method.nodal_gradients() && matrix.kind != MatrixKind::two_lines;
+    return in_rows ? method.precision : Precision::in_double;
+}
+
 // Columns that are refined at a time: what the dead stack has room for, but at least a few.
 Index residual_width(Analysis const& analysis, Matrix const& matrix, Index columns) noexcept {
-    if (analysis.problem.method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
-    bool const in_single = analysis.problem.method.precision == Precision::in_single;
-    Offset const stack = analysis.is_direct() ? analysis.subtrees.top_stack_entries : 0;
-    Offset const stack_bytes = stack * static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
-    Offset const room = stack_bytes / (Offset{larger(matrix.n, 1)} * static_cast<Offset>(sizeof(Real)));
-    Offset const least = in_single ? 8 : 6;
-    Offset const its = room >= 8 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
+    Method const& method = analysis.problem.method;
+    if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
+    auto const bytes = [](Precision precision) {
+        return static_cast<Offset>(precision == Precision::in_single ? sizeof(float) : sizeof(double));
+    };
+    Offset const planes = matrix.is_complex() ? 2 : 1, n = larger(matrix.n, 1);
+    Offset const stack = analysis.is_direct() ? planes * analysis.subtrees.top_stack_entries * bytes(method.precision) : 0;
+    Offset const lists = 2 * n * static_cast<Offset>(sizeof(Index));
+    Precision const its_precision = residual_precision(method, matrix);
+    Offset const room = larger(stack - lists, Offset{0}) / (n * planes * bytes(its_precision));
+    Offset const least = its_precision == Precision::in_single ? 12 : 5;
+    Offset const its = room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
     return static_cast<Index>(smaller(its, Offset{smaller(larger(columns, 2), Residual::widest)}));
 }
 
@@ -33,7 +44,8 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     bool const nodal_gradients = analysis.problem.method.nodal_gradients();
     if (nodal_gradients) nodal.lay_out(arena, analysis.problem.mesh, analysis.edges.count());
     lay_out_engine(arena, analysis, columns);
-    residual.lay_out(arena, n, matrix.is_complex(), residual_width(analysis, matrix, columns));
+    residual.lay_out(arena, n, matrix.components() * analysis.wall.count, matrix.kind,
+                     residual_width(analysis, matrix, columns), residual_precision(analysis.problem.method, matrix));
     if (!nodal_gradients) return;
     nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);
     if (analysis.is_direct()) biconjugate.lay_out(arena, n, residual.width);

@@ -9,8 +9,10 @@ namespace {
 constexpr Real refined_above = 1e-13;
 // And what values are thought to be off, beside the largest.
 constexpr Real certain_within = 1e-10;
-// Of what a step must leave less than, to be worth another.
+// Of what a step must leave less than, to be worth another; of an error, this often in a row it may leave more: what the first
+// correction leaves is rounding of its rough right-hand sides, which bears no relation to the error it took away.
 constexpr Real shrinking = 0.5;
+constexpr Index most_stalls = 1;
 // Of what a row's entries make of the largest value: what rounding of values, and of their sum, leaves there at most.
 constexpr Real rounded_within = 32 * epsilon;
 // Enough for a factor off by nearly that. Engines that iterate stop where they are asked to.
@@ -38,6 +40,9 @@ Residual::Norms Plan::measure(Lines const& all, Index first, Index n) const noex
 // In the place of the residuals, of n columns.
 Status Plan::solve_rest(Index n, Index& iterations, Fault& fault) noexcept {
     Offset const row_length = Offset{engine.planes} * residual.width;
+    if (!residual.single.empty()) {
+        return engine.solve(RowsOf<float>{residual.single.data(), nullptr, row_length, n, residual.width}, Progress{}, fault);
+    }
     auto const solve = [&](Real* rows) { return engine.solve({rows, nullptr, row_length, n, residual.width}, Progress{}, fault); };
     if (!method.nodal_gradients()) return solve(residual.value.data());
     auto const apply = [&](const Real* from, Real* to) { nodal.apply(from, residual.width, to); };
@@ -51,10 +56,14 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
     auto const function = [&](Index column) {
         return basis.header->counts.first_held + column % basis.n_functions();
     };
-    for (Index first = 0; first < n_columns; first += residual.width) {
-        Index const n = smaller(residual.width, n_columns - first);
+    for (Index first = 0, n = 0; first < n_columns; first += n) {
+        if (first > 0) HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
         Refined its;
-        HARMORPH_TRY(refine_columns(all, first, n, its, fault));
+        n = smaller(Residual::widest, n_columns - first);
+        if (!need_nothing(all, first, n, its)) {
+            n = smaller(residual.width, n_columns - first);
+            HARMORPH_TRY(refine_columns(all, first, n, its, fault));
+        }
         report.refinements = larger(report.refinements, its.steps);
         report.iteration.iterations = larger(report.iteration.iterations, its.iterations);
         auto const note = [](Real found, Index its_function, Real& worst, Index& where) {
@@ -69,9 +78,18 @@ Status Plan::refine(Basis const& basis, SolveReport& report, Fault& fault) noexc
             if (left <= method.tolerance || is_only_rounding(all, first + k, its.error[k])) continue;
             note(left, function(first + k), report.missed, report.missed_function);
         }
-        HARMORPH_TRY(progress.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
     }
     return Status::ok;
+}
+
+// Most often all is well, which is seen of many columns at once as nothing is stored.
+bool Plan::need_nothing(Lines const& all, Index first, Index n, Refined& its) const noexcept {
+    if (!factor_trusted || method.nodal_gradients() || matrix.kind == MatrixKind::two_lines) return false;
+    its = {};
+    its.norms = residual.measure(matrix, all, first, n);
+    bool any = false;
+    for (Index k = 0; k < n; ++k) any = any || !(its.norms.relative(k) <= refined_above);
+    return !any || most_refinements(method) == 0;
 }
 
 // Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
@@ -119,6 +137,7 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
     Residual::Choice wanted;
     Residual::Changes change;  // by a step of refinement; the first one's was from nothing
     Real before[Residual::widest], left[Residual::widest] = {};
+    Index stalls[Residual::widest] = {};
     for (Index k = 0; k < n; ++k) {
         wanted.column[k] = true;
         change.column[k] = method.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
@@ -131,7 +150,8 @@ Status Plan::refine_columns(Lines const& all, Index first, Index n, Refined& its
         for (Index k = 0; k < n; ++k) {
             Real const now = its.norms.relative(k);
             bool const large = now > refined_above && now < shrinking * before[k];
-            bool const off = its.error[k] > certain_within && ratio[k] < shrinking;
+            stalls[k] = ratio[k] < shrinking ? 0 : stalls[k] + 1;
+            bool const off = its.error[k] > certain_within && stalls[k] <= most_stalls;
             wanted.column[k] = wanted.column[k] && (large || off);
             before[k] = now;
             any = any || wanted.column[k];

@@ -7,13 +7,13 @@ constexpr Index nodes_between_reports = 512;
 constexpr Offset most_prefetched = 8192;  // entries; larger ones are read in longer runs
 
 // Right-hand sides travel up the tree like update matrices, in rows as long as all functions together, and solutions down.
-template <class Number>
+template <class Number, class Value>
 class Substitution {
 public:
     using Lane = Multifrontal::Lane<Number>;
     using Panel = dense::Panel<Number>;
 
-    Substitution(Multifrontal const& engine, Rows const& values) noexcept
+    Substitution(Multifrontal const& engine, RowsOf<Value> const& values) noexcept
         : engine_(engine), values_(values), width_(dense::padded(values.width)), row_(engine.planes * width_) {}
 
     // Numbers in the right-hand sides of a front.
@@ -83,15 +83,15 @@ private:
     }
 
     Multifrontal const& engine_;
-    Rows const& values_;
+    RowsOf<Value> const& values_;
     Index width_, row_;  // of one plane; of all
 };
 
 }  // namespace
 
-template <class Number>
-Status Multifrontal::solve_in(Rows const& values, Progress const& progress, Fault& fault) noexcept {
-    Substitution<Number> const substitution(*this, values);
+template <class Number, class Value>
+Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progress, Fault& fault) noexcept {
+    Substitution<Number, Value> const substitution(*this, values);
     Index done = 0;
     auto const told = [&](Index) {
         if (++done % nodes_between_reports != 0) return Status::ok;
@@ -126,6 +126,10 @@ Status Multifrontal::solve_in(Rows const& values, Progress const& progress, Faul
 Status Multifrontal::solve(Rows const& values, Progress const& progress, Fault& fault) noexcept {
     if (precision == Precision::in_single) return solve_in<float>(values, progress, fault);
     return solve_in<double>(values, progress, fault);
+}
+
+Status Multifrontal::solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept {
+    return solve_in<float>(values, progress, fault);
 }
 
 }  // namespace harmorph

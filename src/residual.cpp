@@ -4,120 +4,65 @@
 
 namespace harmorph {
 
-#define HARMORPH_DECLARE(kernel)                                                                              \
-    namespace kernel {                                                                                        \
-    void add_inner_flows(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,\
-                         Real* squares) noexcept;                                                             \
+#define HARMORPH_DECLARE(kernel)                                                                                        \
+    namespace kernel {                                                                                                  \
+    /* Balances of all rows, into `value` if there is one. */                                                           \
+    template <class To>                                                                                                 \
+    void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first,     \
+                       Index n, To* value, Index width, Residual::Norms& norms) noexcept;                               \
     }
 HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
 
 namespace {
 
-// value += what flows between unknowns; squares: of the rows then.
-void add_inner_flows(Kernel kernel, Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value,
-                     Index width, Real* squares) noexcept {
-    HARMORPH_CALL(kernel, add_inner_flows(matrix, lines, first, n, value, width, squares))
+template <class To>
+void find_balances(Residual const& its, Matrix const& matrix, Lines const& lines, Index first, Index n, To* value,
+                   Residual::Norms& norms) noexcept {
+    HARMORPH_CALL(its.kernel, find_balances(matrix, lines, its.latest, its.next, first, n, value, its.width, norms))
 }
 
-// Real arithmetic for one plane of numbers, complex for two: the second plane follows `plane` numbers after the first.
-template <Index planes>
-struct Columns {
-    Index n, width;  // of them; room for as many
-    Offset plane;
-
-    // row -= (re + i im) x
-    void subtract(Real re, Real im, const Real* x, Real* row) const noexcept {
-        for (Index k = 0; k < n; ++k) {
-            row[k] -= re * x[k];
-            if constexpr (planes == 2) {
-                row[k] += im * x[plane + k];
-                row[width + k] -= re * x[plane + k] + im * x[k];
-            }
-        }
-    }
-    // What flows from x to own along a coupling: row -= (re + i im) (x - own)
-    void take_flow(Real re, Real im, const Real* own, const Real* x, Real* row) const noexcept {
-        for (Index k = 0; k < n; ++k) {
-            Real const rise = x[k] - own[k];
-            row[k] -= re * rise;
-            if constexpr (planes == 2) {
-                Real const turned = x[plane + k] - own[plane + k];
-                row[k] += im * turned;
-                row[width + k] -= re * turned + im * rise;
-            }
-        }
-    }
-
-    void add_squares(const Real* row, Real* sums) const noexcept {
-        for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n; ++k) sums[k] += row[p * width + k] * row[p * width + k];
-        }
-    }
-    // And the row is 0 again.
-    void take_squares(Real* row, Real* sums) const noexcept {
-        add_squares(row, sums);
-        for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n; ++k) row[p * width + k] = 0;
-        }
-    }
-};
-
-template <Index planes>
-class Balances {
+// Of two lines a point.
+class TurnedBalances {
 public:
-    Balances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value,
-             Kernel kernel) noexcept
-        : matrix_(matrix), lines_(lines), first_(first), columns_{n, width, lines.columns(matrix)}, value_(value),
-          kernel_(kernel) {}
+    TurnedBalances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value) noexcept
+        : matrix_(matrix), lines_(lines), first_(first), n_(n), width_(width), value_(value) {}
 
     Residual::Norms run() const noexcept {
         Residual::Norms norms;
         fill(value_, 0.0);
         take_right_hand_sides(norms.right_hand_side);
-        if (matrix_.kind == MatrixKind::two_lines) {
-            add_turned_flows(norms.rest);
-        } else {
-            add_flows(norms.rest);
-        }
+        add_turned_flows(norms.rest);
         return norms;
     }
 
 private:
-    Real* row_of(Index position) const noexcept {
-        return value_.data() + Offset{position} * planes * columns_.width;
-    }
+    Real* row_of(Index position) const noexcept { return value_.data() + Offset{position} * width_; }
     const Real* at(Index position) const noexcept { return lines_.at(position) + first_; }
-    Real imaginary(Span<Real> of, Offset entry) const noexcept { return planes == 2 ? of[entry] : 0; }
 
-    // visit(coupling, unknown, known values)
-    template <class Visit>
-    void for_each_coupling(Visit visit) const noexcept {
-        for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
-            const Real* const known = lines_.wall(wall) + first_;
-            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
-                visit(c, matrix_.coupling_row[c], known);
-            }
-        }
+    // row -= entry x
+    void subtract(Real entry, const Real* x, Real* row) const noexcept {
+        for (Index k = 0; k < n_; ++k) row[k] -= entry * x[k];
+    }
+    // What flows from x to own along a coupling: row -= entry (x - own)
+    void take_flow(Real entry, const Real* own, const Real* x, Real* row) const noexcept {
+        for (Index k = 0; k < n_; ++k) row[k] -= entry * (x[k] - own[k]);
+    }
+    void add_squares(const Real* row, Real* sums) const noexcept {
+        for (Index k = 0; k < n_; ++k) sums[k] += row[k] * row[k];
     }
 
     // Their squares; the rows are 0 again.
     void take_right_hand_sides(Real* squares) const noexcept {
-        for_each_coupling([&](Index c, Index i, const Real* known) {
-            columns_.subtract(matrix_.coupling_value[c], imaginary(matrix_.coupling_imaginary, c), known, row_of(i));
-        });
-        for (Index const i : matrix_.coupling_row) columns_.take_squares(row_of(i), squares);
-    }
-
-    void add_flows(Real* squares) const noexcept {
-        for_each_coupling([&](Index c, Index i, const Real* known) {
-            Real const turned = imaginary(matrix_.coupling_imaginary, c);
-            columns_.take_flow(matrix_.coupling_value[c], turned, at(i), known, row_of(i));
-        });
-        for (Index h = 0; h < matrix_.held_row.count(); ++h) {
-            Index const i = matrix_.held_row[h];
-            columns_.subtract(-matrix_.held_value[h], -imaginary(matrix_.held_imaginary, h), at(i), row_of(i));
+        for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
+            const Real* const known = lines_.wall(wall) + first_;
+            for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
+                subtract(matrix_.coupling_value[c], known, row_of(matrix_.coupling_row[c]));
+            }
         }
-        add_inner_flows(kernel_, matrix_, lines_, first_, columns_.n, value_.data(), columns_.width, squares);
+        for (Index const i : matrix_.coupling_row) {
+            add_squares(row_of(i), squares);
+            fill(Span<Real>(row_of(i), static_cast<Size>(n_)), 0.0);
+        }
     }
 
     // One of a point's two lines.
@@ -138,7 +83,7 @@ private:
                 Real const share = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
                 const Real* const own = line(point, slips(point) ? 0 : wall % 2);
                 Real* const row = row_of(i);
-                for (Index k = 0; k < columns_.n; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - share * own[k]);
+                for (Index k = 0; k < n_; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - share * own[k]);
             }
         }
         for (Index h = 0; h < matrix_.held_row.count(); ++h) {
@@ -147,7 +92,7 @@ private:
         for (Index i = 0; i < matrix_.n; ++i) {
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) add_entry(i, matrix_.column[e], matrix_.value[e]);
         }
-        for (Index i = 0; i < matrix_.n; ++i) columns_.add_squares(row_of(i), squares);  // any entry may change any row
+        for (Index i = 0; i < matrix_.n; ++i) add_squares(row_of(i), squares);  // any entry may change any row
     }
     static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
 
@@ -155,25 +100,25 @@ private:
     void add_held(Index i, Real re, Real im) const noexcept {
         Index const point = place_of(i).point;
         const Real* const x = line(point, 0);
-        columns_.subtract(-re, 0, x, row_of(i));
+        subtract(-re, x, row_of(i));
         if (slips(point)) return;
         const Real* const y = line(point, 1);
         Real* const second = row_of(matrix_.place[2 * point + 1]);
-        columns_.subtract(im, 0, y, row_of(i));
-        columns_.subtract(-re, 0, y, second);
-        columns_.subtract(-im, 0, x, second);
+        subtract(im, y, row_of(i));
+        subtract(-re, y, second);
+        subtract(-im, x, second);
     }
 
     void add_entry(Index i, Index j, Real entry) const noexcept {
         Place const a = place_of(i), b = place_of(j);
         if (slips(a.point) != slips(b.point)) return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
         if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // what they hold of each other is in held_value
-            columns_.subtract(entry, 0, at(j), row_of(i));
-            columns_.subtract(entry, 0, at(i), row_of(j));
+            subtract(entry, at(j), row_of(i));
+            subtract(entry, at(i), row_of(j));
             return;
         }
-        columns_.take_flow(entry, 0, line(a.point, b.line), at(j), row_of(i));
-        columns_.take_flow(entry, 0, line(b.point, a.line), at(i), row_of(j));
+        take_flow(entry, line(a.point, b.line), at(j), row_of(i));
+        take_flow(entry, line(b.point, a.line), at(i), row_of(j));
     }
 
     // Between a point that slips and one that does not, by one of its lines: its conductance and circulation, turned as the
@@ -188,7 +133,7 @@ private:
         Real* const same = row_of(free);
         Real* const other = row_of(matrix_.place[2 * its.point + 1 - its.line]);
         Real const across = its.line == 0 ? entry : -entry;
-        for (Index k = 0; k < columns_.n; ++k) {
+        for (Index k = 0; k < n_; ++k) {
             Vec2 const rise{along.x * slid[k] - x[k], along.y * slid[k] - y[k]};
             own[k] += entry * component(rise, its.line);
             same[k] -= entry * dot(along, rise);
@@ -198,43 +143,55 @@ private:
 
     Matrix const& matrix_;
     Lines const& lines_;
-    Index first_;
-    Columns<planes> columns_;
+    Index first_, n_, width_;
     Span<Real> value_;
-    Kernel kernel_;
 };
 
-}  // namespace
-
-Real Residual::Norms::relative(Index k) const noexcept {
-    return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
-}
-
-Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    return matrix.is_complex() ? Balances<2>(matrix, lines, first, n, width, value, kernel).run()
-                               : Balances<1>(matrix, lines, first, n, width, value, kernel).run();
-}
-
-Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept {
-    compute(matrix, lines, column, 1);
+// The chosen columns of F += those of rows.
+template <class Number>
+Residual::Changes add_rows(Matrix const& matrix, Lines const& lines, const Number* from, Index width, Index first, Index n,
+                           Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
-    auto const row_of = [&](Index i) { return value.data() + Offset{i} * planes * width; };
-    auto const entries_of = [&](Index i) -> Real& { return row_of(i)[1]; };  // beside the column's own number
+    Offset const plane = lines.columns(matrix);
+    Real change[Residual::widest] = {}, size[Residual::widest] = {};
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Index p = 0; p < planes; ++p, from += width) {
+            Real* const to = lines.at(i) + p * plane + first;
+            for (Index k = 0; k < n; ++k) {
+                Real const correction = static_cast<Real>(from[k]);
+                to[k] = chosen.column[k] ? to[k] + correction : to[k];
+                change[k] = larger(change[k], absolute(correction));
+                size[k] = larger(size[k], absolute(to[k]));
+            }
+        }
+    }
+    Residual::Changes out;
+    for (Index k = 0; k < n; ++k) out.column[k] = size[k] > 0 ? change[k] / size[k] : 0;
+    return out;
+}
+
+// See Residual::beside_entries: rows of the numbers left in one column, which finds room for its entries in the next one.
+template <class Number>
+Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, Number* rows, Index width) noexcept {
+    Index const planes = matrix.is_complex() ? 2 : 1;
+    auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
+    auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
     auto const size = [&](Span<Real> re, Span<Real> im, Offset e) {
         return absolute(re[e]) + (planes == 2 ? absolute(im[e]) : 0);
     };
+    for (Index i = 0; i < matrix.n; ++i) row_of(i)[1] = 0;
     for (Index i = 0; i < matrix.n; ++i) {
         for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
             Real const its = size(matrix.value, matrix.imaginary, e);
-            entries_of(i) += its;
-            entries_of(matrix.column[e]) += its;
+            add(i, its);
+            add(matrix.column[e], its);
         }
     }
     for (Index c = 0; c < matrix.coupling_row.count(); ++c) {
-        entries_of(matrix.coupling_row[c]) += size(matrix.coupling_value, matrix.coupling_imaginary, c);
+        add(matrix.coupling_row[c], size(matrix.coupling_value, matrix.coupling_imaginary, c));
     }
     for (Index h = 0; h < matrix.held_row.count(); ++h) {
-        entries_of(matrix.held_row[h]) += size(matrix.held_value, matrix.held_imaginary, h);
+        add(matrix.held_row[h], size(matrix.held_value, matrix.held_imaginary, h));
     }
     Real largest = 0, worst = 0;
     Offset const plane = lines.columns(matrix);
@@ -245,9 +202,9 @@ Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index co
     for (Index i = 0; i < matrix.n; ++i) look(lines.at(i));
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
-            Real const left = absolute(row_of(i)[p * width]);
+            Real const left = absolute(static_cast<Real>(row_of(i)[p * width]));
             if (left == 0) continue;
-            Real const share = left / (entries_of(i) * largest);
+            Real const share = left / (static_cast<Real>(row_of(i)[1]) * largest);
             if (!(share < infinity)) return infinity;
             worst = larger(worst, share);
         }
@@ -255,25 +212,50 @@ Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index co
     return worst;
 }
 
+}  // namespace
+
+void Residual::lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width,
+                       Precision precision) noexcept {
+    width = its_width;
+    Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
+    arena.take(value, precision == Precision::in_double ? numbers : 0);
+    arena.take(single, precision == Precision::in_single ? numbers : 0);
+    bool const waits = kind != MatrixKind::two_lines;
+    arena.take(latest, waits ? unknowns : 0);
+    arena.take(next, waits ? Offset{unknowns} + walls : 0);
+}
+
+Real Residual::Norms::relative(Index k) const noexcept {
+    return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
+}
+
+Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+    if (matrix.kind == MatrixKind::two_lines) return TurnedBalances(matrix, lines, first, n, width, value).run();
+    Norms norms;
+    if (single.empty()) {
+        find_balances(*this, matrix, lines, first, n, value.data(), norms);
+    } else {
+        find_balances(*this, matrix, lines, first, n, single.data(), norms);
+    }
+    return norms;
+}
+
+Residual::Norms Residual::measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+    Norms norms;
+    find_balances(*this, matrix, lines, first, n, static_cast<Real*>(nullptr), norms);
+    return norms;
+}
+
+Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept {
+    compute(matrix, lines, column, 1);
+    if (single.empty()) return beside_entries_in(matrix, lines, column, value.data(), width);
+    return beside_entries_in(matrix, lines, column, single.data(), width);
+}
+
 Residual::Changes Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n,
                                    Choice const& chosen) const noexcept {
-    Index const planes = matrix.is_complex() ? 2 : 1;
-    Offset const plane = lines.columns(matrix);
-    Real change[widest] = {}, size[widest] = {};
-    for (Index i = 0; i < matrix.n; ++i) {
-        for (Index p = 0; p < planes; ++p) {
-            Real* const to = lines.at(i) + p * plane + first;
-            const Real* const from = value.data() + (Offset{i} * planes + p) * width;
-            for (Index k = 0; k < n; ++k) {
-                to[k] = chosen.column[k] ? to[k] + from[k] : to[k];
-                change[k] = larger(change[k], absolute(from[k]));
-                size[k] = larger(size[k], absolute(to[k]));
-            }
-        }
-    }
-    Changes out;
-    for (Index k = 0; k < n; ++k) out.column[k] = size[k] > 0 ? change[k] / size[k] : 0;
-    return out;
+    if (single.empty()) return add_rows(matrix, lines, value.data(), width, first, n, chosen);
+    return add_rows(matrix, lines, single.data(), width, first, n, chosen);
 }
 
 }  // namespace harmorph

@@ -1,4 +1,4 @@
-// Flows between unknowns for processors with AVX2; the rest of the library is built for the plain architecture.
+// Balances of rows for processors with AVX2; the rest of the library is built for the plain architecture.
 #if defined(__x86_64__) && defined(__GNUC__)
 
 // Shared headers come first: their functions must not be compiled for a processor that may not be there.
@@ -16,8 +16,6 @@
 #define HARMORPH_LANES 4
 #define HARMORPH_LOAD_PART(from, n) \
     _mm256_maskload_pd(from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)))
-#define HARMORPH_STORE_PART(to, n, v) \
-    _mm256_maskstore_pd(to, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)), v)
 #include "residual_kernel.hpp"
 
 #if defined(__clang__)

@@ -1,4 +1,4 @@
-// Flows between unknowns for processors with AVX-512; the rest of the library is built for the plain architecture.
+// Balances of rows for processors with AVX-512; the rest of the library is built for the plain architecture.
 #if defined(__x86_64__) && defined(__GNUC__)
 
 // Shared headers come first: their functions must not be compiled for a processor that may not be there.
@@ -15,7 +15,6 @@
 #define HARMORPH_KERNEL avx512
 #define HARMORPH_LANES 8
 #define HARMORPH_LOAD_PART(from, n) _mm512_maskz_loadu_pd(static_cast<__mmask8>((1 << (n)) - 1), from)
-#define HARMORPH_STORE_PART(to, n, v) _mm512_mask_storeu_pd(to, static_cast<__mmask8>((1 << (n)) - 1), v)
 #include "residual_kernel.hpp"
 
 #if defined(__clang__)

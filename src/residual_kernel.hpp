@@ -1,6 +1,6 @@
-// Flows between unknowns for one kind of vector register; see dense_kernel.hpp for what the including file defines, and
-// here HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros; HARMORPH_STORE_PART(to, n, v):
-// the first n. A column's arithmetic is the same in all kernels, and so are its bits.
+// Balances of all rows for one kind of vector register; see dense_kernel.hpp for what the including file defines, and
+// here HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros. A column's arithmetic is the same in
+// all kernels, and so are its bits.
 #include "harmorph/residual.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
@@ -9,99 +9,225 @@ namespace {
 constexpr Index lanes = HARMORPH_LANES;
 constexpr Index block = 8;  // columns at a time
 constexpr Index vectors = block / lanes;
+constexpr Index most_at_once = 32;  // neighbours
+constexpr Index rows_ahead = 4;     // lines lie anywhere: those are on their way while a row is summed
+static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
 
 typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
-// A row of a block: all of it, or its first n columns.
-template <bool whole>
-struct Row {
-    Index n;
+// The first n columns from a place in a line, n <= block.
+HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
+    for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
+        to[v] = n >= lanes ? *reinterpret_cast<const Vector*>(from) : Vector(HARMORPH_LOAD_PART(from, n > 0 ? n : 0));
+    }
+}
 
-    HARMORPH_INLINE Index left(Index v) const noexcept {
-        Index const n_left = n - v * lanes;
-        return n_left < 0 ? 0 : n_left < lanes ? n_left : lanes;
-    }
-    HARMORPH_INLINE Vector load(const Real* from, Index v) const noexcept {
-        from += v * lanes;
-        if (whole) return *reinterpret_cast<const Vector*>(from);
-        return Vector(HARMORPH_LOAD_PART(from, left(v)));
-    }
-    HARMORPH_INLINE void store(Real* to, Index v, Vector numbers) const noexcept {
-        to += v * lanes;
-        if (whole) {
-            *reinterpret_cast<Vector*>(to) = numbers;
-        } else {
-            HARMORPH_STORE_PART(to, left(v), numbers);
-        }
-    }
-};
+template <Index planes, class To>
+class Balances {
+public:
+    Balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n) noexcept
+        : matrix_(matrix), lines_(lines), latest_(latest), next_(next), first_(first), n_(n), plane_(lines.columns(matrix)) {}
 
-template <Index planes, bool whole>
-void add_block(Matrix const& matrix, Lines const& lines, Index first, Row<whole> const row, Real* value, Index width,
-               Real* squares) noexcept {
-    Offset const plane = lines.columns(matrix), row_length = Offset{planes} * width;
-    Vector sum[vectors] = {};
-    for (Index i = 0; i < matrix.n; ++i) {
-        const Real* const at = lines.at(i) + first;
-        Real* const to = value + i * row_length;
-        Vector own[planes][vectors], rest[planes][vectors];
-        for (Index p = 0; p < planes; ++p) {
-            for (Index v = 0; v < vectors; ++v) {
-                own[p][v] = row.load(at + p * plane, v);
-                rest[p][v] = row.load(to + p * width, v);
+    void run(To* value, Index width, Residual::Norms& norms) noexcept {
+        for (Index& its : latest_) its = none;
+        Index const walls = matrix_.coupling_start.count() - 1;
+        for (Index wall = 0; wall < walls; ++wall) queue(matrix_.n + wall, matrix_.coupling_start[wall]);
+        Index held = 0;
+        for (Index i = 0; i < matrix_.n; ++i) {
+            fetch(i + rows_ahead);
+            begin_row(i);
+            for (; held < matrix_.held_row.count() && matrix_.held_row[held] == i; ++held) {
+                take(own_, -matrix_.held_value[held], -imaginary(matrix_.held_imaginary, held), rest_);
+            }
+            take_earlier(i, norms.right_hand_side);
+            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
+                add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)});
+            }
+            queue(i, matrix_.start[i]);
+            sum_flows();
+            add_squares(rest_, norms.rest);
+            if (value == nullptr) continue;
+            for (Index p = 0; p < planes; ++p, value += width) {
+                for (Index k = 0; k < n_; ++k) value[k] = static_cast<To>(rest_[p][k]);
             }
         }
-        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-            const Real* const other = lines.at(matrix.column[e]) + first;
-            Real* const its = value + matrix.column[e] * row_length;
-            Real const re = matrix.value[e];
-            for (Index v = 0; v < vectors; ++v) {
-                Vector const rise = row.load(other, v) - own[0][v];
-                if constexpr (planes == 1) {
-                    Vector const flow = rise * re;
-                    rest[0][v] -= flow;
-                    row.store(its, v, row.load(its, v) + flow);
-                } else {
-                    Real const im = matrix.imaginary[e];
-                    Vector const turned = row.load(other + plane, v) - own[1][v];
-                    Vector const along = rise * re, across = turned * im;
-                    Vector const turned_along = turned * re, turned_across = rise * im;
-                    rest[0][v] -= along - across;
-                    rest[1][v] -= turned_along + turned_across;
-                    row.store(its, v, row.load(its, v) + (along + across));
-                    row.store(its + width, v, row.load(its + width, v) + (turned_along - turned_across));
+    }
+
+private:
+    struct Neighbour {
+        const Real* at;
+        Real re, im;
+    };
+    typedef Real Row[planes][Residual::widest];
+
+    const Real* at(Index position) const noexcept { return lines_.at(position) + first_; }
+    static Real imaginary(Span<Real> of, Offset entry) noexcept { return planes == 2 ? of[entry] : 0; }
+
+    // Entries of an unknown's row, or behind those of a line of the wall, with their columns.
+    Span<Index> columns(Index row) const noexcept {
+        return row < matrix_.n ? matrix_.column : matrix_.coupling_row;
+    }
+    Offset end(Index row) const noexcept {
+        return row < matrix_.n ? matrix_.start[row + 1] : matrix_.coupling_start[row - matrix_.n + 1];
+    }
+    Offset begin(Index row) const noexcept {
+        return row < matrix_.n ? matrix_.start[row] : matrix_.coupling_start[row - matrix_.n];
+    }
+    // The row waits for the one that its entry leads to.
+    void queue(Index row, Offset entry) const noexcept {
+        if (entry == end(row)) return;
+        Index const column = columns(row)[entry];
+        next_[row] = latest_[column];
+        latest_[column] = row;
+    }
+    // Its first entry that leads to i.
+    Offset entry_to(Index i, Index row) const noexcept {
+        Span<Index> const columns_of = columns(row);
+        Offset low = begin(row), high = end(row) - 1;
+        while (low < high) {
+            Offset const middle = low + (high - low) / 2;
+            if (columns_of[middle] < i) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    void begin_row(Index i) noexcept {
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) {
+                own_[p][k] = at(i)[p * plane_ + k];
+                rest_[p][k] = 0;
+            }
+        }
+    }
+
+    // The rows that wait for this one, and those of the wall.
+    void take_earlier(Index i, Real* right_hand_side) noexcept {
+        bool beside_wall = false;
+        for (Index row = latest_[i]; row != none;) {
+            Index const its_next = next_[row];
+            Offset e = entry_to(i, row);
+            if (row < matrix_.n) {
+                add({at(row), matrix_.value[e], -imaginary(matrix_.imaginary, e)});
+                ++e;
+            } else {
+                if (!beside_wall) clear(right_);
+                beside_wall = true;
+                for (; e < end(row) && matrix_.coupling_row[e] == i; ++e) take_known(row - matrix_.n, e);
+            }
+            queue(row, e);
+            row = its_next;
+        }
+        if (beside_wall) add_squares(right_, right_hand_side);
+    }
+
+    void take_known(Index wall, Offset coupling) noexcept {
+        Real const re = matrix_.coupling_value[coupling], im = imaginary(matrix_.coupling_imaginary, coupling);
+        const Real* const known = lines_.wall(wall) + first_;
+        Row numbers;
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) numbers[p][k] = known[p * plane_ + k];
+        }
+        take(numbers, re, im, right_);
+        add({known, re, im});
+    }
+
+    void clear(Row& row) const noexcept {
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) row[p][k] = 0;
+        }
+    }
+    // row -= (re + i im) x
+    void take(Row const& x, Real re, Real im, Row& row) const noexcept {
+        for (Index k = 0; k < n_; ++k) {
+            row[0][k] -= re * x[0][k];
+            if constexpr (planes == 2) {
+                row[0][k] += im * x[1][k];
+                row[1][k] -= re * x[1][k] + im * x[0][k];
+            }
+        }
+    }
+    void add_squares(Row const& row, Real* sums) const noexcept {
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) sums[k] += row[p][k] * row[p][k];
+        }
+    }
+
+    void add(Neighbour const& its) noexcept {
+        if (count_ == most_at_once) sum_flows();
+        neighbour_[count_++] = its;
+    }
+
+    // What flows along couplings: rest -= (re + i im) (neighbour's - own)
+    void sum_flows() noexcept {
+        for (Index k = 0; k < n_; k += block) {
+            Vector own[planes][vectors], rest[planes][vectors];
+            for (Index p = 0; p < planes; ++p) {
+                load(own_[p] + k, block, own[p]);
+                load(rest_[p] + k, block, rest[p]);
+            }
+            for (Index c = 0; c < count_; ++c) {
+                Neighbour const& its = neighbour_[c];
+                Vector other[planes][vectors];
+                for (Index p = 0; p < planes; ++p) load(its.at + p * plane_ + k, n_ - k, other[p]);
+                for (Index v = 0; v < vectors; ++v) {
+                    Vector const rise = other[0][v] - own[0][v];
+                    rest[0][v] -= rise * its.re;
+                    if constexpr (planes == 2) {
+                        Vector const turned = other[1][v] - own[1][v];
+                        rest[0][v] += turned * its.im;
+                        rest[1][v] -= turned * its.re + rise * its.im;
+                    }
                 }
             }
-        }
-        for (Index p = 0; p < planes; ++p) {
-            for (Index v = 0; v < vectors; ++v) {
-                row.store(to + p * width, v, rest[p][v]);
-                sum[v] += rest[p][v] * rest[p][v];
+            for (Index p = 0; p < planes; ++p) {
+                for (Index v = 0; v < vectors; ++v) *reinterpret_cast<Vector*>(rest_[p] + k + v * lanes) = rest[p][v];
             }
         }
+        count_ = 0;
     }
-    for (Index v = 0; v < vectors; ++v) row.store(squares, v, sum[v]);
-}
 
-template <Index planes>
-void add_blocks(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,
-                Real* squares) noexcept {
-    for (Index k = 0; k < n; k += block) {
-        if (n - k >= block) {
-            add_block<planes>(matrix, lines, first + k, Row<true>{block}, value + k, width, squares + k);
-        } else {
-            add_block<planes>(matrix, lines, first + k, Row<false>{n - k}, value + k, width, squares + k);
+    void fetch(Index i) const noexcept {
+        if (i >= matrix_.n) return;
+        fetch_line(at(i));
+        for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) fetch_line(at(matrix_.column[e]));
+    }
+    void fetch_line(const Real* line) const noexcept {
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; k += 8) __builtin_prefetch(line + p * plane_ + k);
         }
     }
-}
+
+    Matrix const& matrix_;
+    Lines const& lines_;
+    Span<Index> latest_, next_;
+    Index first_, n_;
+    Offset plane_;
+    Row own_ = {}, rest_ = {}, right_ = {};
+    Index count_ = 0;
+    Neighbour neighbour_[most_at_once];
+};
 
 }  // namespace
 
-void add_inner_flows(Matrix const& matrix, Lines const& lines, Index first, Index n, Real* value, Index width,
-                     Real* squares) noexcept {
-    if (matrix.is_complex()) return add_blocks<2>(matrix, lines, first, n, value, width, squares);
-    add_blocks<1>(matrix, lines, first, n, value, width, squares);
+template <class To>
+void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n,
+                   To* value, Index width, Residual::Norms& norms) noexcept {
+    if (matrix.is_complex()) {
+        Balances<2, To>(matrix, lines, latest, next, first, n).run(value, width, norms);
+    } else {
+        Balances<1, To>(matrix, lines, latest, next, first, n).run(value, width, norms);
+    }
 }
+
+#define HARMORPH_MAKE(To)                                                                                                \
+    template void find_balances<To>(Matrix const&, Lines const&, Span<Index>, Span<Index>, Index, Index, To*, Index,     \
+                                    Residual::Norms&) noexcept;
+HARMORPH_MAKE(double)
+HARMORPH_MAKE(float)
 
 }  // namespace harmorph::HARMORPH_KERNEL

@@ -5,7 +5,7 @@ rooms='
 types
 span scalar arena progress processor executor cell_ranges
 vec2 predicates angle value_kind sort hash monotone kernel_call fixed_sum
-product product_kernel product_baseline product_avx2 product_avx512 rows
+product product_kernel product_baseline product_avx2 product_avx512 rows flush
 dense dense_tiles dense_sums dense_kernel dense_moves dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
 box_tree locate
 corners closure knots least_squares projection chain fit

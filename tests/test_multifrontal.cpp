@@ -166,6 +166,23 @@ TEST_CASE("Hermitian matrices with random circulations: the same as dense Choles
             }
 }
 
+TEST_CASE("right-hand sides in single precision: the bits of those in double that are rounded") {
+    for (bool const complex : {false, true})
+        for (Index const width : {1, 8, 11}) {
+            Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
+            Analysed const seen(its);
+            FrontalSystem system(*seen.operator->(), complex, harmorph::Precision::in_single, width);
+            system.randomise(9, complex ? 0.8 : 0);
+            system.factorise();
+            std::vector<double> in_double = system.some_sides();
+            std::vector<float> in_single(in_double.size());
+            std::transform(in_double.begin(), in_double.end(), in_single.begin(), [](double x) { return static_cast<float>(x); });
+            system.solve(in_double);
+            system.solve(in_single);
+            CHECK(std::vector<double>(in_single.begin(), in_single.end()) == in_double);
+        }
+}
+
 TEST_CASE("right-hand sides of one number each: most of the tree sees none, wherever that number is, solve after solve") {
     for (Index const threads : {1, 3})
         for (bool const complex : {false, true}) {

@@ -65,9 +65,9 @@ TEST_CASE("viscous meshes: entries of the matrix that differ by eight orders") {
     for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-9);
 }
 
-TEST_CASE("the thinner cells are, the more steps; what is off after them is said, never left to be found") {
-    int done = 0, missed = 0, refused = 0;
-    for (double const first : {1e-2, 1e-4, 1e-5, 1e-6, 1e-9})
+TEST_CASE("the thinner cells are, the more steps; where they are too thin the factor is refused") {
+    int done = 0, refused = 0;
+    for (double const first : {1e-2, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
         for (std::int32_t const operator_kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL})
             for (std::int32_t const quarters : {0, 16}) {
                 if (operator_kind == HM_LAPLACE && quarters > 0) continue;
@@ -84,15 +84,18 @@ TEST_CASE("the thinner cells are, the more steps; what is off after them is said
                     Difference const found = difference_of_all(exact, attempt);
                     CHECK(found.worst < 1e-9 * found.largest);
                     ++done;
-                } else if (attempt.status == HM_NOT_CONVERGED) {
-                    CHECK(attempt.error.value > 1e-10);
-                    ++missed;
                 } else {
                     CHECK(attempt.status == HM_NOT_POSITIVE);
                     ++refused;
                 }
             }
-    CHECK((done >= 15 && missed > 0 && refused > 0));
+    CHECK((done >= 30 && refused > 0));
+}
+
+TEST_CASE("a second correction as large as the first: rough right-hand sides, no stagnation") {
+    Case its = airfoil_case(40, 12, Cells::quads);
+    its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 40)).mesh;
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) check_same(its, operator_kind, 1e-10);
 }
 
 TEST_CASE("the plan takes less than two thirds of the memory") {

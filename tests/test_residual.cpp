@@ -40,10 +40,11 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
     harmorph::Arena counting;
     harmorph::Residual residual;
-    residual.lay_out(counting, plan.matrix.n, false);
+    Index const walls = plan.matrix.coupling_start.count() - 1;
+    residual.lay_out(counting, plan.matrix.n, walls, plan.matrix.kind);
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.matrix.n, false);
+    residual.lay_out(placing, plan.matrix.n, walls, plan.matrix.kind);
 
     Index const width = residual.width;
     Index const function = width + 1, wrong = plan.matrix.n / 2;   // of the second group of functions
@@ -223,6 +224,35 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         }
         CHECK(worst == 0);
         CHECK(largest > 0);
+    }
+}
+
+TEST_CASE("rows in single precision are those in double, rounded last; norms are the same without rows") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = thin_case(1e-3, false);
+        hm_options in_double = with(kind, HM_DIRECT), in_single = in_double;
+        in_single.precision = HM_SINGLE;
+        Solved const solved(its, &in_double), other(its, &in_single);
+        harmorph::Plan const& plan = inside(solved.plan);
+        harmorph::Residual wide = plan.residual, narrow = inside(other.plan).residual;
+        harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
+        harmorph::Lines const lines{basis, plan.line_of, 1};
+        REQUIRE((wide.single.empty() && !narrow.single.empty()));
+        Index const n = std::min(wide.width, narrow.width) - 1, planes = kind == HM_CONFORMAL ? 2 : 1;
+        harmorph::Residual::Norms const norms = wide.compute(plan.matrix, lines, 1, n);
+        harmorph::Residual::Norms const rounded = narrow.compute(plan.matrix, lines, 1, n);
+        harmorph::Residual::Norms const alone = narrow.measure(plan.matrix, lines, 1, n);
+        for (Index k = 0; k < n; ++k) {
+            CHECK((norms.rest[k] == rounded.rest[k] && norms.rest[k] == alone.rest[k] && norms.rest[k] > 0));
+            CHECK((norms.right_hand_side[k] == rounded.right_hand_side[k] && norms.right_hand_side[k] == alone.right_hand_side[k]));
+        }
+        int different = 0;
+        for (Index row = 0; row < planes * plan.matrix.n; ++row)
+            for (Index k = 0; k < n; ++k) {
+                double const value = wide.value[harmorph::Offset{row} * wide.width + k];
+                different += narrow.single[harmorph::Offset{row} * narrow.width + k] != static_cast<float>(value);
+            }
+        CHECK(different == 0);
     }
 }
 

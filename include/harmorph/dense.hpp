@@ -145,13 +145,16 @@ template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
 
 // Rows of y, with zeros in the padding, from the given positions: begin .. begin+n-1, or those of a list. `row` as above.
-template <class Number>
-void gather(Kernel kernel, Rows const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
-template <class Number>
-void gather(Kernel kernel, Rows const& from, Span<const Index> positions, Number* y, Index row, Index planes) noexcept;
+// Values are doubles, or floats where numbers are.
+template <class Number, class Value>
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
+template <class Number, class Value>
+void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
+            Index planes) noexcept;
 // And back to positions begin .. begin+n-1.
-template <class Number>
-void scatter(Kernel kernel, const Number* y, Index row, Index planes, Rows const& to, Index begin, Index n) noexcept;
+template <class Number, class Value>
+void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
+             Index n) noexcept;
 
 // Adds n rows of `length` numbers, a multiple of slab, to rows of y.
 template <class Number>

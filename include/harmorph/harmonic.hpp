@@ -85,9 +85,11 @@ private:
     Status refine(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
     struct Refined {
         Residual::Norms norms;
-        Real error[Residual::widest];  // what values are thought to be off, beside the largest
+        Real error[Residual::widest] = {};  // what values are thought to be off, beside the largest
         Index steps = 0, iterations = 0;
     };
+    // Are these columns' residuals rounding, and their factor one that leaves no more?
+    bool need_nothing(Lines const& all, Index first, Index n, Refined& its) const noexcept;
     Status refine_columns(Lines const& all, Index first, Index n, Refined& its, Fault& fault) noexcept;
     bool is_only_rounding(Lines const& all, Index column, Real error) const noexcept;
     Status judge(SolveReport const& report, Fault& fault) const noexcept;

@@ -55,6 +55,8 @@ struct Multifrontal {
     Real least_pivot() const noexcept;
     // In place: right-hand sides become solutions.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
+    // The same of a factor in single precision.
+    Status solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept;
 
     // What follows serves those two.
     template <class Number>
@@ -125,8 +127,8 @@ private:
     void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept;
     template <class Number>
     Status factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
-    template <class Number>
-    Status solve_in(Rows const& values, Progress const& progress, Fault& fault) noexcept;
+    template <class Number, class Value>
+    Status solve_in(RowsOf<Value> const& values, Progress const& progress, Fault& fault) noexcept;
 };
 
 template <>

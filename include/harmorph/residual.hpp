@@ -3,6 +3,7 @@
 
 #include "harmorph/basis.hpp"
 #include "harmorph/matrix.hpp"
+#include "harmorph/method.hpp"
 #include "harmorph/processor.hpp"
 
 namespace harmorph {
@@ -28,18 +29,20 @@ struct Lines {
 // Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
 // what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
 // lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
+// A row is summed at once: it finds its earlier entries in lists, where each row waits for the next that it is coupled to.
 struct Residual {
     static constexpr Index widest = 24;
 
     Index width = 6;   // at most `widest`
     Kernel kernel = Kernel::baseline;  // any gives the same bits
-    Span<Real> value;  // [n x planes x width] rows by position: b - A F, real and then imaginary parts
+    // [n x planes x width] rows by position: b - A F, real and then imaginary parts; of these one, as the engine solves.
+    Span<Real> value;
+    Span<float> single;  // differences are rounded to single precision last, so that corrections are none the worse
+    Span<Index> latest;  // [n] not of two lines: the row that began to wait last, and
+    Span<Index> next;    // [n + lines of the wall] for each the one before it
 
-    void lay_out(Arena& arena, Index unknowns, bool complex, Index its_width = 6) noexcept {
-        width = its_width;
-        arena.take(value, Offset{unknowns} * (complex ? 2 * width : width));
-    }
-
+    void lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width = 6,
+                 Precision precision = Precision::in_double) noexcept;
     // Columns first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
     struct Norms {
         Real right_hand_side[widest] = {}, rest[widest] = {};
@@ -47,6 +50,8 @@ struct Residual {
         Real relative(Index k) const noexcept;
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
+    // The norms alone, n <= widest; not of two lines.
+    Norms measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
     // Of one column, in all rows: the largest number of b - A F beside the row's entries times the largest of F. Rounding of F
     // alone leaves an epsilon of that. 2 <= width. Infinite where a number is none.
     Real beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept;

@@ -5,16 +5,18 @@
 
 namespace harmorph {
 
-struct Rows {
-    Real* data = nullptr;
+template <class Number>
+struct RowsOf {
+    Number* data = nullptr;
     const Index* row_of = nullptr;  // [n] row of each position, or null: its number
     Offset row_length = 0;          // numbers from one row to the next
     Index width = 0;                // right-hand sides
     Offset plane = 0;               // complex: from a row's real parts to its imaginary parts
 
-    Real* operator[](Index position) const noexcept {
+    Number* operator[](Index position) const noexcept {
         return data + (row_of != nullptr ? row_of[position] : position) * row_length;
     }
 };
+using Rows = RowsOf<Real>;
 
 }  // namespace harmorph
