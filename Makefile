@@ -1,6 +1,6 @@
 # harmorph. POSIX make and any C++17 compiler; there is no configure step.
 #
-#   make                  library and program
+#   make                  library and program, and harmorph.f90 of one piece
 #   make test             all tests; the last line counts them
 #   make unit             the C++ tests alone
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
@@ -55,6 +55,7 @@ all: rules
 # files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit
+	@sh fortran/join.sh >$(BUILD)/harmorph.f90
 	@echo '$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
 	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
 	@objects() { \
@@ -132,7 +133,7 @@ install: all
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp fortran/*.f90 c_api/harmorph_mpi.c tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 uninstall:

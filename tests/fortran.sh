@@ -27,7 +27,7 @@ quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
 build_and_run() {   # where, flags...: its own modules and objects in each place
     place=$dir/$1; shift
     mkdir -p "$place"
-    check "module with $*" quietly $FC $strict $FFLAGS "$@" -J"$place" -c fortran/harmorph.f90 -o "$place/harmorph.o"
+    check "module with $*" quietly $FC $strict $FFLAGS "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
     check "use.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -J"$place" -c tests/use.f90 -o "$place/use.o"
     check "link with $*" $FC $FFLAGS "$@" "$place/use.o" "$place/harmorph.o" "$build/libharmorph.a" -o "$place/use"
     (cd "$place" && ./use) || failed=$((failed + 1))
@@ -52,10 +52,10 @@ check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/check
 # What the header has and the module has not: functions, then constants.
 missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' c_api/harmorph.h); do
-        grep -q "name=\"$name\"" fortran/harmorph.f90 || echo "$name"
+        grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
     for name in $(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1); do
-        grep -q "\b$name = " fortran/harmorph.f90 && grep -qi "PUT($name)" tests/layout.c || echo "$name"
+        grep -q "\b$name = " "$build/harmorph.f90" && grep -qi "PUT($name)" tests/layout.c || echo "$name"
     done
 }
 nothing_missing() { missing | tee "$dir/missing"; test ! -s "$dir/missing"; }

@@ -36,7 +36,7 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph_mpi.c naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 
@@ -86,6 +86,7 @@ check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_
 check "cmake builds" cmake --build "$dir/cmake"
 check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"
 check "the list of files by cmake" same_files "$dir/second"
+check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f90" "$dir/second/share/harmorph/harmorph.f90"
 check "use by pkg-config, by cmake" by_pkg_config "$dir/second"
 check "use by find_package, by cmake" by_find_package "$dir/second"
 

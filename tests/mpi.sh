@@ -37,7 +37,7 @@ c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-m
 
 check "harmorph_mpi.c" c -Ic_api -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "mpi.c" c -pthread -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
-for source in fortran/harmorph.f90 fortran/harmorph_mpi.f90 tests/mpi.f90; do check "$source" fortran "$source"; done
+for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 tests/mpi.f90; do check "$(basename "$source")" fortran "$source"; done
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do

@@ -1,0 +1,375 @@
+! The C functions of harmorph.h, for those who want them as they are, and for the modules that follow.
+module harmorph_calls
+    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t
+    use harmorph_structs
+    implicit none
+    public
+    private :: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t
+
+    interface
+        integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
+            import
+        end function
+        type(c_ptr) function hm_c_version() bind(c, name="hm_version")
+            import
+        end function
+        type(c_ptr) function hm_c_status_name(status) bind(c, name="hm_status_name")
+            import
+            integer(c_int32_t), value, intent(in) :: status
+        end function
+        integer(c_int32_t) function hm_c_curves_check(curves, err) bind(c, name="hm_curves_check")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_curve_basis(curves, curve, u, n_derivatives, control, values, err) &
+            bind(c, name="hm_curve_basis")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve, n_derivatives
+            real(c_double), value, intent(in) :: u
+            integer(c_int32_t), intent(inout) :: control(*)
+            real(c_double), intent(inout) :: values(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_curve_point(curves, curve, u, n_derivatives, xy, err) &
+            bind(c, name="hm_curve_point")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve, n_derivatives
+            real(c_double), value, intent(in) :: u
+            real(c_double), intent(inout) :: xy(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_curve_project(curves, curve, x, y, u, distance, err) &
+            bind(c, name="hm_curve_project")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve
+            real(c_double), value, intent(in) :: x, y
+            real(c_double), intent(inout) :: u, distance
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_fit_size(n, options, bytes, err) bind(c, name="hm_fit_size")
+            import
+            integer(c_int32_t), value, intent(in) :: n
+            type(hm_c_fit_options), intent(in) :: options
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_fit(curves, block, bytes, x, y, stride, n, is_loop, options, report, err) &
+            bind(c, name="hm_fit")
+            import
+            type(c_ptr), intent(inout) :: curves
+            type(c_ptr), value, intent(in) :: block, x, y
+            integer(c_size_t), value, intent(in) :: bytes
+            integer(c_int64_t), value, intent(in) :: stride
+            integer(c_int32_t), value, intent(in) :: n, is_loop
+            type(hm_c_fit_options), intent(in) :: options
+            type(hm_fit_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_analysis_size(problem, options, bytes, err) bind(c, name="hm_analysis_size")
+            import
+            type(hm_c_problem), intent(in) :: problem
+            type(c_ptr), value, intent(in) :: options
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_analysis_init(analysis, block, bytes, problem, options, err) &
+            bind(c, name="hm_analysis_init")
+            import
+            type(c_ptr), intent(inout) :: analysis
+            type(c_ptr), value, intent(in) :: block, options
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_problem), intent(in) :: problem
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_analysis_report(analysis, report, err) bind(c, name="hm_analysis_report")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            type(hm_mesh_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_analysis_boundary(analysis, n_markers, markers, piece, points, capacity, &
+            n, is_loop, err) bind(c, name="hm_analysis_boundary")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: n_markers, piece, capacity
+            integer(c_int32_t), intent(in) :: markers(*)
+            integer(c_int32_t), intent(inout) :: points(*), n, is_loop
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_size(analysis, bytes, err) bind(c, name="hm_plan_size")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_init(plan, block, bytes, analysis, err) bind(c, name="hm_plan_init")
+            import
+            type(c_ptr), intent(inout) :: plan
+            type(c_ptr), value, intent(in) :: block, analysis
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_size(analysis, bytes, err) bind(c, name="hm_basis_size")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_init(basis, block, bytes, analysis, err) bind(c, name="hm_basis_init")
+            import
+            type(c_ptr), intent(inout) :: basis
+            type(c_ptr), value, intent(in) :: block, analysis
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_factor(plan, x, y, stride, err) bind(c, name="hm_plan_factor")
+            import
+            type(c_ptr), value, intent(in) :: plan, x, y
+            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_solve(plan, basis, report, err) bind(c, name="hm_plan_solve")
+            import
+            type(c_ptr), value, intent(in) :: plan, basis
+            type(hm_solve_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_level(plan, level, cells, n_cells, err) bind(c, name="hm_plan_level")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), value, intent(in) :: level
+            integer(c_int32_t), intent(inout) :: cells(*), n_cells
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_attach(basis, block, bytes, mesh, err) bind(c, name="hm_basis_attach")
+            import
+            type(c_ptr), intent(inout) :: basis
+            type(c_ptr), value, intent(in) :: block, mesh
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_info_get(basis, info, err) bind(c, name="hm_basis_info_get")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_basis_info), intent(inout) :: info
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_curves(basis, out, curve, capacity, err) bind(c, name="hm_basis_curves")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_curves), intent(inout) :: out
+            type(hm_c_curve), intent(inout) :: curve(*)
+            integer(c_int32_t), value, intent(in) :: capacity
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_conditions(basis, out, capacity, n, err) &
+            bind(c, name="hm_basis_conditions")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            type(hm_c_condition), intent(inout) :: out(*)
+            integer(c_int32_t), value, intent(in) :: capacity
+            integer(c_int32_t), intent(inout) :: n
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_basis_values(basis, function, number, values, err) &
+            bind(c, name="hm_basis_values")
+            import
+            type(c_ptr), value, intent(in) :: basis, values
+            integer(c_int32_t), value, intent(in) :: function, number
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_single_size(basis, bytes, err) bind(c, name="hm_single_size")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_single_init(single, block, bytes, basis, err) bind(c, name="hm_single_init")
+            import
+            type(c_ptr), intent(inout) :: single
+            type(c_ptr), value, intent(in) :: block, basis
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_transfer_size(analysis, coarse_mesh, bytes, err) &
+            bind(c, name="hm_transfer_size")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            type(hm_c_mesh), intent(in) :: coarse_mesh
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_transfer(basis, block, bytes, analysis, coarse, coarse_mesh, report, err) &
+            bind(c, name="hm_transfer")
+            import
+            type(c_ptr), value, intent(in) :: basis, block, analysis, coarse
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_mesh), intent(in) :: coarse_mesh
+            type(hm_transfer_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_morph(basis, move, x, y, stride, x_new, y_new, stride_new, executor, err) &
+            bind(c, name="hm_morph")
+            import
+            type(c_ptr), value, intent(in) :: basis, x, y, x_new, y_new, executor
+            real(c_double), intent(in) :: move(*)
+            integer(c_int64_t), value, intent(in) :: stride, stride_new
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_adjoint(basis, dj_dx, dj_dy, stride, gradient, executor, err) &
+            bind(c, name="hm_adjoint")
+            import
+            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
+            integer(c_int64_t), value, intent(in) :: stride
+            real(c_double), intent(inout) :: gradient(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_boundary_error(basis, move, x, y, stride, x_new, y_new, stride_new, error, &
+            point, err) bind(c, name="hm_boundary_error")
+            import
+            type(c_ptr), value, intent(in) :: basis, x, y, x_new, y_new
+            real(c_double), intent(in) :: move(*)
+            integer(c_int64_t), value, intent(in) :: stride, stride_new
+            real(c_double), intent(inout) :: error
+            integer(c_int32_t), intent(inout) :: point
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_extract_size(basis, n, bytes, err) bind(c, name="hm_extract_size")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_extract_init(rows, block, bytes, basis, n, points, err) &
+            bind(c, name="hm_extract_init")
+            import
+            type(c_ptr), intent(inout) :: rows
+            type(c_ptr), value, intent(in) :: block, basis
+            integer(c_size_t), value, intent(in) :: bytes
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_share_of(analysis, part, n_parts, first, n, err) bind(c, name="hm_share_of")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: part, n_parts
+            integer(c_int32_t), intent(inout) :: first, n
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_share_size(analysis, first, n, bytes, err) bind(c, name="hm_share_size")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            integer(c_int32_t), value, intent(in) :: first, n
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_share_init(share, block, bytes, analysis, first, n, err) &
+            bind(c, name="hm_share_init")
+            import
+            type(c_ptr), intent(inout) :: share
+            type(c_ptr), value, intent(in) :: block, analysis
+            integer(c_size_t), value, intent(in) :: bytes
+            integer(c_int32_t), value, intent(in) :: first, n
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_parcel_size(share, n, doubles, err) bind(c, name="hm_parcel_size")
+            import
+            type(c_ptr), value, intent(in) :: share
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int64_t), intent(inout) :: doubles
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_parcel_pack(share, n, points, parcel, err) bind(c, name="hm_parcel_pack")
+            import
+            type(c_ptr), value, intent(in) :: share
+            integer(c_int32_t), value, intent(in) :: n
+            integer(c_int32_t), intent(in) :: points(*)
+            real(c_double), intent(inout) :: parcel(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_parcel_unpack(rows, parcel, doubles, err) bind(c, name="hm_parcel_unpack")
+            import
+            type(c_ptr), value, intent(in) :: rows
+            real(c_double), intent(in) :: parcel(*)
+            integer(c_int64_t), value, intent(in) :: doubles
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_adjoint_scale(basis, dj_dx, dj_dy, stride, scale, executor, err) &
+            bind(c, name="hm_adjoint_scale")
+            import
+            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
+            integer(c_int64_t), value, intent(in) :: stride
+            integer(c_int32_t), intent(inout) :: scale
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_adjoint_sums(basis, dj_dx, dj_dy, stride, scale, sums, executor, err) &
+            bind(c, name="hm_adjoint_sums")
+            import
+            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
+            integer(c_int64_t), value, intent(in) :: stride
+            integer(c_int32_t), value, intent(in) :: scale
+            integer(c_int64_t), intent(inout) :: sums(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_adjoint_finish(basis, scale, sums, gradient, err) &
+            bind(c, name="hm_adjoint_finish")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_int32_t), value, intent(in) :: scale
+            integer(c_int64_t), intent(in) :: sums(*)
+            real(c_double), intent(inout) :: gradient(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) &
+            bind(c, name="hm_admissible_step")
+            import
+            type(c_ptr), value, intent(in) :: basis, dx, dy, executor
+            type(hm_c_mesh), intent(in) :: mesh
+            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_step_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, &
+            report, err) bind(c, name="hm_quality")
+            import
+            type(c_ptr), value, intent(in) :: basis, x, y, x_ref, y_ref, executor
+            type(hm_c_mesh), intent(in) :: mesh
+            integer(c_int64_t), value, intent(in) :: stride, stride_ref
+            type(hm_quality_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_assess(basis, mesh, dx, dy, stride, executor, step, quality, err) &
+            bind(c, name="hm_assess")
+            import
+            type(c_ptr), value, intent(in) :: basis, dx, dy, executor
+            type(hm_c_mesh), intent(in) :: mesh
+            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_step_report), intent(inout) :: step
+            type(hm_quality_report), intent(inout) :: quality
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_morph_safe_size(plan, bytes, err) bind(c, name="hm_morph_safe_size")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_morph_safe(plan, basis, move, x_new, y_new, stride_new, derivative, work, &
+            bytes, options, report, err) bind(c, name="hm_morph_safe")
+            import
+            type(c_ptr), value, intent(in) :: plan, basis, x_new, y_new, derivative, work
+            real(c_double), intent(in) :: move(*)
+            integer(c_int64_t), value, intent(in) :: stride_new
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_safe_options), intent(in) :: options
+            type(hm_safe_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+    end interface
+end module

@@ -1,0 +1,62 @@
+! Blocks of memory: the caller's, or allocated here.
+module harmorph_memory
+    use, intrinsic :: iso_c_binding, only: c_double, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t
+    use harmorph_constants, only: hm_block_too_small
+    use harmorph_outcome, only: outcome
+    implicit none
+    private
+    public :: words_of
+
+    type, public :: block_of_memory
+        integer(c_int64_t), pointer, private :: words(:) => null()      ! what was allocated here
+        type(c_ptr) :: start = c_null_ptr
+        integer(c_size_t) :: bytes = 0
+    contains
+        procedure :: take
+        procedure :: give_back
+    end type
+
+contains
+    pure function words_of(bytes) result(words)
+        integer(c_size_t), intent(in) :: bytes
+        integer(c_int64_t) :: words
+        words = int((bytes + 7) / 8, c_int64_t)
+    end function
+
+    ! At least so many bytes: all of work, where it is given.
+    subroutine take(self, bytes, work, done)
+        class(block_of_memory), intent(inout) :: self
+        integer(c_size_t), intent(in) :: bytes
+        real(c_double), intent(inout), target, optional :: work(:)
+        type(outcome), intent(inout) :: done
+        integer :: failed
+        if (done%status < 0) return
+        self%bytes = bytes
+        if (present(work)) then
+            self%bytes = 8 * size(work, kind=c_size_t)
+            if (.not. is_contiguous(work)) then
+                call done%refuse("work is not contiguous")
+            else if (self%bytes < bytes) then
+                call done%refuse("work is too small", hm_block_too_small, real(bytes - self%bytes, c_double))
+            else
+                self%start = c_loc(work(1))
+            end if
+            return
+        end if
+        allocate(self%words(words_of(bytes)), stat=failed)
+        if (failed == 0) then
+            self%start = c_loc(self%words(1))
+        else
+            nullify(self%words)
+            call done%refuse("no memory for a block", hm_block_too_small, real(bytes, c_double))
+        end if
+    end subroutine
+
+    subroutine give_back(self)
+        class(block_of_memory), intent(inout) :: self
+        if (associated(self%words)) deallocate(self%words)
+        nullify(self%words)
+        self%start = c_null_ptr
+        self%bytes = 0
+    end subroutine
+end module

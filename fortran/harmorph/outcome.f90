@@ -1,0 +1,130 @@
+! How calls end: a status and C's error for each, told by stat and err or by stopping the program.
+module harmorph_outcome
+    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int32_t, c_null_char, c_ptr
+    use harmorph_constants
+    use harmorph_structs, only: hm_c_error
+    use harmorph_calls, only: hm_c_abi_version, hm_c_status_name, hm_c_version
+    implicit none
+    private
+    public :: hm_abi_version, hm_version, hm_status_name, hm_finish
+
+    type, public :: hm_error
+        integer :: code = hm_ok
+        integer :: item = -1                  ! first offending point, cell, ...; -1: none
+        real(c_double) :: value = 0           ! what was found: area, residual, missing bytes
+        character(len=112) :: text = ""
+    end type
+
+    ! Each call has one, passes its parts to C, and ends with finish.
+    type, public :: outcome
+        integer(c_int32_t) :: status = hm_ok
+        type(hm_c_error) :: error
+    contains
+        procedure :: ok
+        procedure :: refuse
+        procedure :: refuse_if
+        procedure :: check_version
+        procedure :: finish
+    end type
+
+contains
+    pure logical function ok(self)
+        class(outcome), intent(in) :: self
+        ok = self%status == hm_ok
+    end function
+
+    ! Refuses with a reason found here. An error that was found before stays.
+    subroutine refuse(self, text, code, value)
+        class(outcome), intent(inout) :: self
+        character(len=*), intent(in) :: text
+        integer, intent(in), optional :: code
+        real(c_double), intent(in), optional :: value
+        integer :: k
+        if (self%status < 0) return
+        self%status = hm_bad_argument
+        if (present(code)) self%status = int(code, c_int32_t)
+        self%error = hm_c_error(code=self%status)
+        if (present(value)) self%error%value = value
+        do k = 1, min(len_trim(text), size(self%error%text) - 1)
+            self%error%text(k) = text(k:k)
+        end do
+    end subroutine
+
+    subroutine refuse_if(self, wrong, text)
+        class(outcome), intent(inout) :: self
+        logical, intent(in) :: wrong
+        character(len=*), intent(in) :: text
+        if (wrong) call self%refuse(text)
+    end subroutine
+
+    subroutine check_version(self)
+        class(outcome), intent(inout) :: self
+        if (hm_c_abi_version() /= hm_abi) call self%refuse("harmorph.f90 and libharmorph.a are of different versions", &
+            hm_unsupported)
+    end subroutine
+
+    ! The end of every call: tells the caller, or stops the program.
+    subroutine finish(self, stat, err)
+        class(outcome), intent(in) :: self
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call hm_finish(self%status, self%error, stat, err)
+    end subroutine
+
+    subroutine hm_finish(status, e, stat, err)
+        integer(c_int32_t), intent(in) :: status
+        type(hm_c_error), intent(in) :: e
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        character(len=:), allocatable :: text
+        if (present(err)) err = hm_error(int(status), int(e%item), e%value, sentence(e))
+        if (present(stat)) then
+            stat = int(status)
+        else if (status < 0) then
+            text = "harmorph: " // hm_status_name(int(status)) // ": " // trim(sentence(e))
+            error stop text
+        end if
+    end subroutine
+
+    pure function sentence(e) result(text)
+        type(hm_c_error), intent(in) :: e
+        character(len=112) :: text
+        integer :: k
+        text = ""
+        do k = 1, size(e%text)
+            if (e%text(k) == c_null_char) exit
+            text(k:k) = e%text(k)
+        end do
+    end function
+
+    integer function hm_abi_version()
+        hm_abi_version = int(hm_c_abi_version())
+    end function
+
+    function hm_version() result(text)
+        character(len=:), allocatable :: text
+        text = c_string(hm_c_version())
+    end function
+
+    function hm_status_name(status) result(text)
+        integer, intent(in) :: status
+        character(len=:), allocatable :: text
+        text = c_string(hm_c_status_name(int(status, c_int32_t)))
+    end function
+
+    function c_string(start) result(text)
+        type(c_ptr), intent(in) :: start
+        character(len=:), allocatable :: text
+        character(kind=c_char), pointer :: letters(:)
+        integer :: k, n
+        call c_f_pointer(start, letters, [100])
+        n = 0
+        do while (letters(n + 1) /= c_null_char)
+            n = n + 1
+        end do
+        allocate(character(len=n) :: text)
+        do k = 1, n
+            text(k:k) = letters(k)
+        end do
+    end function
+end module
