@@ -170,8 +170,10 @@ TEST_CASE("right-hand sides in single precision: the bits of those in double tha
     for (bool const complex : {false, true})
         for (Index const width : {1, 8, 11}) {
             Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);
-            Analysed const seen(its);
-            FrontalSystem system(*seen.operator->(), complex, harmorph::Precision::in_single, width);
+            Threads lanes(1);
+            lanes.options.precision = HM_SINGLE;
+            Analysed const seen(its, &lanes.options);
+            FrontalSystem system(*seen.operator->(), complex, width);
             system.randomise(9, complex ? 0.8 : 0);
             system.factorise();
             std::vector<double> in_double = system.some_sides();
