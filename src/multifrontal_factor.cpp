@@ -58,19 +58,30 @@ private:
 
     // The matrix's own entries in the pivots' rows, and in the diagonal's place the sums of the whole rows.
     void assemble(Index node, Panel const& panel) const noexcept {
+        if (panel.planes == 2) assemble_planes<2>(node, panel);
+        else assemble_planes<1>(node, panel);
+    }
+    // Apart, or its pointers would have no registers.
+    template <Index planes>
+    __attribute__((noinline)) void assemble_planes(Index node, Panel const& panel) const noexcept {
         auto const& its = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
         dense::Slabs<Number> const own = panel.own(), of_border = panel.of_border();
-        for (Index i = its.begin; i < its.end; ++i) {
-            Index const pivot = i - its.begin;
+        Span<Offset> const start = matrix_.start;
+        Span<Index> const column = matrix_.column;
+        Span<Real> const value = matrix_.value, imaginary = matrix_.imaginary;
+        Index const first = its.begin, behind = its.end;
+        Offset k = start[first];
+        for (Index i = first; i < behind; ++i) {
+            Index const pivot = i - first;
             Number* const sum = own.at(pivot, pivot);
             sum[0] = static_cast<Number>(matrix_.excess[i]);
-            if (panel.planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.excess_imaginary[i]);
-            for (Offset k = matrix_.start[i]; k < matrix_.start[i + 1]; ++k) {
-                Index const j = matrix_.column[k];
-                Number* const entry = j < its.end ? own.at(pivot, j - its.begin) : of_border.at(pivot, place_in(border, j));
-                entry[0] = static_cast<Number>(matrix_.value[k]);
-                if (panel.planes == 2) entry[dense::slab] = static_cast<Number>(matrix_.imaginary[k]);
+            if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.excess_imaginary[i]);
+            for (Offset const end = start[i + 1]; k < end; ++k) {
+                Index const j = column[k];
+                Number* const entry = j < behind ? own.at(pivot, j - first) : of_border.at(pivot, place_in(border, j));
+                entry[0] = static_cast<Number>(value[k]);
+                if (planes == 2) entry[dense::slab] = static_cast<Number>(imaginary[k]);
             }
         }
     }
@@ -83,13 +94,16 @@ private:
         }
     }
 
+    // Most borders are short: what is before the position is counted, without branches.
     static Index place_in(Span<const Index> border, Index position) noexcept {
         Index low = 0, high = border.count();
-        while (high - low > 1) {
+        while (high - low > 32) {
             Index const middle = low + (high - low) / 2;
             (border[middle] <= position ? low : high) = middle;
         }
-        return low;
+        Index place = low;
+        for (Index k = low; k < high; ++k) place += border[k] < position ? 1 : 0;
+        return place;
     }
 
     Multifrontal const& engine_;
