@@ -63,16 +63,16 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
     }
 }
 
-// to [n] = from, converted, as many at a time as doubles fill a register.
-template <class From, class To>
+// to [n] = from, converted, as many at a time as doubles fill a register, then half as many.
+template <Index at_once = lanes<double>, class From, class To>
 HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
-    typedef From Froms __attribute__((vector_size(lanes<double> * sizeof(From)), aligned(sizeof(From)), may_alias));
-    typedef To Tos __attribute__((vector_size(lanes<double> * sizeof(To)), aligned(sizeof(To)), may_alias));
+    typedef From Froms __attribute__((vector_size(at_once * sizeof(From)), aligned(sizeof(From)), may_alias));
+    typedef To Tos __attribute__((vector_size(at_once * sizeof(To)), aligned(sizeof(To)), may_alias));
     Index i = 0;
-    for (; i + lanes<double> <= n; i += lanes<double>) {
+    for (; i + at_once <= n; i += at_once) {
         *reinterpret_cast<Tos*>(to + i) = __builtin_convertvector(*reinterpret_cast<const Froms*>(from + i), Tos);
     }
-    for (; i < n; ++i) to[i] = static_cast<To>(from[i]);
+    if constexpr (at_once > 1) convert_run<at_once / 2>(from + i, n - i, to + i);
 }
 
 // The numbers that may be padding. A constant number of them: else the compiler calls memset, for every row.
