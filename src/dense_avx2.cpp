@@ -51,8 +51,10 @@ struct Registers<double> {
     using Picks = LanePicks<2>;
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[4]) noexcept { return Picks(picked); }
     static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        Vector const of_a = _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(a), its.from)), of_b = _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(b), its.from));
-        return _mm256_and_pd(_mm256_blendv_pd(of_a, of_b, _mm256_castsi256_pd(its.second)), _mm256_castsi256_pd(its.present));
+        __m256 const of_a = _mm256_permutevar8x32_ps(_mm256_castpd_ps(a), its.from);
+        __m256 const of_b = _mm256_permutevar8x32_ps(_mm256_castpd_ps(b), its.from);
+        __m256 const either = _mm256_blendv_ps(of_a, of_b, _mm256_castsi256_ps(its.second));
+        return _mm256_castps_pd(_mm256_and_ps(either, _mm256_castsi256_ps(its.present)));
     }
     static HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
 };

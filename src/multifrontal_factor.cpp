@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-// A pivot this small beside its value in the assembled front is rounding: the matrix is singular, or worse.
+// A pivot this small beside what it is summed of is rounding: the matrix is singular, or worse.
 template <class Number>
 constexpr Number pivot_floor = sizeof(Number) == sizeof(double) ? static_cast<Number>(1e-15) : static_cast<Number>(5e-7);
 constexpr Index nodes_between_reports = 512;

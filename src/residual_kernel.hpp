@@ -13,13 +13,15 @@ constexpr Index most_at_once = 32;  // neighbours
 constexpr Index rows_ahead = 4;     // lines lie anywhere: those are on their way while a row is summed
 static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
 
-typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
+typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES)));
+// In memory, only ever read and written at once: of references to them, clang forgets that they may begin at any number.
+typedef Real Stored __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
 // The first n columns from a place in a line, n <= block.
 HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
     for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
-        to[v] = n >= lanes ? *reinterpret_cast<const Vector*>(from) : Vector(HARMORPH_LOAD_PART(from, n > 0 ? n : 0));
+        to[v] = n >= lanes ? Vector(*reinterpret_cast<const Stored*>(from)) : Vector(HARMORPH_LOAD_PART(from, n > 0 ? n : 0));
     }
 }
 
@@ -185,7 +187,7 @@ private:
                 }
             }
             for (Index p = 0; p < planes; ++p) {
-                for (Index v = 0; v < vectors; ++v) *reinterpret_cast<Vector*>(rest_[p] + k + v * lanes) = rest[p][v];
+                for (Index v = 0; v < vectors; ++v) *reinterpret_cast<Stored*>(rest_[p] + k + v * lanes) = rest[p][v];
             }
         }
         count_ = 0;

@@ -108,7 +108,7 @@ bool tail_is_poisoned(std::vector<Number> const& array) {
     return std::all_of(array.end() - behind, array.end(), [](Number its) { return its != its; });
 }
 
-// A front and its update matrix, poisoned behind their ends.
+// A front and its update matrix, poisoned behind their ends and below the diagonal: nobody may use what is there.
 template <class Its>
 struct Front {
     using Number = typename Its::Number;
@@ -129,6 +129,8 @@ struct Front {
         if (threads > 1) executor = {Backwards::run, &order, threads};
         std::fill(data.begin(), data.end() - behind, Number{0});
         std::fill(update.begin(), update.end() - behind, Number{0});
+        poison_below_diagonal(panel().own());
+        poison_below_diagonal(update_matrix().all());
         auto const at = [&](Index i, Index j) { return a.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j)); };
         auto const entry = [&](Index i, Index j) {
             if (i != j) return at(i, j);
@@ -150,6 +152,11 @@ struct Front {
     }
     void update_border() { dense::update_border(kernel, panel(), update_matrix(), workers()); }
     dense::Workers<Number> workers() { return {executor, sums.data(), &least_left}; }
+    static void poison_below_diagonal(dense::Slabs<Number> const& slabs) {
+        for (Index r = 0; r < slabs.rows; ++r)
+            for (Index c = r / slab * slab; c < r; ++c)
+                for (Index p = 0; p < planes; ++p) slabs.at(r, c)[p * slab] = Its::poison;
+    }
     bool is_poisoned_behind() const {
         return tail_is_poisoned(data) && tail_is_poisoned(update) && tail_is_poisoned(sums);
     }
