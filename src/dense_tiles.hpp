@@ -161,9 +161,9 @@ private:
                 Vector<Number> const imaginary = a[r * next_row + slab] - Vector<Number>{};
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) {
-                    Vector<Number>& to = sum[1 - plane][r][v];
-                    to = adds ? Registers<Number>::multiply_add(imaginary, factor[v], to)
-                              : Registers<Number>::multiply_subtract(imaginary, factor[v], to);
+                    // No reference to a vector: clang would forget that it may begin at any number.
+                    if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v], sum[1 - plane][r][v]);
+                    else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v], sum[1 - plane][r][v]);
                 }
             }
         }
