@@ -18,8 +18,9 @@ Division Dissector::divide(Index begin, Index end) const noexcept {
     Cut cut = search_.best(begin, end, directions);
     Division its = partition(cut, begin, end);
     Parts parts{its.middle - begin, its.pivots - its.middle, end - its.pivots};
-    // Levels cost a search through the part, and of the whole, the steps across are levels already.
-    if (parts.is_longer(n == graph_.n ? 1.25 : n < Parts::large ? 1.12 : 1.15)) {
+    // Not of the whole: a separator of one level in a wake runs along thin cells. Its pivots come last and keep so little of
+    // their diagonals that functions would have to be refined.
+    if (n < graph_.n && parts.is_longer(n < Parts::large ? 1.12 : 1.15)) {
         parts.left_border = search_.border(begin, its.middle, n);
         parts.right_border = search_.border(its.middle, its.pivots, n);
         if (search_.find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
