@@ -6,7 +6,6 @@ namespace harmorph {
 namespace {
 
 constexpr Index few_samples = 27, most_samples = 81;  // powers of 3
-constexpr Index ahead = 16;  // samples, to be asked for before they are needed
 
 Four least_of(Four a, Four b) noexcept { return a < b ? a : b; }
 Four most_of(Four a, Four b) noexcept { return a < b ? b : a; }
@@ -93,7 +92,7 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
         for (Index k = begin; k < end; ++k) counts.add<is_large>(where_.place[order_[k]]);
     }
     for (Index k = begin; k < end && stride > 1; k += stride) {
-        if (k + ahead * stride < end) __builtin_prefetch(&where_.place[order_[k + ahead * stride]]);
+        if (k + places_ahead * stride < end) __builtin_prefetch(&where_.place[order_[k + places_ahead * stride]]);
         counts.add<is_large>(where_.place[order_[k]]);
         if (counts.n % 32 == 0) k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
     }

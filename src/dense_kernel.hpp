@@ -89,7 +89,7 @@ HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) 
 template <class Number, Index planes>
 void take_off_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
                       Index to) noexcept {
-    bool const upper = own.data == columns.data && from == first;
+    bool const upper = own.data == columns.data;  // may begin on the diagonal
     for (Index k = 0; k < first; k += strip) {
         subtract_product<planes>(own, columns, columns, {k, k + strip}, {first, end}, {from, to}, upper);
     }

@@ -85,7 +85,7 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
     Span<const Place> const place = work_.where.place;
     Index n_near = 0;
     for (Index k = 0; k < part.count(); ++k) {
-        if (k + 16 < part.count()) __builtin_prefetch(&place[part[k + 16]]);
+        if (k + places_ahead < part.count()) __builtin_prefetch(&place[part[k + places_ahead]]);
         Index const u = part[k];
         float const distance = place[u].at[cut.direction] - cut.level, reach = place[u].reach[cut.direction];
         Index const is_near = (distance <= reach) & (-distance <= reach), is_left = distance < 0;

@@ -11,6 +11,7 @@ namespace harmorph {
 inline constexpr Index directions = 6, direction_lanes = 8;
 inline constexpr Index straight_directions = 4, layer_direction = 4, across_direction = 5, level_direction = 6;
 inline constexpr Index border_lane = 7;  // no direction: 1 next to a separator above, otherwise 0
+constexpr Index places_ahead = 16;  // how many are asked for before they are needed: they lie anywhere
 
 // Numbers of four directions: wider vectors would be taken apart on the plain architecture.
 typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
