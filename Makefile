@@ -61,7 +61,7 @@ rules:
 	@objects() { \
 	    part=$$1 headers=$$2; shift 2; list=; \
 	    for source do \
-	        object=$(BUILD)/objects/$$part/`basename $$source .cpp`.o; list="$$list $$object"; \
+	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | tr / -`.o; list="$$list $$object"; \
 	        printf '%s: %s %s $(BUILD)/flags\n' $$object $$source "$$headers"; \
 	        printf '\techo $(CXX) %s\n\t$$(CXX) $$(CXXFLAGS) %s -c -o $$@ %s\n' $$source "$$flags" $$source; \
 	    done; \
@@ -71,13 +71,13 @@ rules:
 	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
-	core=`some include/harmorph/*.hpp src/*.hpp c_api/*.h c_api/*.hpp`; \
+	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \
 	cli=`some c_api/*.h c_api/cli/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
 	{ \
-	    flags='$$(CORE)'; objects core "$$core" src/*.cpp c_api/*.cpp; \
+	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp; program $(PROGRAM); \
-	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/test_*.cpp; program $(BUILD)/tests; \
+	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@mv $(BUILD)/rules.new $(BUILD)/rules.mk
 
