@@ -4,6 +4,7 @@
 #include "harmorph/arena.hpp"
 #include "harmorph/cell_shape.hpp"
 #include "harmorph/edges.hpp"
+#include "harmorph/region_counts.hpp"
 
 namespace harmorph {
 
@@ -37,14 +38,6 @@ struct CellTriangles {
             point[k][2] = cell.next(corner);
         }
     }
-};
-
-struct RegionCounts {
-    Index points = 0, cells = 0;
-    Offset cell_corners = 0;  // of all cells
-    Offset pairs = 0;         // of points that share a cell, each once
-
-    static RegionCounts of(Mesh const& mesh, Edges const& edges) noexcept;
 };
 
 struct Region {

@@ -1,0 +1,16 @@
+// How many points and cells a mesh has, and how many neighbours its points: what a part of it takes at most.
+#pragma once
+
+#include "harmorph/edges.hpp"
+
+namespace harmorph {
+
+struct RegionCounts {
+    Index points = 0, cells = 0;
+    Offset cell_corners = 0;  // of all cells
+    Offset pairs = 0;         // of points that share a cell, each once
+
+    static RegionCounts of(Mesh const& mesh, Edges const& edges) noexcept;
+};
+
+}  // namespace harmorph

@@ -1,0 +1,18 @@
+#include "harmorph/region_counts.hpp"
+
+namespace harmorph {
+
+RegionCounts RegionCounts::of(Mesh const& mesh, Edges const& edges) noexcept {
+    RegionCounts counts;
+    counts.points = mesh.n_points;
+    counts.cells = mesh.n_cells;
+    counts.pairs = edges.count();
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Index const n = mesh.cell(i).n;
+        counts.cell_corners += n;
+        if (n == 4) counts.pairs += 2;  // the diagonals
+    }
+    return counts;
+}
+
+}  // namespace harmorph
