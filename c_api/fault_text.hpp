@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph.h"
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

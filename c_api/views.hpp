@@ -6,7 +6,7 @@
 #include "harmorph.h"
 #include "harmorph/analysis.hpp"
 #include "harmorph/bspline.hpp"
-#include "harmorph/executor.hpp"
+#include "harmorph/base/executor.hpp"
 #include "harmorph/fit.hpp"
 
 namespace harmorph {

@@ -1,6 +1,6 @@
 #include "harmorph/admissible_step.hpp"
 
-#include "harmorph/cell_ranges.hpp"
+#include "harmorph/base/parallel_reduce.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 #include "harmorph/agglomeration.hpp"
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 namespace {

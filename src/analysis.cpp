@@ -1,7 +1,7 @@
 #include "harmorph/analysis.hpp"
 
 #include "harmorph/cell_shape.hpp"
-#include "harmorph/hash.hpp"
+#include "harmorph/base/hash.hpp"
 
 namespace harmorph {
 

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-#include "harmorph/fixed_sum.hpp"
-#include "harmorph/hash.hpp"
+#include "harmorph/base/fixed_sum.hpp"
+#include "harmorph/base/hash.hpp"
 
 namespace harmorph {
 namespace {

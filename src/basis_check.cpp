@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "harmorph/basis.hpp"
-#include "harmorph/fixed_sum.hpp"
+#include "harmorph/base/fixed_sum.hpp"
 
 namespace harmorph {
 namespace {

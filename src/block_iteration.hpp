@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/iteration.hpp"
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

@@ -2,7 +2,7 @@
 // is one pass over the matrix's half; a coefficient read once serves W functions.
 #pragma once
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 #include "harmorph/symmetric_rows.hpp"
 
 namespace harmorph::block {

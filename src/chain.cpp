@@ -1,5 +1,5 @@
 // Monotone parameters for points in order along a curve: project_chain of projection.hpp.
-#include "harmorph/monotone.hpp"
+#include "harmorph/base/longest_monotone.hpp"
 #include "harmorph/projection.hpp"
 
 namespace harmorph {

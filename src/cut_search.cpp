@@ -1,6 +1,6 @@
 #include "cut_search.hpp"
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 namespace {

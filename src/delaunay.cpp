@@ -1,6 +1,6 @@
 #include "harmorph/delaunay.hpp"
 
-#include "harmorph/predicates.hpp"
+#include "harmorph/base/predicates.hpp"
 
 namespace harmorph {
 namespace {

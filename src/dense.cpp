@@ -1,7 +1,7 @@
 #include "harmorph/dense.hpp"
-#include "harmorph/flush.hpp"
+#include "harmorph/base/flush_denormals.hpp"
 
-#include "kernel_call.hpp"
+#include "harmorph/base/kernel_call.hpp"
 
 namespace harmorph::dense {
 

@@ -1,6 +1,6 @@
 #include "dissector.hpp"
 
-#include "harmorph/sort.hpp"
+#include "harmorph/base/sort.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 #include "harmorph/distance.hpp"
 
-#include "harmorph/sort.hpp"
-#include "kernel_call.hpp"
+#include "harmorph/base/sort.hpp"
+#include "harmorph/base/kernel_call.hpp"
 
 namespace harmorph {
 

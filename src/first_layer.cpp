@@ -1,6 +1,6 @@
 #include "harmorph/first_layer.hpp"
 
-#include "harmorph/angle.hpp"
+#include "harmorph/base/angle.hpp"
 
 namespace harmorph {
 

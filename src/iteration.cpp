@@ -1,6 +1,6 @@
 #include "harmorph/iteration.hpp"
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

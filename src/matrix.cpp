@@ -1,6 +1,6 @@
 #include "harmorph/matrix.hpp"
 
-#include "harmorph/sort.hpp"
+#include "harmorph/base/sort.hpp"
 #include "matrix_cells.hpp"
 
 namespace harmorph {

@@ -1,6 +1,6 @@
 #include "harmorph/product.hpp"
 
-#include "kernel_call.hpp"
+#include "harmorph/base/kernel_call.hpp"
 
 namespace harmorph {
 

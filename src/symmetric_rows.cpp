@@ -1,7 +1,7 @@
 #include "harmorph/symmetric_rows.hpp"
 
-#include "harmorph/scalar.hpp"
-#include "harmorph/sort.hpp"
+#include "harmorph/base/scalar.hpp"
+#include "harmorph/base/sort.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 #include "harmorph/wall_heights.hpp"
 
-#include "harmorph/angle.hpp"
+#include "harmorph/base/angle.hpp"
 
 namespace harmorph {
 namespace {

@@ -5,7 +5,7 @@
 #include <fixtures/c_mesh.hpp>
 
 #include <harmorph/delaunay.hpp>
-#include <harmorph/predicates.hpp>
+#include <harmorph/base/predicates.hpp>
 
 #include <set>
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/walls.hpp>
 
-#include <harmorph/angle.hpp>
+#include <harmorph/base/angle.hpp>
 
 using namespace fixtures;
 using harmorph::FirstLayerChange;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "harmorph/basis.hpp"
-#include "harmorph/executor.hpp"
-#include "harmorph/fixed_sum.hpp"
+#include "harmorph/base/executor.hpp"
+#include "harmorph/base/fixed_sum.hpp"
 
 namespace harmorph {
 

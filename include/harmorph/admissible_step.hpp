@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/cell_shape.hpp"
-#include "harmorph/executor.hpp"
+#include "harmorph/base/executor.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The basis: one relocatable block that holds the solved functions and all that is needed to use them with the mesh.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/bspline.hpp"
 #include "harmorph/method.hpp"
 #include "harmorph/wall.hpp"

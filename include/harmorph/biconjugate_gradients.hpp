@@ -2,8 +2,8 @@
 // a factor (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631).
 #pragma once
 
-#include "harmorph/arena.hpp"
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/arena.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The boundary of the mesh as directed faces, the mesh on their left, in order along closed loops.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/edges.hpp"
 
 namespace harmorph {

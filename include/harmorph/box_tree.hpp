@@ -1,8 +1,8 @@
 // Items by their bounding boxes in a balanced tree: which of them is nearest to a point?
 #pragma once
 
-#include "harmorph/arena.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/arena.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

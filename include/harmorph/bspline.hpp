@@ -2,8 +2,8 @@
 // Piegl & Tiller, The NURBS Book, 2nd ed.: algorithm A2.1, equations 2.5 (basis), 2.7 (derivatives), 4.8 (rational).
 #pragma once
 
-#include "harmorph/span.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/span.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The control volumes of the unknowns: what local time steps and coarser levels need of the median dual's geometry.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/mesh.hpp"
 
 namespace harmorph {

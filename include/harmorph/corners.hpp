@@ -1,8 +1,8 @@
 // The outline of a body as points in order: turning, curvature, corners, blunt bases.
 #pragma once
 
-#include "harmorph/arena.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/arena.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

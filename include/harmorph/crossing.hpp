@@ -1,8 +1,8 @@
 // Does the boundary cross itself, or one body another? Positive cell areas do not tell.
 #pragma once
 
-#include "harmorph/span.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/span.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

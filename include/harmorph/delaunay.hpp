@@ -1,7 +1,7 @@
 // The constrained Delaunay triangulation of the mesh's own points: quads are split, then edges flipped.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/edges.hpp"
 
 namespace harmorph {

@@ -21,10 +21,10 @@
 // parts; a row of right-hand sides likewise. Entries count numbers of one plane.
 #pragma once
 
-#include "harmorph/executor.hpp"
-#include "harmorph/processor.hpp"
-#include "harmorph/rows.hpp"
-#include "harmorph/span.hpp"
+#include "harmorph/base/executor.hpp"
+#include "harmorph/base/cpu.hpp"
+#include "harmorph/base/row_view.hpp"
+#include "harmorph/base/span.hpp"
 
 namespace harmorph::dense {
 

@@ -3,8 +3,8 @@
 
 #include "harmorph/boundary.hpp"
 #include "harmorph/delaunay.hpp"
-#include "harmorph/executor.hpp"
-#include "harmorph/processor.hpp"
+#include "harmorph/base/executor.hpp"
+#include "harmorph/base/cpu.hpp"
 #include "harmorph/translations.hpp"
 
 namespace harmorph {

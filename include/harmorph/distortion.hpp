@@ -3,7 +3,7 @@
 // ACM Trans. Graph. 40 (2021), eqs. 2-4.
 #pragma once
 
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

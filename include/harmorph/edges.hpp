@@ -1,7 +1,7 @@
 // The edges of the mesh, each with the cells at its two sides.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/mesh.hpp"
 
 namespace harmorph {

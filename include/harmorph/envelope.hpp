@@ -2,8 +2,8 @@
 // George & Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
 #pragma once
 
-#include "harmorph/arena.hpp"
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/arena.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

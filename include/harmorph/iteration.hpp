@@ -4,9 +4,9 @@
 #include <type_traits>
 
 #include "harmorph/agglomeration.hpp"
-#include "harmorph/executor.hpp"
-#include "harmorph/progress.hpp"
-#include "harmorph/rows.hpp"
+#include "harmorph/base/executor.hpp"
+#include "harmorph/base/progress.hpp"
+#include "harmorph/base/row_view.hpp"
 
 namespace harmorph {
 

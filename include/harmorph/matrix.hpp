@@ -3,7 +3,7 @@
 
 #include "harmorph/fronts.hpp"
 #include "harmorph/symmetric_rows.hpp"
-#include "harmorph/value_kind.hpp"
+#include "harmorph/base/value_kind.hpp"
 #include "harmorph/wall.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // Median-dual geometry: the control volume of each point, bounded by lines from edge midpoints to cell barycentres.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/edges.hpp"
 
 namespace harmorph {

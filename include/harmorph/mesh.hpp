@@ -1,8 +1,8 @@
 // The caller's mesh as it stands in the caller's arrays: cells in any of four layouts, boundary as faces or point lists.
 #pragma once
 
-#include "harmorph/span.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/span.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "harmorph/conditions.hpp"
-#include "harmorph/processor.hpp"
-#include "harmorph/value_kind.hpp"
+#include "harmorph/base/cpu.hpp"
+#include "harmorph/base/value_kind.hpp"
 
 namespace harmorph {
 

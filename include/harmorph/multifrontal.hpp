@@ -5,7 +5,7 @@
 #include "harmorph/dense.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/method.hpp"
-#include "harmorph/progress.hpp"
+#include "harmorph/base/progress.hpp"
 #include "harmorph/subtrees.hpp"
 
 namespace harmorph {

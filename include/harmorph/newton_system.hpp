@@ -1,7 +1,7 @@
 // A Newton step for the energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
 #pragma once
 
-#include "harmorph/cell_ranges.hpp"
+#include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/distortion.hpp"
 #include "harmorph/region.hpp"
 

@@ -1,7 +1,7 @@
 // Which cells run clockwise: settled by neighbours, who must traverse their common edge in opposite directions.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/edges.hpp"
 
 namespace harmorph {

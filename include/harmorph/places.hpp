@@ -1,7 +1,7 @@
 // Where the unknowns are in each of the directions in which a dissection may cut, and how far their neighbours reach.
 #pragma once
 
-#include "harmorph/executor.hpp"
+#include "harmorph/base/executor.hpp"
 #include "harmorph/graph.hpp"
 
 namespace harmorph {

@@ -2,9 +2,9 @@
 // kernel adds in the same order, or in fixed point, and rounds alike: the choice of one never shows in a result.
 #pragma once
 
-#include "harmorph/fixed_sum.hpp"
-#include "harmorph/processor.hpp"
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/fixed_sum.hpp"
+#include "harmorph/base/cpu.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // From points to parameters: the nearest point of a curve, and monotone parameters for points in order along it.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/bspline.hpp"
 
 namespace harmorph {

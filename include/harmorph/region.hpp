@@ -1,7 +1,7 @@
 // The part of a mesh round its inverted corners: which points may move there, their cells, and their neighbours.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 #include "harmorph/cell_shape.hpp"
 #include "harmorph/edges.hpp"
 #include "harmorph/region_counts.hpp"

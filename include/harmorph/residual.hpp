@@ -4,7 +4,7 @@
 #include "harmorph/basis.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/method.hpp"
-#include "harmorph/processor.hpp"
+#include "harmorph/base/cpu.hpp"
 
 namespace harmorph {
 

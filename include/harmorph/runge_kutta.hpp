@@ -2,7 +2,7 @@
 //   F(k) = F(0) + alpha_k dt R(F(k-1)), k = 1 .. 4, and F(4) is the new F.
 #pragma once
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

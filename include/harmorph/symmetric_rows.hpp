@@ -1,7 +1,7 @@
 // A symmetric sparse matrix as one half of it, and its contraction: rows of cells that are merged are summed.
 #pragma once
 
-#include "harmorph/arena.hpp"
+#include "harmorph/base/arena.hpp"
 
 namespace harmorph {
 

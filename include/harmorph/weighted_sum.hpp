@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/basis.hpp"
-#include "harmorph/executor.hpp"
+#include "harmorph/base/executor.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Rows of numbers somewhere, one for each position: the functions' values at the unknowns' points.
 #pragma once
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

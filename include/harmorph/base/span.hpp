@@ -4,7 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

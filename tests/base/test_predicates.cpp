@@ -3,7 +3,7 @@
 
 #include <fixtures/perturb.hpp>
 
-#include <harmorph/predicates.hpp>
+#include <harmorph/base/predicates.hpp>
 
 using harmorph::Vec2;
 using harmorph::in_circle_sign;

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // On which side of a line and of a circle a point is: decided exactly for all finite coordinates.
 #pragma once
 
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

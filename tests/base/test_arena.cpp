@@ -3,7 +3,7 @@
 
 #include <fixtures/guarded.hpp>
 
-#include <harmorph/arena.hpp>
+#include <harmorph/base/arena.hpp>
 
 #include <limits>
 #include <random>

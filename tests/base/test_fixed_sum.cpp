@@ -3,7 +3,7 @@
 
 #include <fixtures/check.hpp>
 
-#include <harmorph/fixed_sum.hpp>
+#include <harmorph/base/fixed_sum.hpp>
 
 #include <cmath>
 #include <limits>

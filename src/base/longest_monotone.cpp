@@ -1,4 +1,4 @@
-#include "harmorph/monotone.hpp"
+#include "harmorph/base/longest_monotone.hpp"
 
 namespace harmorph {
 

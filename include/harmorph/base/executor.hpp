@@ -1,7 +1,7 @@
 // The caller's threads, if any. The core has none.
 #pragma once
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

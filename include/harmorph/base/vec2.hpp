@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

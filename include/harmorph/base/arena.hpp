@@ -8,7 +8,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "harmorph/span.hpp"
+#include "harmorph/base/span.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The caller's callback: told where the work is, it may ask to stop.
 #pragma once
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/processor.hpp"
+#include "harmorph/base/cpu.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cpuid.h>

@@ -1,7 +1,7 @@
 // What a function is at a point: the linear map from its control point's movement to the mesh point's.
 #pragma once
 
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

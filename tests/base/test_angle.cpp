@@ -1,7 +1,7 @@
 // Angles against the mathematics library.
 #include <doctest/doctest.h>
 
-#include <harmorph/angle.hpp>
+#include <harmorph/base/angle.hpp>
 
 #include <cmath>
 #include <initializer_list>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/monotone.hpp>
+#include <harmorph/base/longest_monotone.hpp>
 
 #include <algorithm>
 #include <random>

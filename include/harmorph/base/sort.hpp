@@ -1,7 +1,7 @@
 // Counting, summing, filling: the idiom of every sparse build here; and a heap sort for the few things without keys to count.
 #pragma once
 
-#include "harmorph/span.hpp"
+#include "harmorph/base/span.hpp"
 
 namespace harmorph {
 

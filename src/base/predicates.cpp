@@ -1,4 +1,4 @@
-#include "harmorph/predicates.hpp"
+#include "harmorph/base/predicates.hpp"
 
 #include <climits>
 

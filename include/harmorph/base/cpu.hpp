@@ -1,7 +1,7 @@
 // Which vector instructions this processor has, asked of the processor itself.
 #pragma once
 
-#include "harmorph/types.hpp"
+#include "harmorph/base/types.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Numbers below the normal range are flushed while they are asked to be, and no longer.
 #include <doctest/doctest.h>
 
-#include <harmorph/flush.hpp>
+#include <harmorph/base/flush_denormals.hpp>
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 // The longest non-decreasing part of a sequence.
 #pragma once
 
-#include "harmorph/span.hpp"
+#include "harmorph/base/span.hpp"
 
 namespace harmorph {
 

@@ -8,7 +8,7 @@
 // multiple. A sum of up to 2^30 numbers cannot overflow; its error is at most 1/2 for each of them.
 #pragma once
 
-#include "harmorph/scalar.hpp"
+#include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
 

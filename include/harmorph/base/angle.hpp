@@ -1,7 +1,7 @@
 // Directions, turns and angles of vectors, from square roots and a series.
 #pragma once
 
-#include "harmorph/vec2.hpp"
+#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 

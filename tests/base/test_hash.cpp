@@ -1,7 +1,7 @@
 // Fingerprints of blocks.
 #include <doctest/doctest.h>
 
-#include <harmorph/hash.hpp>
+#include <harmorph/base/hash.hpp>
 
 #include <set>
 #include <vector>

@@ -1,7 +1,7 @@
 // Sums and extremes over all cells, in ranges whose number does not depend on that of the threads.
 #pragma once
 
-#include "harmorph/executor.hpp"
+#include "harmorph/base/executor.hpp"
 
 namespace harmorph {
 

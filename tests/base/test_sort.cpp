@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/sort.hpp>
+#include <harmorph/base/sort.hpp>
 
 using namespace fixtures;
 
