@@ -1,6 +1,6 @@
 #include "harmorph/analysis.hpp"
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/base/hash.hpp"
 
 namespace harmorph {

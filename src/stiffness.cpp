@@ -1,6 +1,6 @@
 #include "harmorph/stiffness.hpp"
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 #include "matrix_cells.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // How far the mesh can go along a displacement before a cell inverts, exactly.
 #pragma once
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {

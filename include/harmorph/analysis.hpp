@@ -2,14 +2,14 @@
 #pragma once
 
 #include "harmorph/basis.hpp"
-#include "harmorph/boundary.hpp"
-#include "harmorph/delaunay.hpp"
+#include "harmorph/mesh/boundary.hpp"
+#include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/fronts.hpp"
 #include "harmorph/iteration.hpp"
 #include "harmorph/layers.hpp"
 #include "harmorph/matrix.hpp"
-#include "harmorph/orientation.hpp"
+#include "harmorph/mesh/orientation.hpp"
 #include "harmorph/periodic.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/slip.hpp"

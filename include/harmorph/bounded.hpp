@@ -1,7 +1,7 @@
 // Laplace's operator on the Delaunay triangulation of the mesh's points: bounded scheme.
 #pragma once
 
-#include "harmorph/delaunay.hpp"
+#include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/matrix.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // What is asked of the boundary: every point is on a curve, fixed, free, inside, or used by no cell.
 #pragma once
 
-#include "harmorph/boundary.hpp"
+#include "harmorph/mesh/boundary.hpp"
 
 namespace harmorph {
 

@@ -1,11 +1,11 @@
 // Exact distances to the nearest of chosen boundary faces, and weights of cells that grow towards these faces.
 #pragma once
 
-#include "harmorph/boundary.hpp"
-#include "harmorph/delaunay.hpp"
+#include "harmorph/mesh/boundary.hpp"
+#include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/base/cpu.hpp"
-#include "harmorph/translations.hpp"
+#include "harmorph/mesh/periodic_translations.hpp"
 
 namespace harmorph {
 

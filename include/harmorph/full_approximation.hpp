@@ -6,7 +6,7 @@
 // grow without bound.
 #pragma once
 
-#include "harmorph/control_volumes.hpp"
+#include "harmorph/mesh/control_volumes.hpp"
 #include "harmorph/iteration.hpp"
 #include "harmorph/nodal_gradient.hpp"
 #include "harmorph/runge_kutta.hpp"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "harmorph/conditions.hpp"
-#include "harmorph/edges.hpp"
+#include "harmorph/mesh/edges.hpp"
 
 namespace harmorph {
 

@@ -8,7 +8,7 @@
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
 #include "harmorph/nodal_equations.hpp"
-#include "harmorph/region_counts.hpp"
+#include "harmorph/mesh/region_counts.hpp"
 #include "harmorph/right_hand_sides.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // Laplace's operator from averaged nodal gradients: the scheme of the paper's text.
 #pragma once
 
-#include "harmorph/median_dual.hpp"
+#include "harmorph/mesh/median_dual.hpp"
 
 namespace harmorph {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/conditions.hpp"
-#include "harmorph/translations.hpp"
+#include "harmorph/mesh/periodic_translations.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // How good the cells are: signed corner areas, inverted cells, size-skew quality.
 #pragma once
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/cell_shape.hpp"
-#include "harmorph/edges.hpp"
-#include "harmorph/region_counts.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/region_counts.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
-#include "harmorph/locate.hpp"
+#include "harmorph/mesh/locate.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
-#include <harmorph/locate.hpp>
+#include <harmorph/mesh/locate.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

@@ -1,6 +1,6 @@
-#include "harmorph/orientation.hpp"
+#include "harmorph/mesh/orientation.hpp"
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

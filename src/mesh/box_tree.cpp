@@ -1,4 +1,4 @@
-#include "harmorph/box_tree.hpp"
+#include "harmorph/mesh/box_tree.hpp"
 
 #include "harmorph/base/sort.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/edges.hpp"
+#include "harmorph/mesh/edges.hpp"
 
 namespace harmorph {
 

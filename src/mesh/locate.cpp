@@ -1,4 +1,4 @@
-#include "harmorph/locate.hpp"
+#include "harmorph/mesh/locate.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/median_dual.hpp"
+#include "harmorph/mesh/median_dual.hpp"
 
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 
 namespace harmorph {
 namespace {

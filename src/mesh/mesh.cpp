@@ -1,4 +1,4 @@
-#include "harmorph/mesh.hpp"
+#include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
 namespace {

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
-#include <harmorph/box_tree.hpp>
+#include <harmorph/mesh/box_tree.hpp>
 
 using namespace fixtures;
 using harmorph::Box;

@@ -3,7 +3,7 @@
 
 #include <fixtures/agglomerated.hpp>
 
-#include <harmorph/control_volumes.hpp>
+#include <harmorph/mesh/control_volumes.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

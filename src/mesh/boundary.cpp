@@ -1,4 +1,4 @@
-#include "harmorph/boundary.hpp"
+#include "harmorph/mesh/boundary.hpp"
 
 #include "harmorph/base/sort.hpp"
 

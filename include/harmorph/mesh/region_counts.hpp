@@ -1,7 +1,7 @@
 // How many points and cells a mesh has, and how many neighbours its points: what a part of it takes at most.
 #pragma once
 
-#include "harmorph/edges.hpp"
+#include "harmorph/mesh/edges.hpp"
 
 namespace harmorph {
 

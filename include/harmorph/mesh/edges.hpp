@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/mesh.hpp"
+#include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
 

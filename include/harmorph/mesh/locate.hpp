@@ -1,8 +1,8 @@
 // Where in a mesh is a point? Its cell, or the nearest one, and its weights there.
 #pragma once
 
-#include "harmorph/box_tree.hpp"
-#include "harmorph/cell_shape.hpp"
+#include "harmorph/mesh/box_tree.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
 
 namespace harmorph {
 

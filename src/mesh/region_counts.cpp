@@ -1,4 +1,4 @@
-#include "harmorph/region_counts.hpp"
+#include "harmorph/mesh/region_counts.hpp"
 
 namespace harmorph {
 

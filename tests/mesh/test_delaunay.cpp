@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/c_mesh.hpp>
 
-#include <harmorph/delaunay.hpp>
+#include <harmorph/mesh/delaunay.hpp>
 #include <harmorph/base/predicates.hpp>
 
 #include <set>

@@ -1,7 +1,7 @@
 // Translations under which a mesh with periodic pairs goes on: what is near one side is near the other's neighbour.
 #pragma once
 
-#include "harmorph/mesh.hpp"
+#include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
 

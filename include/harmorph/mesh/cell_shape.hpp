@@ -1,7 +1,7 @@
 // One cell's corners, sides and areas, gathered once for everything that is asked of them.
 #pragma once
 
-#include "harmorph/mesh.hpp"
+#include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
 

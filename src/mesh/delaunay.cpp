@@ -1,4 +1,4 @@
-#include "harmorph/delaunay.hpp"
+#include "harmorph/mesh/delaunay.hpp"
 
 #include "harmorph/base/predicates.hpp"
 

@@ -1,4 +1,4 @@
-#include "harmorph/edges.hpp"
+#include "harmorph/mesh/edges.hpp"
 
 #include "harmorph/base/sort.hpp"
 

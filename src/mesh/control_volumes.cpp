@@ -1,4 +1,4 @@
-#include "harmorph/control_volumes.hpp"
+#include "harmorph/mesh/control_volumes.hpp"
 
 namespace harmorph {
 
