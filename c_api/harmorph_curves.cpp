@@ -1,7 +1,7 @@
 // The C interface, part 2: curves and their fit.
 #include "fault_text.hpp"
-#include "harmorph/fit.hpp"
-#include "harmorph/projection.hpp"
+#include "harmorph/bspline/fit.hpp"
+#include "harmorph/bspline/projection.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -5,9 +5,9 @@
 
 #include "harmorph.h"
 #include "harmorph/analysis.hpp"
-#include "harmorph/bspline.hpp"
+#include "harmorph/bspline/bspline.hpp"
 #include "harmorph/base/executor.hpp"
-#include "harmorph/fit.hpp"
+#include "harmorph/bspline/fit.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 // Appl. 15 (2008) 473 (its two inner steps); Y. Notay, SIAM J. Sci. Comput. 22 (2000) 1444 (flexible conjugate gradients).
 #pragma once
 
-#include "harmorph/envelope.hpp"
+#include "harmorph/bspline/envelope_cholesky.hpp"
 #include "harmorph/iteration.hpp"
 
 namespace harmorph {

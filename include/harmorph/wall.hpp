@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harmorph/conditions.hpp"
-#include "harmorph/projection.hpp"
+#include "harmorph/bspline/projection.hpp"
 
 namespace harmorph {
 

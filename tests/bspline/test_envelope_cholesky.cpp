@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/envelope.hpp>
+#include <harmorph/bspline/envelope_cholesky.hpp>
 
 #include <cmath>
 #include <vector>

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/knots.hpp>
+#include <harmorph/bspline/knots.hpp>
 
 #include <fixtures/spline.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/bspline.hpp"
+#include "harmorph/bspline/bspline.hpp"
 
 namespace harmorph {
 

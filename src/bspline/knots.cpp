@@ -1,4 +1,4 @@
-#include "harmorph/knots.hpp"
+#include "harmorph/bspline/knots.hpp"
 
 namespace harmorph {
 namespace {

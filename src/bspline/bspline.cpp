@@ -1,4 +1,4 @@
-#include "harmorph/bspline.hpp"
+#include "harmorph/bspline/bspline.hpp"
 
 #include <limits>
 

@@ -1,9 +1,9 @@
 // Least-squares B-spline through ordered points: corners, knots by arc length and curvature, tied or free ends.
 #pragma once
 
-#include "harmorph/closure.hpp"
-#include "harmorph/knots.hpp"
-#include "harmorph/least_squares.hpp"
+#include "harmorph/bspline/curve_ends.hpp"
+#include "harmorph/bspline/knots.hpp"
+#include "harmorph/bspline/least_squares.hpp"
 
 namespace harmorph {
 

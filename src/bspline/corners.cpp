@@ -1,4 +1,4 @@
-#include "harmorph/corners.hpp"
+#include "harmorph/bspline/corners.hpp"
 
 namespace harmorph {
 namespace {

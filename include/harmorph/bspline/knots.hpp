@@ -1,7 +1,7 @@
 // Where the knots of a fit go: densely where points bend, then where the fit errs, and never closer than the points.
 #pragma once
 
-#include "harmorph/bspline.hpp"
+#include "harmorph/bspline/bspline.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/least_squares.hpp>
+#include <harmorph/bspline/least_squares.hpp>
 
 #include <fixtures/spline.hpp>
 

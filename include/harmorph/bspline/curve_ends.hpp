@@ -1,7 +1,7 @@
 // How a fitted curve closes: where it begins, which way it runs round the body, and which corners it has on its way.
 #pragma once
 
-#include "harmorph/corners.hpp"
+#include "harmorph/bspline/corners.hpp"
 
 namespace harmorph {
 

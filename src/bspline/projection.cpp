@@ -1,4 +1,4 @@
-#include "harmorph/projection.hpp"
+#include "harmorph/bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/corners.hpp>
+#include <harmorph/bspline/corners.hpp>
 
 #include <fixtures/spline.hpp>
 

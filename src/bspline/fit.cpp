@@ -1,8 +1,8 @@
-#include "harmorph/fit.hpp"
+#include "harmorph/bspline/fit.hpp"
 
 #include <limits>
 
-#include "harmorph/projection.hpp"
+#include "harmorph/bspline/projection.hpp"
 
 namespace harmorph {
 namespace {

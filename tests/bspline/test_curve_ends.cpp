@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/closure.hpp>
+#include <harmorph/bspline/curve_ends.hpp>
 
 #include <fixtures/spline.hpp>
 

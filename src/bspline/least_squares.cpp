@@ -1,4 +1,4 @@
-#include "harmorph/least_squares.hpp"
+#include "harmorph/bspline/least_squares.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/envelope.hpp"
+#include "harmorph/bspline/envelope_cholesky.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/projection.hpp>
+#include <harmorph/bspline/projection.hpp>
 
 #include <fixtures/spline.hpp>
 

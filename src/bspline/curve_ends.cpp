@@ -1,4 +1,4 @@
-#include "harmorph/closure.hpp"
+#include "harmorph/bspline/curve_ends.hpp"
 
 namespace harmorph {
 namespace {

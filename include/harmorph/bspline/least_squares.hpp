@@ -3,8 +3,8 @@
 // Wang, Pottmann & Liu, ACM Trans. Graph. 25 (2006) 214.
 #pragma once
 
-#include "harmorph/bspline.hpp"
-#include "harmorph/envelope.hpp"
+#include "harmorph/bspline/bspline.hpp"
+#include "harmorph/bspline/envelope_cholesky.hpp"
 
 namespace harmorph {
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <harmorph/bspline.hpp>
+#include <harmorph/bspline/bspline.hpp>
 
 #include <fixtures/spline.hpp>
 
