@@ -4,7 +4,7 @@
 #include <fixtures/matrices.hpp>
 
 #include <harmorph/bounded.hpp>
-#include <harmorph/distance.hpp>
+#include <harmorph/boundary/distance.hpp>
 
 using namespace fixtures;
 using harmorph::DelaunayEdge;

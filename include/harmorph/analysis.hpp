@@ -10,11 +10,11 @@
 #include "harmorph/layers.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/mesh/orientation.hpp"
-#include "harmorph/periodic.hpp"
+#include "harmorph/boundary/periodic.hpp"
 #include "harmorph/base/progress.hpp"
-#include "harmorph/slip.hpp"
+#include "harmorph/boundary/slip.hpp"
 #include "harmorph/subtrees.hpp"
-#include "harmorph/wall.hpp"
+#include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {
 

@@ -4,7 +4,7 @@
 #include "harmorph/base/arena.hpp"
 #include "harmorph/bspline/bspline.hpp"
 #include "harmorph/method.hpp"
-#include "harmorph/wall.hpp"
+#include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 // lines 2 * point and 2 * point + 1 of function values. One that slips has only the first, along its tangent.
 #pragma once
 
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 #include "harmorph/mesh/edges.hpp"
 
 namespace harmorph {

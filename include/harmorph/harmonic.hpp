@@ -3,7 +3,7 @@
 
 #include "harmorph/analysis.hpp"
 #include "harmorph/biconjugate_gradients.hpp"
-#include "harmorph/distance.hpp"
+#include "harmorph/boundary/distance.hpp"
 #include "harmorph/full_approximation.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"

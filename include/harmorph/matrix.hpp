@@ -4,7 +4,7 @@
 #include "harmorph/fronts.hpp"
 #include "harmorph/symmetric_rows.hpp"
 #include "harmorph/base/value_kind.hpp"
-#include "harmorph/wall.hpp"
+#include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {
 

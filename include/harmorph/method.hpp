@@ -1,7 +1,7 @@
 // How the functions are to be solved, and what that makes of values and equations.
 #pragma once
 
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 #include "harmorph/base/cpu.hpp"
 #include "harmorph/base/value_kind.hpp"
 

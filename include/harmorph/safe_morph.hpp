@@ -3,11 +3,11 @@
 
 #include "harmorph/admissible_step.hpp"
 #include "harmorph/crossing.hpp"
-#include "harmorph/first_layer.hpp"
+#include "harmorph/boundary/first_layer.hpp"
 #include "harmorph/harmonic.hpp"
 #include "harmorph/path.hpp"
 #include "harmorph/untangle.hpp"
-#include "harmorph/wall_heights.hpp"
+#include "harmorph/boundary/wall_heights.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Slip boundaries: points stay on a straight line and slide along it.
 #pragma once
 
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 
 namespace harmorph {
 

@@ -1,8 +1,8 @@
 // Distances from the walls brought back to what they were before a deformation: near them entirely, farther away less.
 #pragma once
 
-#include "harmorph/conditions.hpp"
-#include "harmorph/first_layer.hpp"
+#include "harmorph/boundary/conditions.hpp"
+#include "harmorph/boundary/first_layer.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/distance.hpp"
+#include "harmorph/boundary/distance.hpp"
 
 #include "harmorph/base/sort.hpp"
 #include "harmorph/base/kernel_call.hpp"

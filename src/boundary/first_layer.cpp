@@ -1,4 +1,4 @@
-#include "harmorph/first_layer.hpp"
+#include "harmorph/boundary/first_layer.hpp"
 
 #include "harmorph/base/angle.hpp"
 

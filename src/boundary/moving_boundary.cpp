@@ -1,4 +1,4 @@
-#include "harmorph/wall.hpp"
+#include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {
 namespace {

@@ -5,7 +5,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
 
-#include <harmorph/distance.hpp>
+#include <harmorph/boundary/distance.hpp>
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "harmorph/wall_heights.hpp"
+#include "harmorph/boundary/wall_heights.hpp"
 
 #include "harmorph/base/angle.hpp"
 

@@ -1,7 +1,7 @@
 // Periodic pairs: two boundaries, one of which is the other moved by a translation. Their points move alike.
 #pragma once
 
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 #include "harmorph/mesh/periodic_translations.hpp"
 
 namespace harmorph {

@@ -2,7 +2,7 @@
 // file defines, and here, of vectors: HARMORPH_LESS(a, b): a bit for each lane in which a < b; HARMORPH_LARGER(a, b)
 // and HARMORPH_SMALLER(a, b): of each lane's numbers, b where one is NaN; HARMORPH_ROOT(v): square roots.
 // Every kernel finds the least of the same numbers, whichever it passes over: so the bits are the same.
-#include "harmorph/distance.hpp"
+#include "harmorph/boundary/distance.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/periodic.hpp"
+#include "harmorph/boundary/periodic.hpp"
 
 namespace harmorph {
 namespace {

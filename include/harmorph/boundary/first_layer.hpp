@@ -1,7 +1,7 @@
 // The first layer of the mesh on its walls: which edge leaves each wall point, and what became of its angle and height.
 #pragma once
 
-#include "harmorph/distance.hpp"
+#include "harmorph/boundary/distance.hpp"
 
 namespace harmorph {
 

@@ -2,7 +2,7 @@
 // on rigid bodies.
 #pragma once
 
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 #include "harmorph/bspline/projection.hpp"
 
 namespace harmorph {

@@ -1,4 +1,4 @@
-#include "harmorph/slip.hpp"
+#include "harmorph/boundary/slip.hpp"
 
 namespace harmorph {
 namespace {

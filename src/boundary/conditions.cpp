@@ -1,4 +1,4 @@
-#include "harmorph/conditions.hpp"
+#include "harmorph/boundary/conditions.hpp"
 
 namespace harmorph {
 
