@@ -1,7 +1,7 @@
 // The symbolic pass: which later unknowns each node of the assembly tree touches, and so the size of everything.
 #pragma once
 
-#include "harmorph/dense.hpp"
+#include "harmorph/dense/dense.hpp"
 #include "harmorph/dissection.hpp"
 
 namespace harmorph {

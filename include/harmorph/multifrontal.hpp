@@ -2,7 +2,7 @@
 // Source of the method: I. S. Duff, J. K. Reid, ACM Trans. Math. Softw. 9 (1983) 302.
 #pragma once
 
-#include "harmorph/dense.hpp"
+#include "harmorph/dense/dense.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/method.hpp"
 #include "harmorph/base/progress.hpp"

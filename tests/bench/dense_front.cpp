@@ -1,6 +1,6 @@
 #include "dense_front.hpp"
 
-#include <harmorph/dense.hpp>
+#include <harmorph/dense/dense.hpp>
 
 #include <algorithm>
 #include <stdexcept>

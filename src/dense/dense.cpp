@@ -1,4 +1,4 @@
-#include "harmorph/dense.hpp"
+#include "harmorph/dense/dense.hpp"
 #include "harmorph/base/flush_denormals.hpp"
 
 #include "harmorph/base/kernel_call.hpp"

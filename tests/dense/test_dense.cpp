@@ -6,7 +6,7 @@
 #include <fixtures/dense_matrix.hpp>
 #include <fixtures/executors.hpp>
 
-#include <harmorph/dense.hpp>
+#include <harmorph/dense/dense.hpp>
 
 #include <limits>
 

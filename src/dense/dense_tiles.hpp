@@ -1,6 +1,6 @@
 // Products of dense blocks for one kind of vector register; see dense_kernel.hpp for what is defined where this is included.
 // Everything rests on D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
-#include "harmorph/dense.hpp"
+#include "harmorph/dense/dense.hpp"
 
 namespace harmorph::dense::HARMORPH_KERNEL {
 namespace {

@@ -3,7 +3,7 @@
 #include <arm_neon.h>
 #endif
 
-#include "harmorph/dense.hpp"
+#include "harmorph/dense/dense.hpp"
 
 #define HARMORPH_KERNEL baseline
 #define HARMORPH_TILE_ROWS 4
