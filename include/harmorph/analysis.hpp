@@ -5,15 +5,15 @@
 #include "harmorph/mesh/boundary.hpp"
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
-#include "harmorph/fronts.hpp"
+#include "harmorph/ordering/symbolic.hpp"
 #include "harmorph/iteration.hpp"
-#include "harmorph/layers.hpp"
+#include "harmorph/ordering/advancing_front.hpp"
 #include "harmorph/matrix.hpp"
 #include "harmorph/mesh/orientation.hpp"
 #include "harmorph/boundary/periodic.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/boundary/slip.hpp"
-#include "harmorph/subtrees.hpp"
+#include "harmorph/ordering/subtrees.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {

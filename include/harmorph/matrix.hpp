@@ -1,7 +1,7 @@
 // The Hermitian matrix of the unknowns in the order of elimination, and its columns of known values on the wall.
 #pragma once
 
-#include "harmorph/fronts.hpp"
+#include "harmorph/ordering/symbolic.hpp"
 #include "harmorph/symmetric_rows.hpp"
 #include "harmorph/base/value_kind.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"

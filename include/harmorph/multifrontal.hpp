@@ -6,7 +6,7 @@
 #include "harmorph/matrix.hpp"
 #include "harmorph/method.hpp"
 #include "harmorph/base/progress.hpp"
-#include "harmorph/subtrees.hpp"
+#include "harmorph/ordering/subtrees.hpp"
 
 namespace harmorph {
 

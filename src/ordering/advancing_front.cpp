@@ -1,4 +1,4 @@
-#include "harmorph/layers.hpp"
+#include "harmorph/ordering/advancing_front.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Which parts of the assembly tree are worked on side by side, and what that costs in memory.
 #pragma once
 
-#include "harmorph/fronts.hpp"
+#include "harmorph/ordering/symbolic.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/graphs.hpp>
 
-#include <harmorph/subtrees.hpp>
+#include <harmorph/ordering/subtrees.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

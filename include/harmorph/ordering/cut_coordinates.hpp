@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/executor.hpp"
-#include "harmorph/graph.hpp"
+#include "harmorph/ordering/graph.hpp"
 
 namespace harmorph {
 

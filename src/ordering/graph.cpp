@@ -1,4 +1,4 @@
-#include "harmorph/graph.hpp"
+#include "harmorph/ordering/graph.hpp"
 
 #include "harmorph/base/sort.hpp"
 

@@ -1,6 +1,6 @@
-#include "harmorph/dissection.hpp"
+#include "harmorph/ordering/nested_dissection.hpp"
 
-#include "dissector.hpp"
+#include "bisection.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
 // Nested dissection on the coordinates: the order of elimination, and the tree in which the matrix is factored.
 #pragma once
 
-#include "harmorph/border_cover.hpp"
-#include "harmorph/places.hpp"
+#include "harmorph/ordering/vertex_cover.hpp"
+#include "harmorph/ordering/cut_coordinates.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // From a cut through edges to a separator: the fewest unknowns that touch every edge of the cut.
 #pragma once
 
-#include "harmorph/graph.hpp"
+#include "harmorph/ordering/graph.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 
 #include "cut_search.hpp"
 
-#include "harmorph/dissection.hpp"
+#include "harmorph/ordering/nested_dissection.hpp"
 
 namespace harmorph {
 

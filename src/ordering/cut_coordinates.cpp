@@ -1,4 +1,4 @@
-#include "harmorph/places.hpp"
+#include "harmorph/ordering/cut_coordinates.hpp"
 
 namespace harmorph {
 namespace {

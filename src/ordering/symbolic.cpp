@@ -1,4 +1,4 @@
-#include "harmorph/fronts.hpp"
+#include "harmorph/ordering/symbolic.hpp"
 
 #include "harmorph/base/sort.hpp"
 

@@ -1,4 +1,4 @@
-#include "harmorph/border_cover.hpp"
+#include "harmorph/ordering/vertex_cover.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // The advancing front: the unknowns in the order in which layers round the boundaries reach them.
 #pragma once
 
-#include "harmorph/graph.hpp"
+#include "harmorph/ordering/graph.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/subtrees.hpp"
+#include "harmorph/ordering/subtrees.hpp"
 
 #include "harmorph/base/sort.hpp"
 

@@ -1,7 +1,7 @@
 // Where to cut a part in two.
 #pragma once
 
-#include "harmorph/places.hpp"
+#include "harmorph/ordering/cut_coordinates.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "dissector.hpp"
+#include "bisection.hpp"
 
 #include "harmorph/base/sort.hpp"
 
