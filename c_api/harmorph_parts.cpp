@@ -1,7 +1,7 @@
 // The C interface, part 4: meshes in parts. Rows of some points, shares of the functions, the adjoint's sums.
 #include "fault_text.hpp"
 #include "harmorph/adjoint.hpp"
-#include "harmorph/parcel.hpp"
+#include "harmorph/basis/packed_rows.hpp"
 #include "open_basis.hpp"
 
 namespace harmorph {

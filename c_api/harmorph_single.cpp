@@ -1,6 +1,6 @@
 // The C interface, part 5: functions in single precision.
 #include "fault_text.hpp"
-#include "harmorph/single.hpp"
+#include "harmorph/basis/single_precision.hpp"
 #include "open_basis.hpp"
 
 namespace harmorph {

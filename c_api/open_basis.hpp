@@ -1,7 +1,7 @@
 // From the handle of a basis to its views, and what calls ask of it.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "views.hpp"
 
 namespace harmorph {

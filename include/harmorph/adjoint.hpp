@@ -2,7 +2,7 @@
 // that their bits do not depend on threads, nor on how the points are shared out over processes.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/base/fixed_sum.hpp"
 

@@ -1,7 +1,7 @@
 // Everything that depends on the mesh's structure and not on the size of numbers: checks, boundary, unknowns, ordering.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/mesh/boundary.hpp"
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"

@@ -1,7 +1,7 @@
 // Functions times movements: mesh points from control points.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {

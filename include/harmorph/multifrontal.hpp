@@ -4,7 +4,7 @@
 
 #include "harmorph/dense/dense.hpp"
 #include "harmorph/matrix.hpp"
-#include "harmorph/method.hpp"
+#include "harmorph/basis/options.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/ordering/subtrees.hpp"
 

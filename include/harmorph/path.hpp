@@ -1,7 +1,7 @@
 // The way from where control points are to where they shall be, for morphs in several steps.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 
 namespace harmorph {
 

@@ -1,9 +1,9 @@
 // What the solved functions leave of their equations: the measure of every engine, and the food of refinement.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/matrix.hpp"
-#include "harmorph/method.hpp"
+#include "harmorph/basis/options.hpp"
 #include "harmorph/base/cpu.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // Adds up bases of several steps into one: the derivative of a morph in steps.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {

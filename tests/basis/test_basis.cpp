@@ -3,7 +3,7 @@
 
 #include <fixtures/bodies.hpp>
 
-#include <harmorph/basis.hpp>
+#include <harmorph/basis/basis.hpp>
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-#include "harmorph/parcel.hpp"
+#include "harmorph/basis/packed_rows.hpp"
 
 namespace harmorph {
 namespace {

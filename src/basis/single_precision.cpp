@@ -1,4 +1,4 @@
-#include "harmorph/single.hpp"
+#include "harmorph/basis/single_precision.hpp"
 
 #include <cstring>
 

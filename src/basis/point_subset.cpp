@@ -1,4 +1,4 @@
-#include "harmorph/extract.hpp"
+#include "harmorph/basis/point_subset.hpp"
 
 #include "harmorph/base/sort.hpp"
 

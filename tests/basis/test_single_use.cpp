@@ -3,7 +3,7 @@
 
 #include <fixtures/single.hpp>
 
-#include <harmorph/single.hpp>
+#include <harmorph/basis/single_precision.hpp>
 
 #include <cstring>
 

@@ -1,7 +1,7 @@
 // Blocks from outside: nothing of them is believed before it has been looked at.
 #include <cstring>
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 #include "harmorph/base/fixed_sum.hpp"
 
 namespace harmorph {

@@ -3,7 +3,7 @@
 
 #include "harmorph/base/arena.hpp"
 #include "harmorph/bspline/bspline.hpp"
-#include "harmorph/method.hpp"
+#include "harmorph/basis/options.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {

@@ -1,7 +1,7 @@
 // A basis of some of the points: what one process of a flow solver needs for its part of the mesh. It has no cells.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 // Elsewhere each number is the nearest one of single precision: off by 2^-24 of itself at most, or, below 2^-126, 2^-150.
 #pragma once
 
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 
 namespace harmorph {
 

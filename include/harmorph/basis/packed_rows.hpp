@@ -1,7 +1,7 @@
 // Rows on their way from the process that solved a share of the functions to one that has some of the points.
 #pragma once
 
-#include "harmorph/extract.hpp"
+#include "harmorph/basis/point_subset.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/basis.hpp"
+#include "harmorph/basis/basis.hpp"
 
 #include <cstring>
 
