@@ -3,7 +3,7 @@
 
 #include "block_rows.hpp"
 #include "harmorph/full_approximation.hpp"
-#include "nodal_balance.hpp"
+#include "harmorph/operators/nodal_balance.hpp"
 
 namespace harmorph::block {
 

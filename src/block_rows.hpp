@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harmorph/base/scalar.hpp"
-#include "harmorph/symmetric_rows.hpp"
+#include "harmorph/operators/symmetric_matrix.hpp"
 
 namespace harmorph::block {
 

@@ -1,7 +1,7 @@
 // The plan's equations for the coordinates at hand.
-#include "harmorph/bounded.hpp"
+#include "harmorph/operators/bounded.hpp"
 #include "harmorph/harmonic.hpp"
-#include "harmorph/stiffness.hpp"
+#include "harmorph/operators/stiffness.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Coarser levels of a mesh by merging its dual control volumes (agglomeration), and the sums of their conductances.
 #pragma once
 
-#include "harmorph/symmetric_rows.hpp"
+#include "harmorph/operators/symmetric_matrix.hpp"
 
 namespace harmorph {
 

@@ -8,7 +8,7 @@
 #include "harmorph/ordering/symbolic.hpp"
 #include "harmorph/iteration.hpp"
 #include "harmorph/ordering/advancing_front.hpp"
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 #include "harmorph/mesh/orientation.hpp"
 #include "harmorph/boundary/periodic.hpp"
 #include "harmorph/base/progress.hpp"

@@ -8,7 +8,7 @@
 
 #include "harmorph/mesh/control_volumes.hpp"
 #include "harmorph/iteration.hpp"
-#include "harmorph/nodal_gradient.hpp"
+#include "harmorph/operators/nodal_gradient.hpp"
 #include "harmorph/runge_kutta.hpp"
 
 namespace harmorph {

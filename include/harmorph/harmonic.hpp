@@ -7,9 +7,9 @@
 #include "harmorph/full_approximation.hpp"
 #include "harmorph/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
-#include "harmorph/nodal_equations.hpp"
+#include "harmorph/operators/nodal_equations.hpp"
 #include "harmorph/mesh/region_counts.hpp"
-#include "harmorph/right_hand_sides.hpp"
+#include "harmorph/operators/right_hand_sides.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harmorph/dense/dense.hpp"
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/ordering/subtrees.hpp"

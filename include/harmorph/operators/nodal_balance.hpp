@@ -1,7 +1,7 @@
 // The balances of nodal gradients for any arrangement of values, so that engines need no copies.
 #pragma once
 
-#include "harmorph/nodal_gradient.hpp"
+#include "harmorph/operators/nodal_gradient.hpp"
 
 namespace harmorph {
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/matrices.hpp>
 
-#include <harmorph/bounded.hpp>
+#include <harmorph/operators/bounded.hpp>
 #include <harmorph/boundary/distance.hpp>
 
 using namespace fixtures;

@@ -1,4 +1,4 @@
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 
 #include "harmorph/base/sort.hpp"
 #include "matrix_cells.hpp"

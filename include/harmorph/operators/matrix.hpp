@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/ordering/symbolic.hpp"
-#include "harmorph/symmetric_rows.hpp"
+#include "harmorph/operators/symmetric_matrix.hpp"
 #include "harmorph/base/value_kind.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
 

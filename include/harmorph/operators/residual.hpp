@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/basis/basis.hpp"
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
 #include "harmorph/base/cpu.hpp"
 

@@ -1,4 +1,4 @@
-#include "harmorph/right_hand_sides.hpp"
+#include "harmorph/operators/right_hand_sides.hpp"
 
 namespace harmorph {
 namespace {

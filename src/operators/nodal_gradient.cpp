@@ -1,6 +1,6 @@
-#include "harmorph/nodal_gradient.hpp"
+#include "harmorph/operators/nodal_gradient.hpp"
 
-#include "nodal_balance.hpp"
+#include "harmorph/operators/nodal_balance.hpp"
 
 namespace harmorph {
 

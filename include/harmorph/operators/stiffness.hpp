@@ -1,7 +1,7 @@
 // The operators on triangles and quads: compact median-dual scheme of Laplace's equation, weighted and conformal.
 #pragma once
 
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 
 namespace harmorph {
 

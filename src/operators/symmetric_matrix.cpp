@@ -1,4 +1,4 @@
-#include "harmorph/symmetric_rows.hpp"
+#include "harmorph/operators/symmetric_matrix.hpp"
 
 #include "harmorph/base/scalar.hpp"
 #include "harmorph/base/sort.hpp"

@@ -1,4 +1,4 @@
-#include "harmorph/bounded.hpp"
+#include "harmorph/operators/bounded.hpp"
 
 namespace harmorph {
 namespace {

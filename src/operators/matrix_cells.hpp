@@ -1,7 +1,7 @@
 // What a cell adds to the matrix, laid open to the compiler: it is the inner loop of the assembly.
 #pragma once
 
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Balances of all rows for one kind of vector register; see dense_kernel.hpp for what the including file defines, and
 // here HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros. A column's arithmetic is the same in
 // all kernels, and so are its bits.
-#include "harmorph/residual.hpp"
+#include "harmorph/operators/residual.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/residual.hpp"
+#include "harmorph/operators/residual.hpp"
 
 #include "harmorph/base/kernel_call.hpp"
 

@@ -1,8 +1,8 @@
 // The unknowns' equations by the scheme of nodal gradients, matrix-free, for the values of a basis.
 #pragma once
 
-#include "harmorph/nodal_gradient.hpp"
-#include "harmorph/residual.hpp"
+#include "harmorph/operators/nodal_gradient.hpp"
+#include "harmorph/operators/residual.hpp"
 
 namespace harmorph {
 

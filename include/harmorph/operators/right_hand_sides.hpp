@@ -1,7 +1,7 @@
 // What is known on the wall, and what it puts on the right-hand sides of its neighbours' equations.
 #pragma once
 
-#include "harmorph/residual.hpp"
+#include "harmorph/operators/residual.hpp"
 
 namespace harmorph {
 

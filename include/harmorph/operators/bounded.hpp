@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/mesh/delaunay.hpp"
-#include "harmorph/matrix.hpp"
+#include "harmorph/operators/matrix.hpp"
 
 namespace harmorph {
 

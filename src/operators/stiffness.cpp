@@ -1,4 +1,4 @@
-#include "harmorph/stiffness.hpp"
+#include "harmorph/operators/stiffness.hpp"
 
 #include "harmorph/mesh/cell_shape.hpp"
 #include "matrix_cells.hpp"

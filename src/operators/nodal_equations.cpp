@@ -1,6 +1,6 @@
-#include "harmorph/nodal_equations.hpp"
+#include "harmorph/operators/nodal_equations.hpp"
 
-#include "nodal_balance.hpp"
+#include "harmorph/operators/nodal_balance.hpp"
 
 namespace harmorph {
 namespace {
