@@ -2,10 +2,10 @@
 #pragma once
 
 #include "harmorph/analysis.hpp"
-#include "harmorph/biconjugate_gradients.hpp"
+#include "harmorph/direct/bicgstab.hpp"
 #include "harmorph/boundary/distance.hpp"
 #include "harmorph/full_approximation.hpp"
-#include "harmorph/multifrontal.hpp"
+#include "harmorph/direct/multifrontal.hpp"
 #include "harmorph/multigrid.hpp"
 #include "harmorph/operators/nodal_equations.hpp"
 #include "harmorph/mesh/region_counts.hpp"

@@ -1,4 +1,4 @@
-#include "harmorph/biconjugate_gradients.hpp"
+#include "harmorph/direct/bicgstab.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/multifrontal.hpp"
+#include "harmorph/direct/multifrontal.hpp"
 
 namespace harmorph {
 
