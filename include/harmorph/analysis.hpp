@@ -6,7 +6,7 @@
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/ordering/symbolic.hpp"
-#include "harmorph/iteration.hpp"
+#include "harmorph/multigrid/iteration.hpp"
 #include "harmorph/ordering/advancing_front.hpp"
 #include "harmorph/operators/matrix.hpp"
 #include "harmorph/mesh/orientation.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "block_rows.hpp"
-#include "harmorph/multigrid.hpp"
+#include "harmorph/multigrid/multigrid.hpp"
 
 namespace harmorph::block {
 

@@ -1,4 +1,4 @@
-#include "harmorph/multigrid.hpp"
+#include "harmorph/multigrid/multigrid.hpp"
 
 #include "block_iteration.hpp"
 #include "multigrid_cycle.hpp"

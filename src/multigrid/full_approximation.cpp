@@ -1,4 +1,4 @@
-#include "harmorph/full_approximation.hpp"
+#include "harmorph/multigrid/full_approximation.hpp"
 
 #include "approximation_cycle.hpp"
 #include "block_iteration.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "block_rows.hpp"
-#include "harmorph/full_approximation.hpp"
+#include "harmorph/multigrid/full_approximation.hpp"
 #include "harmorph/operators/nodal_balance.hpp"
 
 namespace harmorph::block {

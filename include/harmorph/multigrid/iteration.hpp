@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "harmorph/agglomeration.hpp"
+#include "harmorph/multigrid/agglomeration.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/base/row_view.hpp"

@@ -1,4 +1,4 @@
-#include "harmorph/agglomeration.hpp"
+#include "harmorph/multigrid/agglomeration.hpp"
 
 #include "harmorph/base/scalar.hpp"
 

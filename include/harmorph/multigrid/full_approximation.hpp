@@ -7,9 +7,9 @@
 #pragma once
 
 #include "harmorph/mesh/control_volumes.hpp"
-#include "harmorph/iteration.hpp"
+#include "harmorph/multigrid/iteration.hpp"
 #include "harmorph/operators/nodal_gradient.hpp"
-#include "harmorph/runge_kutta.hpp"
+#include "harmorph/multigrid/runge_kutta.hpp"
 
 namespace harmorph {
 

@@ -1,7 +1,7 @@
 // Runs a solver of W functions over all functions, block by block, on as many threads as there are lanes.
 #pragma once
 
-#include "harmorph/iteration.hpp"
+#include "harmorph/multigrid/iteration.hpp"
 #include "harmorph/base/scalar.hpp"
 
 namespace harmorph {

@@ -3,7 +3,7 @@
 
 #include <fixtures/agglomerated.hpp>
 
-#include "../src/block_rows.hpp"
+#include "../../src/multigrid/block_rows.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

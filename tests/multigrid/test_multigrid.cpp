@@ -6,9 +6,9 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/parts.hpp>
 
-#include <harmorph/multigrid.hpp>
+#include <harmorph/multigrid/multigrid.hpp>
 
-#include "../src/multigrid_cycle.hpp"
+#include "../../src/multigrid/multigrid_cycle.hpp"
 
 using namespace fixtures;
 using harmorph::Index;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "harmorph/bspline/envelope_cholesky.hpp"
-#include "harmorph/iteration.hpp"
+#include "harmorph/multigrid/iteration.hpp"
 
 namespace harmorph {
 

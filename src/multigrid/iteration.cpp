@@ -1,4 +1,4 @@
-#include "harmorph/iteration.hpp"
+#include "harmorph/multigrid/iteration.hpp"
 
 #include "harmorph/base/scalar.hpp"
 

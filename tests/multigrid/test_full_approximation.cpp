@@ -6,7 +6,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 
-#include <harmorph/full_approximation.hpp>
+#include <harmorph/multigrid/full_approximation.hpp>
 
 using namespace fixtures;
 using harmorph::Index;
