@@ -3,7 +3,7 @@
 #include "harmorph.h"
 
 #include "fault_text.hpp"
-#include "harmorph/harmonic.hpp"
+#include "harmorph/plan/plan.hpp"
 #include "harmorph/morph.hpp"
 #include "harmorph/quality.hpp"
 #include "views.hpp"

@@ -1,7 +1,7 @@
 // The C interface, part 4: from a coarse mesh to a fine one.
 #include "fault_text.hpp"
 #include "harmorph/morph.hpp"
-#include "harmorph/transfer.hpp"
+#include "harmorph/plan/transfer.hpp"
 #include "views.hpp"
 
 namespace harmorph {

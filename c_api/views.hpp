@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "harmorph.h"
-#include "harmorph/analysis.hpp"
+#include "harmorph/plan/analysis.hpp"
 #include "harmorph/bspline/bspline.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/bspline/fit.hpp"

@@ -4,7 +4,7 @@
 #include "harmorph/admissible_step.hpp"
 #include "harmorph/crossing.hpp"
 #include "harmorph/boundary/first_layer.hpp"
-#include "harmorph/harmonic.hpp"
+#include "harmorph/plan/plan.hpp"
 #include "harmorph/path.hpp"
 #include "harmorph/untangle.hpp"
 #include "harmorph/boundary/wall_heights.hpp"

@@ -5,7 +5,7 @@
 #include <fixtures/matrices.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/harmonic.hpp>
+#include <harmorph/plan/plan.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

@@ -1,5 +1,5 @@
 // The residuals of the plan's functions, and their iterative refinement.
-#include "harmorph/harmonic.hpp"
+#include "harmorph/plan/plan.hpp"
 
 namespace harmorph {
 namespace {

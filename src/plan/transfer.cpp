@@ -1,4 +1,4 @@
-#include "harmorph/transfer.hpp"
+#include "harmorph/plan/transfer.hpp"
 
 #include "harmorph/base/parallel_reduce.hpp"
 

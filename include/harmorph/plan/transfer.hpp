@@ -2,7 +2,7 @@
 // boundary is restored.
 #pragma once
 
-#include "harmorph/analysis.hpp"
+#include "harmorph/plan/analysis.hpp"
 #include "harmorph/mesh/locate.hpp"
 
 namespace harmorph {

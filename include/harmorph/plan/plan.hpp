@@ -1,7 +1,7 @@
 // The plan: boundary functions in, harmonic functions out. Chooses operator and engine, fills and seals the basis.
 #pragma once
 
-#include "harmorph/analysis.hpp"
+#include "harmorph/plan/analysis.hpp"
 #include "harmorph/direct/bicgstab.hpp"
 #include "harmorph/boundary/distance.hpp"
 #include "harmorph/multigrid/full_approximation.hpp"

@@ -1,4 +1,4 @@
-#include "harmorph/harmonic.hpp"
+#include "harmorph/plan/plan.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,6 +1,6 @@
 // The plan's equations for the coordinates at hand.
 #include "harmorph/operators/bounded.hpp"
-#include "harmorph/harmonic.hpp"
+#include "harmorph/plan/plan.hpp"
 #include "harmorph/operators/stiffness.hpp"
 
 namespace harmorph {

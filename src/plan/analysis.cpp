@@ -1,4 +1,4 @@
-#include "harmorph/analysis.hpp"
+#include "harmorph/plan/analysis.hpp"
 
 #include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/base/hash.hpp"
