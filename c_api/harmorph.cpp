@@ -4,8 +4,8 @@
 
 #include "fault_text.hpp"
 #include "harmorph/plan/plan.hpp"
-#include "harmorph/morph.hpp"
-#include "harmorph/quality.hpp"
+#include "harmorph/morph/morph.hpp"
+#include "harmorph/morph/quality.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -1,9 +1,9 @@
 // The C interface, part 3: everything that needs only a solved basis and the mesh.
 #include "fault_text.hpp"
-#include "harmorph/adjoint.hpp"
-#include "harmorph/assessment.hpp"
-#include "harmorph/crossing.hpp"
-#include "harmorph/morph.hpp"
+#include "harmorph/morph/adjoint.hpp"
+#include "harmorph/morph/assessment.hpp"
+#include "harmorph/morph/crossing.hpp"
+#include "harmorph/morph/morph.hpp"
 #include "open_basis.hpp"
 
 namespace harmorph {

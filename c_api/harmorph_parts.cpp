@@ -1,6 +1,6 @@
 // The C interface, part 4: meshes in parts. Rows of some points, shares of the functions, the adjoint's sums.
 #include "fault_text.hpp"
-#include "harmorph/adjoint.hpp"
+#include "harmorph/morph/adjoint.hpp"
 #include "harmorph/basis/packed_rows.hpp"
 #include "open_basis.hpp"
 

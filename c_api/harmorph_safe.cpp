@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "fault_text.hpp"
-#include "harmorph/quality.hpp"
+#include "harmorph/morph/quality.hpp"
 #include "harmorph/safe_morph.hpp"
 #include "views.hpp"
 

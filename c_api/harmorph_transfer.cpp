@@ -1,6 +1,6 @@
 // The C interface, part 4: from a coarse mesh to a fine one.
 #include "fault_text.hpp"
-#include "harmorph/morph.hpp"
+#include "harmorph/morph/morph.hpp"
 #include "harmorph/plan/transfer.hpp"
 #include "views.hpp"
 

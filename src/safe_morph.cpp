@@ -2,9 +2,9 @@
 
 #include <cstring>
 
-#include "harmorph/morph.hpp"
-#include "harmorph/quality.hpp"
-#include "harmorph/weighted_sum.hpp"
+#include "harmorph/morph/morph.hpp"
+#include "harmorph/morph/quality.hpp"
+#include "harmorph/morph/weighted_sum.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,8 +1,8 @@
 // A morph that reaches its target without an inverted cell, or says how far it got: a ladder of ever costlier means.
 #pragma once
 
-#include "harmorph/admissible_step.hpp"
-#include "harmorph/crossing.hpp"
+#include "harmorph/morph/admissible_step.hpp"
+#include "harmorph/morph/crossing.hpp"
 #include "harmorph/boundary/first_layer.hpp"
 #include "harmorph/plan/plan.hpp"
 #include "harmorph/path.hpp"

@@ -4,7 +4,7 @@
 #include <fixtures/executors.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/weighted_sum.hpp>
+#include <harmorph/morph/weighted_sum.hpp>
 
 using namespace fixtures;
 using harmorph::Vec2;

@@ -1,4 +1,4 @@
-#include "harmorph/product.hpp"
+#include "harmorph/morph/product.hpp"
 
 #include "harmorph/base/kernel_call.hpp"
 

@@ -1,4 +1,4 @@
-#include "harmorph/crossing.hpp"
+#include "harmorph/morph/crossing.hpp"
 
 #include "harmorph/base/predicates.hpp"
 

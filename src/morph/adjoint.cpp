@@ -1,6 +1,6 @@
-#include "harmorph/adjoint.hpp"
+#include "harmorph/morph/adjoint.hpp"
 
-#include "harmorph/product.hpp"
+#include "harmorph/morph/product.hpp"
 
 namespace harmorph {
 namespace {

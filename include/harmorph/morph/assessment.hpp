@@ -1,8 +1,8 @@
 // A displacement judged in one pass over the cells: how far it may go, and how good the mesh is where it ends.
 #pragma once
 
-#include "harmorph/admissible_step.hpp"
-#include "harmorph/quality.hpp"
+#include "harmorph/morph/admissible_step.hpp"
+#include "harmorph/morph/quality.hpp"
 
 namespace harmorph {
 

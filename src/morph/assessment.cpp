@@ -1,4 +1,4 @@
-#include "harmorph/assessment.hpp"
+#include "harmorph/morph/assessment.hpp"
 
 #include "harmorph/base/parallel_reduce.hpp"
 

@@ -1,4 +1,4 @@
-#include "harmorph/quality.hpp"
+#include "harmorph/morph/quality.hpp"
 
 #include "harmorph/base/parallel_reduce.hpp"
 

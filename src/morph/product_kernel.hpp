@@ -3,7 +3,7 @@
 // HARMORPH_LOAD_PART(from, n): the first n < HARMORPH_LANES numbers, and zeros; HARMORPH_LOAD_SINGLE_PART(from, n): the
 // same in single precision;
 // HARMORPH_ROUND(v), where there is such an instruction: a vector's numbers rounded to integers of 64 bits.
-#include "harmorph/product.hpp"
+#include "harmorph/morph/product.hpp"
 
 namespace harmorph::HARMORPH_KERNEL {
 namespace {

@@ -1,6 +1,6 @@
-#include "harmorph/morph.hpp"
+#include "harmorph/morph/morph.hpp"
 
-#include "harmorph/product.hpp"
+#include "harmorph/morph/product.hpp"
 
 namespace harmorph {
 namespace {

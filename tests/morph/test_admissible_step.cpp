@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/admissible_step.hpp>
+#include <harmorph/morph/admissible_step.hpp>
 
 using namespace fixtures;
 using harmorph::AdmissibleStep;

@@ -4,7 +4,7 @@
 // Shared headers come first: their functions must not be compiled for a processor that may not be there.
 #include <immintrin.h>
 
-#include "harmorph/product.hpp"
+#include "harmorph/morph/product.hpp"
 
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl,avx2"))), apply_to = function)

@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/product.hpp>
+#include <harmorph/morph/product.hpp>
 
 #include <cmath>
 #include <limits>

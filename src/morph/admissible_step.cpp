@@ -1,4 +1,4 @@
-#include "harmorph/admissible_step.hpp"
+#include "harmorph/morph/admissible_step.hpp"
 
 #include "harmorph/base/parallel_reduce.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/crossing.hpp>
+#include <harmorph/morph/crossing.hpp>
 
 using namespace fixtures;
 using harmorph::Crossing;

@@ -1,4 +1,4 @@
-#include "harmorph/weighted_sum.hpp"
+#include "harmorph/morph/weighted_sum.hpp"
 
 namespace harmorph {
 namespace {

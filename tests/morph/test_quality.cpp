@@ -3,7 +3,7 @@
 
 #include <fixtures/core.hpp>
 
-#include <harmorph/quality.hpp>
+#include <harmorph/morph/quality.hpp>
 
 using namespace fixtures;
 using harmorph::Quality;
