@@ -3,7 +3,7 @@
 
 #include "fault_text.hpp"
 #include "harmorph/morph/quality.hpp"
-#include "harmorph/safe_morph.hpp"
+#include "harmorph/safe/safe_morph.hpp"
 #include "views.hpp"
 
 namespace harmorph {

@@ -5,8 +5,8 @@
 #include "harmorph/morph/crossing.hpp"
 #include "harmorph/boundary/first_layer.hpp"
 #include "harmorph/plan/plan.hpp"
-#include "harmorph/path.hpp"
-#include "harmorph/untangle.hpp"
+#include "harmorph/safe/motion_path.hpp"
+#include "harmorph/safe/untangle.hpp"
 #include "harmorph/boundary/wall_heights.hpp"
 
 namespace harmorph {

@@ -10,7 +10,7 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/untangle.hpp>
+#include <harmorph/safe/untangle.hpp>
 
 using namespace fixtures;
 using harmorph::Status;

@@ -1,4 +1,4 @@
-#include "harmorph/untangle.hpp"
+#include "harmorph/safe/untangle.hpp"
 
 namespace harmorph {
 namespace {

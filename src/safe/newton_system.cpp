@@ -1,4 +1,4 @@
-#include "harmorph/newton_system.hpp"
+#include "harmorph/safe/newton_system.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,4 +1,4 @@
-#include "harmorph/region.hpp"
+#include "harmorph/safe/region.hpp"
 
 #include "harmorph/base/sort.hpp"
 

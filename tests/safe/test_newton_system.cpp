@@ -5,7 +5,7 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/newton_system.hpp>
+#include <harmorph/safe/newton_system.hpp>
 
 using namespace fixtures;
 using harmorph::Block;

@@ -1,4 +1,4 @@
-#include "harmorph/distortion.hpp"
+#include "harmorph/safe/untangling_energy.hpp"
 
 namespace harmorph {
 namespace {

@@ -1,7 +1,7 @@
 // The energy of a triangle: derivatives against differences, invariances, convexity, and where it is smallest.
 #include <doctest/doctest.h>
 
-#include <harmorph/distortion.hpp>
+#include <harmorph/safe/untangling_energy.hpp>
 
 #include <cmath>
 #include <random>

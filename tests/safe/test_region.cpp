@@ -5,7 +5,7 @@
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
 
-#include <harmorph/region.hpp>
+#include <harmorph/safe/region.hpp>
 
 #include <set>
 

@@ -4,7 +4,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
-#include <harmorph/path.hpp>
+#include <harmorph/safe/motion_path.hpp>
 
 using namespace fixtures;
 using harmorph::Index;

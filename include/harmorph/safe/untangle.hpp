@@ -3,7 +3,7 @@
 // surroundings of inverted cells move at first.
 #pragma once
 
-#include "harmorph/newton_system.hpp"
+#include "harmorph/safe/newton_system.hpp"
 
 namespace harmorph {
 

@@ -1,4 +1,4 @@
-#include "harmorph/safe_morph.hpp"
+#include "harmorph/safe/safe_morph.hpp"
 
 #include <cstring>
 

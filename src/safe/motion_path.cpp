@@ -1,4 +1,4 @@
-#include "harmorph/path.hpp"
+#include "harmorph/safe/motion_path.hpp"
 
 namespace harmorph {
 namespace {

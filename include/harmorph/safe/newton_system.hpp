@@ -2,8 +2,8 @@
 #pragma once
 
 #include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/distortion.hpp"
-#include "harmorph/region.hpp"
+#include "harmorph/safe/untangling_energy.hpp"
+#include "harmorph/safe/region.hpp"
 
 namespace harmorph {
 
