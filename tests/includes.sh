@@ -1,22 +1,7 @@
 #!/bin/sh
-# Includes point only downwards. The rooms of the core, bottom to top, one per line: a header may include what is in a
-# lower room, or in its own room further to the left; a source may include all of its own room as well.
-rooms='
-types
-span scalar arena progress processor executor cell_ranges
-vec2 predicates angle value_kind sort hash monotone kernel_call fixed_sum
-product product_kernel product_baseline product_avx2 product_avx512 rows flush
-dense dense_tiles dense_sums dense_kernel dense_moves dense_baseline dense_avx2 dense_avx512 envelope mesh cell_shape bspline
-box_tree locate
-corners closure knots least_squares projection chain fit
-translations edges median_dual nodal_gradient nodal_balance orientation boundary delaunay distortion region conditions method distance distance_tree distance_kernel distance_baseline distance_avx2 distance_avx512 first_layer wall_heights wall slip periodic
-graph layers border_cover places cut_search dissection dissector fronts subtrees
-symmetric_rows block_rows agglomeration
-matrix matrix_cells stiffness bounded basis basis_check single extract parcel residual residual_kernel residual_baseline residual_avx2 residual_avx512 nodal_equations right_hand_sides path
-multifrontal multifrontal_factor multifrontal_solve biconjugate_gradients iteration block_iteration multigrid multigrid_cycle control_volumes runge_kutta full_approximation approximation_cycle analysis newton_system untangle harmonic harmonic_assembly harmonic_refinement
-morph adjoint weighted_sum quality admissible_step assessment crossing transfer
-safe_morph
-'
+# Includes point only downwards. The rooms of the core, bottom to top: a file may include what is in a room below, or in its
+# own room; within a room headers include each other without a circle. The folder of a file is its room.
+rooms='base mesh bspline boundary dense ordering basis operators direct multigrid plan morph safe'
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
 
@@ -27,24 +12,42 @@ verdict() {   # file, offenders
     echo "includes: $1:" $2
 }
 included() { sed -n 's|^ *# *include *[<"]\([^>"]*\)[>"].*|\1|p' "$1"; }
-place() {   # 100 * room + position from the left; nothing if in no room
-    echo "$rooms" | awk -v name="$1" 'NF { ++room; for (k = 1; k <= NF; ++k) if ($k == name) print 100 * room + k }'
+floor() {   # the height of a room; nothing if there is no such room
+    echo "$rooms" | awk -v name="$1" '{ for (k = 1; k <= NF; ++k) if ($k == name) print k }'
 }
 
-for file in include/harmorph/*.hpp src/*.hpp src/*.cpp; do
-    here=$(place "$(basename "$file" | sed 's/\.[ch]pp$//')")
+pairs=$(mktemp)
+trap 'rm -f "$pairs"' EXIT
+for file in include/harmorph/* include/harmorph/*/* src/* src/*/*; do
+    [ -f "$file" ] || continue
+    case $file in *.md) continue ;; esac
+    room=$(basename "$(dirname "$file")") here=$(floor "$(basename "$(dirname "$file")")")
     if [ -z "$here" ]; then verdict "$file" "is in no room of tests/includes.sh"; continue; fi
-    case $file in *.cpp) limit=$((here / 100 * 100 + 100)) ;; *) limit=$here ;; esac
     wrong=
     for name in $(included "$file"); do
         case $name in
-        *.hpp)
-            there=$(place "$(basename "$name" .hpp)")
-            if [ -z "$there" ] || [ "$there" -ge "$limit" ]; then wrong="$wrong $name"; fi ;;
-        *) if ! echo "$name" | grep -qxE "$freestanding"; then wrong="$wrong $name"; fi ;;
+        harmorph/*/*.hpp)
+            there=$(floor "$(basename "$(dirname "$name")")") header=include/$name ;;
+        *.hpp)   # private to a room: beside the file
+            there=$here header=src/$room/$name ;;
+        *)
+            if ! echo "$name" | grep -qxE "$freestanding"; then wrong="$wrong $name"; fi
+            continue ;;
         esac
+        if [ -z "$there" ] || [ "$there" -gt "$here" ] || [ ! -f "$header" ]; then wrong="$wrong $name"; fi
+        echo "$file $header" >>"$pairs"
     done
     verdict "$file" "$wrong"
+done
+# tsort names the files of a circle.
+verdict "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
+
+# Tests lie in the rooms of what they test.
+for directory in tests/*/; do
+    room=$(basename "$directory")
+    ls "$directory" | grep -q '^test_' || continue
+    case $room in c_api | fixtures) continue ;; esac
+    verdict "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
 done
 
 # The program is a client of the C header alone.
