@@ -71,6 +71,7 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
             case '#': sentence.put_integer(numbered(fault.item)); break;
             case '@': sentence.put_integer(fault.counts == Counts::curves ? fault.other : numbered(fault.other)); break;
             case '~': sentence.put_real(fault.value); break;
+            case '%': sentence.put(fault.argument); break;
             default: sentence.put(*c);
         }
     }

@@ -338,15 +338,15 @@ hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_an
     return tell(err, fault);
 }
 
-hm_status hm_plan_factor(hm_plan* plan, const double* x, const double* y, int64_t stride, hm_error* err) {
+hm_status hm_plan_factor(hm_plan* plan, const hm_points* at, hm_error* err) {
     Fault fault;
-    if (plan == nullptr || (x == nullptr) != (y == nullptr) || stride < 0) {
-        fault.refuse(Status::bad_argument, "plan is NULL, only one of x and y is given, or stride is negative");
+    if (plan == nullptr) {
+        fault.refuse(Status::bad_argument, "plan is NULL");
         return tell(err, fault);
     }
     Plan& p = opened(plan);
-    Points const points = x != nullptr ? points_of(x, y, stride) : p.mesh.points;
-    p.factor(points, fault);
+    Points points = p.mesh.points;
+    if (!failed(view_points_if(at, "at", points, fault))) p.factor(points, fault);
     return tell(err, fault, {p.mesh.index_base, 0});
 }
 

@@ -44,7 +44,7 @@
 #include <stdint.h>
 
 #define HM_VERSION "0.1.0"
-#define HM_ABI 1 /* what hm_abi_version() returns when header and library fit */
+#define HM_ABI 2 /* what hm_abi_version() returns when header and library fit */
 
 #ifdef __cplusplus
 extern "C" {
@@ -102,6 +102,21 @@ typedef struct hm_executor {
     int32_t  reserved;             /* 0 */
 } hm_executor;
 
+/* ---- Points: two numbers for each point of a mesh, in the caller's arrays --------------------------------------------- */
+
+/* Coordinates, displacements, velocities or derivatives by the coordinates. The numbers of point k, k from 0, are
+ * x[k*stride] and y[k*stride]: x(:), y(:) are {x, y, 1}; pairs xy(2,n) are {xy, xy+1, 2}; xy(n,2) is {xy, xy+n, 1};
+ * an array of structs is {&s[0].x, &s[0].y, sizeof s[0] / sizeof(double)}. The arrays end with the last point. */
+typedef struct hm_points {         /* read; 24 bytes for ever */
+    const double *x, *y;
+    int64_t stride;                /* [doubles] from point to point; 1 or more; 0 means 1 */
+} hm_points;
+
+typedef struct hm_points_out {     /* written, otherwise the same */
+    double *x, *y;
+    int64_t stride;
+} hm_points_out;
+
 /* ---- Mesh: a view of the caller's arrays ------------------------------------------------------------------------ */
 
 enum {                        /* hm_mesh.cell_layout */
@@ -115,8 +130,7 @@ typedef struct hm_mesh {
     uint64_t struct_size;
     int32_t  index_base;           /* 0 or 1: what points and cells are counted from, in all arrays and reports */
     int32_t  n_points;             /* 3 .. 2^30; points that no cell uses are allowed and never move */
-    const double *x, *y;           /* point k at x[k*stride], y[k*stride], k from 0 */
-    int64_t  stride;               /* [doubles] x(:),y(:): 1; xy(2,n): 2 with y = x+1; xy(n,2): 1 with y = x+n; 0 means 1 */
+    hm_points points;              /* [n_points] coordinates */
     int32_t  cell_layout;          /* HM_CELLS_... */
     int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1) */
     const int32_t *cell_start;     /* [n_cells+1] rows only: where a cell's points begin, counted from index_base */
@@ -198,9 +212,8 @@ typedef struct hm_fit_report {
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
 /* Least squares through n points in order; is_loop: the last is joined to the first (which is not repeated). Knots are
  * placed by arc length and curvature. *curves lives in the block, as do its arrays (index_base 0). options may be NULL. */
-HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const double *x, const double *y,
-                        int64_t stride, int32_t n, int32_t is_loop, const hm_fit_options *options,
-                        hm_fit_report *report, hm_error *err);
+HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const hm_points *points, int32_t n,
+                        int32_t is_loop, const hm_fit_options *options, hm_fit_report *report, hm_error *err);
 
 /* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
 
@@ -404,9 +417,9 @@ HM_API hm_status hm_plan_init(hm_plan **plan, void *block, size_t bytes, const h
 HM_API hm_status hm_basis_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_basis_init(hm_basis **basis, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
 
-/* Assembles and factors on the mesh's coordinates, or on moved ones of the same mesh (x, y not NULL): ordering and
- * symbolic pass serve again. A failed or cancelled call leaves the plan without a factor. */
-HM_API hm_status hm_plan_factor(hm_plan *plan, const double *x, const double *y, int64_t stride, hm_error *err);
+/* Assembles and factors on the coordinates `at` of the mesh's points (NULL: the mesh's own): ordering and symbolic pass
+ * serve again. A failed or cancelled call leaves the plan without a factor. */
+HM_API hm_status hm_plan_factor(hm_plan *plan, const hm_points *at, hm_error *err);
 
 typedef struct hm_solve_report {
     uint64_t struct_size;
@@ -515,20 +528,21 @@ HM_API hm_status hm_transfer(hm_basis *basis, void *block, size_t bytes, const h
 
 /* ---- Morph ------------------------------------------------------------------------------------------------------- */
 
-/* (x, y)_new = (x, y) + sum_i F_i (dx, dy)_i; move [2*functions] holds the control points' dx,dy pairs [length], then for
+/* to = from + sum_i F_i (dx, dy)_i at each point; move [2*functions] holds the control points' dx,dy pairs [length], then for
  * each rigid body its translation dx,dy [length] and s - 1 as a pair, s = scale * (cos a, sin a), a the angle of its turn
- * counter-clockwise: the body's points z move to c + s (z - c) + (dx, dy), c its centre, exactly. In place (x_new == x, equal
- * strides) or to another array that does not overlap. Points whose sum is 0 keep their bits. Strides: 0 means 1. Also
- * for velocities: give the control points' and x = NULL (taken as 0). executor NULL: one thread. */
-HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const double *x, const double *y, int64_t stride,
-                          double *x_new, double *y_new, int64_t stride_new, const hm_executor *executor, hm_error *err);
-/* The transpose: gradient [2*functions] of an objective by the control points, from its gradient by the mesh points. The
+ * counter-clockwise: the body's points z move to c + s (z - c) + (dx, dy), c its centre, exactly. In place (the
+ * same arrays with the same stride) or to other numbers, none of which is read. Points whose sum is 0 keep their bits.
+ * from NULL: 0, so that `to` receives displacements, or velocities where `move` holds the control points' velocities.
+ * executor NULL: one thread. */
+HM_API hm_status hm_morph(const hm_basis *basis, const double *move, const hm_points *from, const hm_points_out *to,
+                          const hm_executor *executor, hm_error *err);
+/* The transpose: gradient [2*functions] of an objective J by the control points, from its derivatives dj (x: dJ/dx_k, y:
+ * dJ/dy_k) by the mesh points. The
  * order in which the mesh numbers its points does not matter; see hm_adjoint_scale. All NaN if a number is not finite. */
-HM_API hm_status hm_adjoint(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
-                            double *gradient, const hm_executor *executor, hm_error *err);
-/* Largest difference [length] on the curves between what the points moved, (x_new - x), and what the B-spline did. */
-HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const double *x, const double *y,
-                                   int64_t stride, const double *x_new, const double *y_new, int64_t stride_new,
+HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *gradient, const hm_executor *executor,
+                            hm_error *err);
+/* Largest difference [length] on the curves between what the points moved, (to - from), and what the B-spline did. */
+HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from, const hm_points *to,
                                    double *error, int32_t *point, hm_error *err);
 
 /* ---- Meshes in parts: several processes, see harmorph_mpi.h ---------------------------------------------------------- */
@@ -566,10 +580,10 @@ HM_API hm_status hm_parcel_unpack(hm_basis *rows, const double *parcel, int64_t 
  * in one part only: give 0 at ghosts. Products are rounded once and added as integers, in units of 2^-63 of the scale (a
  * power of two up to 2 max|F| max|dj|): the error is at most 2^-51 sum|F dj| + N 2^-63 max|F| max|dj| for N points, N up to
  * 2^30. hm_adjoint is these three calls. Where a number is not finite, or products might not be, the gradient is NaN. */
-HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
-                                  int32_t *scale, const hm_executor *executor, hm_error *err);
-HM_API hm_status hm_adjoint_sums(const hm_basis *basis, const double *dj_dx, const double *dj_dy, int64_t stride,
-                                 int32_t scale, int64_t *sums, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_adjoint_scale(const hm_basis *basis, const hm_points *dj, int32_t *scale, const hm_executor *executor,
+                                  hm_error *err);
+HM_API hm_status hm_adjoint_sums(const hm_basis *basis, const hm_points *dj, int32_t scale, int64_t *sums,
+                                 const hm_executor *executor, hm_error *err);
 HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const int64_t *sums, double *gradient,
                                    hm_error *err);
 
@@ -577,14 +591,16 @@ HM_API hm_status hm_adjoint_finish(const hm_basis *basis, int32_t scale, const i
 
 typedef struct hm_step_report {
     uint64_t struct_size;
-    double   admissible;           /* [-] largest s for which x + t dx has no inverted corner for all t < s; infinite:
+    double   admissible;           /* [-] largest s for which from + t displacement has no inverted corner for all t < s; infinite:
                                       unlimited; 0: a corner of the mesh itself has no positive area */
     int32_t  cell, point;          /* the limiting cell and its corner's point; -1: none */
 } hm_step_report;
-/* Exact: along the step each corner's area is a quadratic in s. dx, dy [n_points, stride]: hm_morph with x = NULL.
- * The mesh's own coordinates are the start. */
-HM_API hm_status hm_admissible_step(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy,
-                                    int64_t stride, const hm_executor *executor, hm_step_report *report, hm_error *err);
+/* How far the points can go from `from` (NULL: the mesh's own coordinates) along `displacement` (of hm_morph with from =
+ * NULL). Give the same `from` as to the hm_morph that follows. Exact: along the step each corner's area is a quadratic in
+ * s. */
+HM_API hm_status hm_admissible_step(const hm_basis *basis, const hm_mesh *mesh, const hm_points *from,
+                                    const hm_points *displacement, const hm_executor *executor, hm_step_report *report,
+                                    hm_error *err);
 
 typedef struct hm_quality_report {
     uint64_t struct_size;
@@ -596,16 +612,16 @@ typedef struct hm_quality_report {
                                       sides of a wall without thickness do not, two walls that came together do */
     int32_t  crossing_points[4];   /* begin and end of one face, then of the other; -1: none */
 } hm_quality_report;
-/* Quality of the mesh at x, y [n_points, stride]. f_size = min(t, 1/t), t the cell's area over its area at the reference
- * coordinates; x_ref NULL: f_size = 1. f_skew: Knupp, Finite Elem. Anal. Des. 39 (2003) 217, the shape metric for
+/* Quality of the mesh at the coordinates `at` (NULL: the mesh's own). f_size = min(t, 1/t), t the cell's area over its
+ * area at the coordinates `reference`; reference NULL: f_size = 1. f_skew: Knupp, Finite Elem. Anal. Des. 39 (2003) 217, the shape metric for
  * triangles. Combined as in de Boer, van der Schoot, Bijl, Comput. Struct. 85 (2007) 784. */
-HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const double *x, const double *y, int64_t stride,
-                            const double *x_ref, const double *y_ref, int64_t stride_ref,
+HM_API hm_status hm_quality(const hm_basis *basis, const hm_mesh *mesh, const hm_points *at, const hm_points *reference,
                             const hm_executor *executor, hm_quality_report *report, hm_error *err);
-/* Both in one pass over the cells: how far the displacement may go, and the quality of the mesh's own coordinates plus the
- * displacement, relative to them. Call it before the morph; nothing has moved yet. */
-HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const double *dx, const double *dy, int64_t stride,
-                           const hm_executor *executor, hm_step_report *step, hm_quality_report *quality, hm_error *err);
+/* Both in one pass over the cells, before anything moves: how far the points can go from `from` (NULL: the mesh's own
+ * coordinates) along the displacement, and the quality at from + displacement with `from` as the reference. */
+HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_points *from,
+                           const hm_points *displacement, const hm_executor *executor, hm_step_report *step,
+                           hm_quality_report *quality, hm_error *err);
 
 /* ---- Large movements that stay valid ------------------------------------------------------------------------------- */
 
@@ -634,7 +650,7 @@ typedef struct hm_safe_options {
                                       angle-preserving functions scale them with the wall's stretch. A closed form at the end,
                                       along the normals, fading out where the wall's curvature or another wall begins to
                                       matter; as much of it as no cell inverts for. Not part of the derivative */
-    double  *reached;              /* [2*functions] receives the movement that x_new has: short of the target not `move`
+    double  *reached;              /* [2*functions] receives the movement that `to` has: short of the target not `move`
                                       times step_fraction, as bodies turn on the way. NULL: not wanted */
 } hm_safe_options;
 
@@ -649,9 +665,9 @@ typedef struct hm_safe_report {
     int32_t  untangled;            /* cells that were inverted before untangling */
     int32_t  iterations;           /* of untangling */
     int32_t  crossing_points[4];   /* see hm_quality_report */
-    int32_t  inverted;             /* cells of x_new: always 0 */
+    int32_t  inverted;             /* cells of `to`: always 0 */
     int32_t  min_quality_cell;
-    double   min_quality, mean_quality; /* [0..1] of x_new, relative to the start, see hm_quality */
+    double   min_quality, mean_quality; /* [0..1] of `to`, relative to the start, see hm_quality */
     double   mean_angle_change, max_angle_change; /* [degrees] of the angles between wall and first-layer edges */
     double   mean_height_ratio, min_height_ratio, max_height_ratio; /* [-] of first-layer heights, after over before */
     double   heights;              /* [0..1] how much of them was brought back */
@@ -662,19 +678,19 @@ typedef struct hm_safe_report {
 
 /* Working space of hm_morph_safe: it holds a basis, the mesh's points a few times, and what untangling needs. */
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
-/* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph). x_new, y_new [n_points]
- * may be the mesh's own arrays. Returns HM_OK: all of `move`; HM_NOT_CONVERGED: the same, but functions on the way missed
+/* Moves the mesh the plan was made of, which must not have changed since, by `move` (see hm_morph); `to` [n_points] may be
+ * the mesh's own arrays. Returns HM_OK: all of `move`; HM_NOT_CONVERGED: the same, but functions on the way missed
  * the tolerance. HM_SHORT: the last valid mesh, report.step_fraction of the way.
- * Refused or cancelled: x_new is untouched. x_new never holds an inverted cell. options NULL: defaults. The threads are the
+ * Refused or cancelled: `to` is untouched. `to` never holds an inverted cell. options NULL: defaults. The threads are the
  * plan's. The plan is left with another factor: hm_plan_factor comes before the next hm_plan_solve.
  *
  * derivative NULL, or another basis of the same analysis (hm_basis_init): it receives the sum of the steps' functions, each
- * times what its step is of the whole movement, with which hm_morph is the derivative of x_new by `move`, and hm_adjoint its
+ * times what its step is of the whole movement, with which hm_morph is the derivative of `to` by `move`, and hm_adjoint its
  * transpose. Exact on the wall. Neglected elsewhere: that the functions of later steps depend on where earlier ones put
  * the mesh, that lengths of steps and the turning of bodies depend on `move`, and what untangling moved. */
-HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, double *x_new, double *y_new,
-                               int64_t stride_new, hm_basis *derivative, void *work, size_t bytes,
-                               const hm_safe_options *options, hm_safe_report *report, hm_error *err);
+HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, const hm_points_out *to,
+                               hm_basis *derivative, void *work, size_t bytes, const hm_safe_options *options,
+                               hm_safe_report *report, hm_error *err);
 
 #ifdef __cplusplus
 }

@@ -34,6 +34,12 @@ Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept
     return check_finite(move, 2 * basis.header->counts.functions(), "the movement of function # (from 0) is not finite", fault);
 }
 
+// Coordinates of the mesh's points that the call gives; NULL: the mesh's own.
+Status view_coordinates(const hm_points* given, const char* name, Mesh const& mesh, Points& points, Fault& fault) noexcept {
+    hm_points const own = {mesh.points.x, mesh.points.y, mesh.points.stride};
+    return given != nullptr ? view_points(given, name, points, fault) : view_points(&own, "mesh.points", points, fault);
+}
+
 Bases bases_of(Basis const& basis) noexcept { return {basis.header != nullptr ? basis.header->index_base : 0, 0}; }
 
 Index numbered(Index item, Index base) noexcept { return item == none ? none : item + base; }
@@ -176,80 +182,80 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     return tell(err, fault);
 }
 
-hm_status hm_morph(const hm_basis* basis, const double* move, const double* x, const double* y, int64_t stride, double* x_new,
-                   double* y_new, int64_t stride_new, const hm_executor* executor, hm_error* err) {
+hm_status hm_morph(const hm_basis* basis, const double* move, const hm_points* from, const hm_points_out* to,
+                   const hm_executor* executor, hm_error* err) {
     Fault fault;
     Basis b;
     Executor threads;
-    Points const from = points_of(x, y, stride);
-    MutablePoints const to{x_new, y_new, stride_of(stride_new)};
+    Points before;
+    MutablePoints after;
     if (!failed(open_complete(basis, b, fault)) && !failed(view_executor(executor, threads, fault)) &&
-        !failed(check_move(b, move, fault)) && !failed(check_points({to.x, to.y, to.stride}, fault)) &&
-        (!from.given() || !failed(check_points(from, fault)))) {
-        morph(b, move, from, to, threads);
+        !failed(check_move(b, move, fault)) && !failed(view_points_if(from, "from", before, fault)) &&
+        !failed(view_points(to, "to", after, fault))) {
+        morph(b, move, before, after, threads);
     }
     return tell(err, fault);
 }
 
-hm_status hm_adjoint(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride, double* gradient,
-                     const hm_executor* executor, hm_error* err) {
+hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradient, const hm_executor* executor,
+                     hm_error* err) {
     Fault fault;
     Basis b;
     Executor threads;
-    Points const by_points = points_of(dj_dx, dj_dy, stride);
+    Points by_points;
     if (gradient == nullptr) fault.refuse(Status::bad_argument, "gradient is NULL");
-    if (!failed(fault.status) && !failed(open_complete(basis, b, fault)) && !failed(check_points(by_points, fault)) &&
-        !failed(view_executor(executor, threads, fault))) {
+    if (!failed(fault.status) && !failed(open_complete(basis, b, fault)) &&
+        !failed(view_points(dj, "dj", by_points, fault)) && !failed(view_executor(executor, threads, fault))) {
         adjoint_morph(b, by_points, gradient, threads);
     }
     return tell(err, fault);
 }
 
-hm_status hm_boundary_error(const hm_basis* basis, const double* move, const double* x, const double* y, int64_t stride,
-                            const double* x_new, const double* y_new, int64_t stride_new, double* error, int32_t* point,
-                            hm_error* err) {
+hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from, const hm_points* to,
+                            double* error, int32_t* point, hm_error* err) {
     Fault fault;
     Basis b;
-    Points const from = points_of(x, y, stride), to = points_of(x_new, y_new, stride_new);
+    Points before, after;
     if (error == nullptr) fault.refuse(Status::bad_argument, "error is NULL");
     if (!failed(fault.status) && !failed(open_basis(basis, b, fault)) && !failed(check_move(b, move, fault)) &&
-        !failed(check_points(from, fault)) && !failed(check_points(to, fault))) {
-        BoundaryError const worst = boundary_error(b, move, from, to);
+        !failed(view_points(from, "from", before, fault)) && !failed(view_points(to, "to", after, fault))) {
+        BoundaryError const worst = boundary_error(b, move, before, after);
         *error = worst.error;
         if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
     }
     return tell(err, fault, bases_of(b));
 }
 
-hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const double* dx, const double* dy, int64_t stride,
-                             const hm_executor* executor, hm_step_report* report, hm_error* err) {
+hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
+                             const hm_points* displacement, const hm_executor* executor, hm_step_report* report,
+                             hm_error* err) {
     Fault fault;
     Basis b;
     Executor threads;
     Mesh view;
-    Points const displacement = points_of(dx, dy, stride);
+    Points start, change;
     if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
-        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
+        !failed(view_coordinates(from, "from", view, start, fault)) &&
+        !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        AdmissibleStep const limit = admissible_step(view, view.points, displacement, b.reversed, threads);
+        AdmissibleStep const limit = admissible_step(view, start, change, b.reversed, threads);
         hm_step_report const filled = report_of(limit, view, b);
         write_struct(filled, report);
     }
     return tell(err, fault, {view.index_base, 0});
 }
 
-hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x, const double* y, int64_t stride,
-                     const double* x_ref, const double* y_ref, int64_t stride_ref, const hm_executor* executor,
-                     hm_quality_report* report, hm_error* err) {
+hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at, const hm_points* reference,
+                     const hm_executor* executor, hm_quality_report* report, hm_error* err) {
     Fault fault;
     Basis b;
     Executor threads;
     Mesh view;
-    Points const points = points_of(x, y, stride), reference = points_of(x_ref, y_ref, stride_ref);
+    Points points, undeformed;
     if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
-        !failed(check_points(points, fault)) &&
-        (!reference.given() || !failed(check_points(reference, fault))) && !failed(view_executor(executor, threads, fault))) {
-        Quality const quality = measure_quality(view, points, reference, b.reversed, threads);
+        !failed(view_coordinates(at, "at", view, points, fault)) &&
+        !failed(view_points_if(reference, "reference", undeformed, fault)) && !failed(view_executor(executor, threads, fault))) {
+        Quality const quality = measure_quality(view, points, undeformed, b.reversed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
         hm_quality_report const filled = report_of(quality, crossing, view);
         write_struct(filled, report);
@@ -257,19 +263,20 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const double* x
     return tell(err, fault, {view.index_base, 0});
 }
 
-hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const double* dx, const double* dy, int64_t stride,
+hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from, const hm_points* displacement,
                     const hm_executor* executor, hm_step_report* step, hm_quality_report* quality, hm_error* err) {
     Fault fault;
     Basis b;
     Executor threads;
     Mesh view;
-    Points const displacement = points_of(dx, dy, stride);
+    Points start, change;
     if (!failed(check_report(step, fault)) && !failed(check_report(quality, fault)) &&
         !failed(open_pair(basis, mesh, b, view, fault)) &&
-        !failed(check_points(view.points, fault)) && !failed(check_points(displacement, fault)) &&
+        !failed(view_coordinates(from, "from", view, start, fault)) &&
+        !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        Assessment const assessment = assess(view, view.points, displacement, b.reversed, threads);
-        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, view.points, displacement);
+        Assessment const assessment = assess(view, start, change, b.reversed, threads);
+        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
         write_struct(report_of(assessment.limit, view, b), step);
         write_struct(report_of(assessment.quality, crossing, view), quality);
     }

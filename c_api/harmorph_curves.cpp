@@ -64,11 +64,12 @@ Status size_fit(Index n, const hm_fit_options* given, size_t* bytes, Fault& faul
     return Status::ok;
 }
 
-Status run_fit(const hm_curves** curves, void* memory, Size bytes, Points points, Index n, bool is_loop,
+Status run_fit(const hm_curves** curves, void* memory, Size bytes, const hm_points* given_points, Index n, bool is_loop,
                const hm_fit_options* given, hm_fit_report* report, Fault& fault) noexcept {
-    if (curves == nullptr || memory == nullptr || !points.given() || points.y == nullptr) return null_argument(fault);
+    if (curves == nullptr || memory == nullptr) return null_argument(fault);
     if (report != nullptr) HARMORPH_TRY(check_report(report, fault));
-    if (points.stride < 1) return fault.refuse(Status::bad_argument, "stride must not be negative");
+    Points points;
+    HARMORPH_TRY(view_points(given_points, "points", points, fault));
     FitOptions options;
     HARMORPH_TRY(view_fit_options(given, options, fault));
     HARMORPH_TRY(check_fit(n, options, fault));
@@ -165,10 +166,10 @@ hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, h
     return tell(err, fault);
 }
 
-hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const double* x, const double* y, int64_t stride,
-                 int32_t n, int32_t is_loop, const hm_fit_options* options, hm_fit_report* report, hm_error* err) {
+hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_points* points, int32_t n, int32_t is_loop,
+                 const hm_fit_options* options, hm_fit_report* report, hm_error* err) {
     Fault fault;
-    run_fit(curves, block, bytes, points_of(x, y, stride), n, is_loop != 0, options, report, fault);
+    run_fit(curves, block, bytes, points, n, is_loop != 0, options, report, fault);
     return tell(err, fault);
 }
 

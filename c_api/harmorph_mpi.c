@@ -166,8 +166,8 @@ hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, cons
 
 /* ---- Adjoint -------------------------------------------------------------------------------------------------- */
 
-hm_status hm_mpi_adjoint(const hm_basis *rows, const double *dj_dx, const double *dj_dy, int64_t stride,
-                         double *gradient, const hm_executor *executor, MPI_Comm comm, hm_error *err) {
+hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *gradient,
+                         const hm_executor *executor, MPI_Comm comm, hm_error *err) {
     hm_basis_info info = {sizeof info};
     int64_t *sums = NULL;
     int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale; minus the status: the largest of both is wanted */
@@ -179,13 +179,13 @@ hm_status hm_mpi_adjoint(const hm_basis *rows, const double *dj_dx, const double
         if (sums == NULL) status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the adjoint's sums");
     }
     if (status >= 0 && gradient == NULL) status = refuse(err, HM_BAD_ARGUMENT, "gradient is NULL");
-    if (status >= 0) status = hm_adjoint_scale(rows, dj_dx, dj_dy, stride, &own[0], executor, err);
+    if (status >= 0) status = hm_adjoint_scale(rows, dj, &own[0], executor, err);
     own[1] = -status;
     if (status < 0) own[0] = INT32_MIN;
     MPI_Allreduce(own, of_all, 2, MPI_INT32_T, MPI_MAX, comm);
     status = worst(status, -of_all[1], err);
     if (status >= 0) {
-        status = hm_adjoint_sums(rows, dj_dx, dj_dy, stride, of_all[0], sums, executor, err);
+        status = hm_adjoint_sums(rows, dj, of_all[0], sums, executor, err);
         MPI_Allreduce(MPI_IN_PLACE, sums, n, MPI_INT64_T, MPI_SUM, comm);
         if (status >= 0) status = hm_adjoint_finish(rows, of_all[0], sums, gradient, err);
     }
@@ -200,7 +200,7 @@ hm_status hm_mpi_exchange_f(hm_basis *rows, const hm_basis *share, int32_t n, co
     return hm_mpi_exchange(rows, share, n, points, MPI_Comm_f2c(comm), err);
 }
 
-hm_status hm_mpi_adjoint_f(const hm_basis *rows, const double *dj_dx, const double *dj_dy, int64_t stride,
-                           double *gradient, const hm_executor *executor, MPI_Fint comm, hm_error *err) {
-    return hm_mpi_adjoint(rows, dj_dx, dj_dy, stride, gradient, executor, MPI_Comm_f2c(comm), err);
+hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gradient,
+                           const hm_executor *executor, MPI_Fint comm, hm_error *err) {
+    return hm_mpi_adjoint(rows, dj, gradient, executor, MPI_Comm_f2c(comm), err);
 }

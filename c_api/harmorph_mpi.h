@@ -34,15 +34,15 @@ hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, cons
                           hm_error *err);
 
 /* hm_adjoint of all processes' rows together: gradient [2*functions] is the same on all of them, bit by bit. Ghosts: 0
- * in dj_dx and dj_dy. One all-reduce of two integers, and one of 4 * numbers_per_value * functions. */
-hm_status hm_mpi_adjoint(const hm_basis *rows, const double *dj_dx, const double *dj_dy, int64_t stride,
-                         double *gradient, const hm_executor *executor, MPI_Comm comm, hm_error *err);
+ * in dj. One all-reduce of two integers, and one of 4 * numbers_per_value * functions. */
+hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *gradient,
+                         const hm_executor *executor, MPI_Comm comm, hm_error *err);
 
 /* The same for Fortran's communicators; harmorph_mpi.f90 calls these. */
 hm_status hm_mpi_exchange_f(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Fint comm,
                             hm_error *err);
-hm_status hm_mpi_adjoint_f(const hm_basis *rows, const double *dj_dx, const double *dj_dy, int64_t stride,
-                           double *gradient, const hm_executor *executor, MPI_Fint comm, hm_error *err);
+hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gradient,
+                           const hm_executor *executor, MPI_Fint comm, hm_error *err);
 
 #ifdef __cplusplus
 }

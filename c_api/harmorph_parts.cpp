@@ -44,12 +44,11 @@ struct GradientCall {
     Points points;
     Executor threads;
 
-    Status open(const hm_basis* given, const double* dj_dx, const double* dj_dy, std::int64_t stride, const void* out,
-                const hm_executor* executor, Fault& fault) noexcept {
+    Status open(const hm_basis* given, const hm_points* dj, const void* out, const hm_executor* executor,
+                Fault& fault) noexcept {
         if (out == nullptr) return fault.refuse(Status::bad_argument, "an argument is NULL");
         HARMORPH_TRY(open_complete(given, basis, fault));
-        points = points_of(dj_dx, dj_dy, stride);
-        if (basis.n_points() > 0) HARMORPH_TRY(check_points(points, fault));
+        if (basis.n_points() > 0) HARMORPH_TRY(view_points(dj, "dj", points, fault));
         return view_executor(executor, threads, fault);
     }
 };
@@ -118,21 +117,21 @@ hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles
     return tell(err, fault);
 }
 
-hm_status hm_adjoint_scale(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride,
-                           int32_t* scale, const hm_executor* executor, hm_error* err) {
+hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale, const hm_executor* executor,
+                           hm_error* err) {
     Fault fault;
     GradientCall call;
-    if (!failed(call.open(basis, dj_dx, dj_dy, stride, scale, executor, fault))) {
+    if (!failed(call.open(basis, dj, scale, executor, fault))) {
         *scale = adjoint_scale(call.basis, call.points, call.threads).exponent;
     }
     return tell(err, fault);
 }
 
-hm_status hm_adjoint_sums(const hm_basis* basis, const double* dj_dx, const double* dj_dy, int64_t stride,
-                          int32_t scale, int64_t* sums, const hm_executor* executor, hm_error* err) {
+hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t scale, int64_t* sums,
+                          const hm_executor* executor, hm_error* err) {
     Fault fault;
     GradientCall call;
-    if (!failed(call.open(basis, dj_dx, dj_dy, stride, sums, executor, fault)) && !failed(check_scale(scale, fault))) {
+    if (!failed(call.open(basis, dj, sums, executor, fault)) && !failed(check_scale(scale, fault))) {
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
             fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale,

@@ -46,10 +46,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     return Status::ok;
 }
 
-Status check_target(Basis const& basis, const double* move, MutablePoints to, Fault& fault) noexcept {
-    if (move == nullptr || to.x == nullptr || to.y == nullptr || to.stride < 1) {
-        return fault.refuse(Status::bad_argument, "move, x_new or y_new is NULL, or the stride is negative");
-    }
+Status check_target(Basis const& basis, const double* move, Fault& fault) noexcept {
+    if (move == nullptr) return fault.refuse(Status::bad_argument, "move is NULL");
     for (Index k = 0; k < 2 * basis.n_functions(); ++k) {
         if (!is_finite(move[k])) {
             return fault.refuse(Status::bad_argument, "the movement of function # (from 0) is not finite", Counts::from_zero, k / 2);
@@ -97,9 +95,11 @@ void lay_out(Arena& arena, Plan const& plan, Span<SafeMorph>& place, SafeMorph& 
     safe.lay_out(arena, plan);
 }
 
-Status run(Plan& plan, Basis const& basis, const double* move, MutablePoints to, const Basis* derivative, void* work,
+Status run(Plan& plan, Basis const& basis, const double* move, const hm_points_out* given_to, const Basis* derivative, void* work,
            Size bytes, const hm_safe_options* given, hm_safe_report* report, Fault& fault) noexcept {
-    HARMORPH_TRY(check_target(basis, move, to, fault));
+    MutablePoints to;
+    HARMORPH_TRY(check_target(basis, move, fault));
+    HARMORPH_TRY(view_points(given_to, "to", to, fault));
     Basis others[most_others];
     SafeOptions options;
     double* reached_movement = nullptr;
@@ -142,8 +142,8 @@ hm_status hm_morph_safe_size(const hm_plan* plan, size_t* bytes, hm_error* err) 
     return tell(err, fault);
 }
 
-hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move, double* x_new, double* y_new,
-                        int64_t stride_new, hm_basis* derivative, void* work, size_t bytes, const hm_safe_options* options,
+hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move, const hm_points_out* to,
+                        hm_basis* derivative, void* work, size_t bytes, const hm_safe_options* options,
                         hm_safe_report* report, hm_error* err) {
     Fault fault;
     if (plan == nullptr || basis == nullptr || work == nullptr || static_cast<const hm_basis*>(derivative) == basis) {
@@ -154,7 +154,6 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
     Plan& p = *reinterpret_cast<Plan*>(plan);
     Basis const b = Basis::view(static_cast<const void*>(basis));
     Basis const sum = derivative != nullptr ? Basis::view(static_cast<void*>(derivative)) : Basis{};
-    MutablePoints const to{x_new, y_new, stride_of(stride_new)};
     if (b.header->solved != 1) {
         fault.refuse(Status::bad_basis, "the basis has not been solved");
     } else {

@@ -27,11 +27,4 @@ inline Status open_complete(const hm_basis* basis, Basis& out, Fault& fault) noe
                         counts.held, counts.functions());
 }
 
-inline Status check_points(Points points, Fault& fault) noexcept {
-    if (points.x == nullptr || points.y == nullptr) {
-        return fault.refuse(Status::bad_argument, "an array of coordinates is NULL");
-    }
-    return points.stride >= 1 ? Status::ok : fault.refuse(Status::bad_argument, "a stride is negative");
-}
-
 }  // namespace harmorph

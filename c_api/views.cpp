@@ -61,7 +61,23 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     return Status::ok;
 }
 
+template <class Given, class View>
+Status view_strided(const Given* given, const char* name, View& points, Fault& fault) noexcept {
+    if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
+    if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
+    if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
+    points = {given->x, given->y, stride_of(given->stride)};
+    return Status::ok;
+}
+
 }  // namespace
+
+Status view_points(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept {
+    return view_strided(given, name, points, fault);
+}
+Status view_points(const hm_points_out* given, const char* name, MutablePoints& points, Fault& fault) noexcept {
+    return view_strided(given, name, points, fault);
+}
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     if (given == nullptr) return missing(fault, "mesh is NULL");
@@ -73,7 +89,7 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     mesh = Mesh{};
     mesh.index_base = m.index_base;
     mesh.n_points = m.n_points;
-    mesh.points = points_of(m.x, m.y, m.stride);
+    mesh.points = points_of(m.points);
     mesh.layout = static_cast<CellLayout>(m.cell_layout);
     mesh.n_cells = m.n_cells;
     bool const block = mesh.layout == CellLayout::structured && m.ni > 1 && m.nj > 1;

@@ -66,7 +66,15 @@ T* element(T* array, Index i) noexcept {
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
     return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
 }
-inline Points points_of(const double* x, const double* y, std::int64_t stride) noexcept { return {x, y, stride_of(stride)}; }
+inline Points points_of(hm_points const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
+
+// Coordinates that a call reads, or writes; `name` is the argument's in the header.
+Status view_points(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept;
+Status view_points(const hm_points_out* given, const char* name, MutablePoints& points, Fault& fault) noexcept;
+// NULL: points stay as they are.
+inline Status view_points_if(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept {
+    return given == nullptr ? Status::ok : view_points(given, name, points, fault);
+}
 
 Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept;
 

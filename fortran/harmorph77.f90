@@ -32,7 +32,7 @@
 !                                                                IRUNG 0: as HMMORF, 2: in several steps, 3: untangled
 !     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)                displacements alone; of velocities: velocities
 !     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)                 gradient G(2,NCP) by control points from mesh points'
-!     CALL HMSTEP (W, DX, DY, INC, S, ICELL, IERR, MSG)          largest S for which X + S*DX has no inverted cell
+!     CALL HMSTEP (W, X, Y, DX, DY, INC, S, ICELL, IERR, MSG)    largest S for which X + S*DX has no inverted cell
 !     CALL HMQUAL (W, X, Y, INC, NINV, AMIN, QMIN, IERR, MSG)    inverted cells, least corner area, least quality
 !     CALL HMSAVE (W, LUN, IERR, MSG), HMLOAD (same)             the functions to, from an open unformatted file
 !     CALL HMSNGL (W, IERR, MSG)                                 the functions in W in single precision, but on the
@@ -271,6 +271,13 @@ contains
         call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), bytes, analysis, e), e, ierr, msg)
     end subroutine
 
+    ! x(1), x(1+inc), ... as C has them.
+    type(hm_c_points) function points_of(x, y, inc)
+        real(c_double), intent(in), target :: x(*), y(*)
+        integer, intent(in) :: inc
+        points_of = hm_c_points(c_loc(x), c_loc(y), stride_of(inc))
+    end function
+
     integer(c_int64_t) function stride_of(inc)
         integer, intent(in) :: inc
         stride_of = max(inc, 1)
@@ -331,11 +338,9 @@ subroutine hmmesh(w, np, x, y, inc, nc, npc, cells, nf, faces, marks, ierr, msg)
     if (ierr /= hm_ok) return
     its%own = words_of(c_sizeof(its))
     call forget(its)
-    its%mesh = hm_c_mesh(index_base=1, n_points=np, stride=stride_of(inc), n_cells=nc, n_faces=nf, &
+    its%mesh = hm_c_mesh(index_base=1, n_points=np, points=points_of(x, y, inc), n_cells=nc, n_faces=nf, &
         cell_layout=merge(hm_cells_triangles, hm_cells_quads, npc == 3))
     its%mesh%struct_size = int(c_sizeof(its%mesh), c_int64_t)
-    its%mesh%x = c_loc(x)
-    its%mesh%y = c_loc(y)
     its%mesh%cell_points = c_loc(cells)
     its%mesh%face_points = c_loc(faces)
     its%mesh%face_markers = c_loc(marks)
@@ -374,11 +379,9 @@ subroutine hmblok(w, ni, nj, x, y, marks, ierr, msg)
             faces = faces + 1
         end do
     end do
-    its%mesh = hm_c_mesh(index_base=1, n_points=ni * nj, stride=1, ni=ni, nj=nj, n_faces=faces, &
+    its%mesh = hm_c_mesh(index_base=1, n_points=ni * nj, points=points_of(x, y, 1), ni=ni, nj=nj, n_faces=faces, &
         cell_layout=hm_cells_structured)
     its%mesh%struct_size = int(c_sizeof(its%mesh), c_int64_t)
-    its%mesh%x = c_loc(x)
-    its%mesh%y = c_loc(y)
     its%mesh%face_points = c_loc(numbers)
     its%mesh%face_markers = c_loc(numbers(2 * n + 1))
 
@@ -467,11 +470,11 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     call tell(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, n, &
         is_loop, e), e, ierr, msg)
     if (ierr < 0) return
-    call c_f_pointer(its%mesh%x, x, [its%mesh%stride * its%mesh%n_points])
-    call c_f_pointer(its%mesh%y, y, [its%mesh%stride * its%mesh%n_points])
+    call c_f_pointer(its%mesh%points%x, x, [its%mesh%points%stride * its%mesh%n_points])
+    call c_f_pointer(its%mesh%points%y, y, [its%mesh%points%stride * its%mesh%n_points])
     do k = 1, n
-        wall(k, 1) = x((points(k) - 1) * its%mesh%stride + 1)
-        wall(k, 2) = y((points(k) - 1) * its%mesh%stride + 1)
+        wall(k, 1) = x((points(k) - 1) * its%mesh%points%stride + 1)
+        wall(k, 2) = y((points(k) - 1) * its%mesh%points%stride + 1)
     end do
     options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos)
     options%struct_size = int(c_sizeof(options), c_int64_t)
@@ -479,8 +482,8 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     call tell(hm_c_fit_size(n, options, bytes, e), e, ierr, msg)
     if (ierr < 0) return
     if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
-    call tell(hm_c_fit(made, c_loc(w(top - words_of(bytes) + 1)), bytes, c_loc(wall(1, 1)), c_loc(wall(1, 2)), &
-        1_c_int64_t, n, is_loop, options, report, e), e, ierr, msg)
+    call tell(hm_c_fit(made, c_loc(w(top - words_of(bytes) + 1)), bytes, points_of(wall(:, 1), wall(:, 2), 1), &
+        n, is_loop, options, report, e), e, ierr, msg)
     if (ierr < 0) return
     top = top - words_of(bytes)
 
@@ -642,7 +645,7 @@ subroutine hmsolv(w, resid, ierr, msg)
     if (ierr < 0) return
     if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
     call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), bytes, analysis, e), e, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, c_null_ptr, 0_c_int64_t, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, e), e, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     if (ierr == hm_ok) call tell(hm_c_plan_solve(plan, basis, report, e), e, ierr, msg)
     if (ierr < 0) return
@@ -687,9 +690,10 @@ subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
     type(hm_c_error) :: e
+    type(hm_c_points), target :: points
+    points = points_of(x, y, inc)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_loc(x), c_loc(y), stride_of(inc), c_loc(x), c_loc(y), &
-        stride_of(inc), c_null_ptr, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_loc(points), points, c_null_ptr, e), e, ierr, msg)
 end subroutine
 
 ! The plan is made again in the free end of W, with the working space below it.
@@ -728,7 +732,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, irung, ierr, msg)
     if (ierr == hm_ok) call tell(hm_c_morph_safe_size(plan, bytes, e), e, ierr, msg)
     if (ierr < 0) return
     if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
-    call tell(hm_c_morph_safe(plan, its%basis, dp, c_loc(xn), c_loc(yn), stride_of(inc), c_null_ptr, &
+    call tell(hm_c_morph_safe(plan, its%basis, dp, points_of(xn, yn, inc), c_null_ptr, &
         c_loc(w(top - words_of(bytes) + 1)), bytes, options, report, e), e, ierr, msg)
     if (ierr < 0) return
     frac = report%step_fraction
@@ -746,8 +750,8 @@ subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)
     type(state), pointer :: its
     type(hm_c_error) :: e
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_null_ptr, c_null_ptr, 1_c_int64_t, c_loc(dx), c_loc(dy), &
-        stride_of(inc), c_null_ptr, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph(its%basis, dp, c_null_ptr, points_of(dx, dy, inc), c_null_ptr, e), e, &
+        ierr, msg)
 end subroutine
 
 subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
@@ -762,26 +766,27 @@ subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
     type(state), pointer :: its
     type(hm_c_error) :: e
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_adjoint(its%basis, c_loc(gx), c_loc(gy), stride_of(inc), g, c_null_ptr, e), e, &
-        ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_adjoint(its%basis, points_of(gx, gy, inc), g, c_null_ptr, e), e, ierr, msg)
 end subroutine
 
-subroutine hmstep(w, dx, dy, inc, s, icell, ierr, msg)
+subroutine hmstep(w, x, y, dx, dy, inc, s, icell, ierr, msg)
     use harmorph77_state
     implicit none
     integer, intent(in) :: inc
     real(c_double), intent(inout), target :: w(*)
-    real(c_double), intent(in), target :: dx(*), dy(*)
+    real(c_double), intent(in), target :: x(*), y(*), dx(*), dy(*)
     real(c_double), intent(inout) :: s
     integer, intent(out) :: icell, ierr
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
     type(hm_c_error) :: e
     type(hm_step_report) :: report
+    type(hm_c_points), target :: from
     icell = 0
+    from = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_admissible_step(its%basis, its%mesh, c_loc(dx), c_loc(dy), stride_of(inc), &
+    if (ierr == hm_ok) call tell(hm_c_admissible_step(its%basis, its%mesh, c_loc(from), points_of(dx, dy, inc), &
         c_null_ptr, report, e), e, ierr, msg)
     if (ierr < 0) return
     s = report%admissible
@@ -800,11 +805,12 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     type(state), pointer :: its
     type(hm_c_error) :: e
     type(hm_quality_report) :: report
+    type(hm_c_points), target :: at
     ninv = 0
+    at = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(x), c_loc(y), stride_of(inc), c_null_ptr, &
-        c_null_ptr, 1_c_int64_t, c_null_ptr, report, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(at), c_null_ptr, c_null_ptr, report, e), e, ierr, msg)
     if (ierr < 0) return
     ninv = int(report%inverted)
     amin = report%min_area

@@ -39,14 +39,11 @@ module harmorph_mpi
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function c_adjoint(rows, dj_dx, dj_dy, stride, gradient, executor, comm, err) result(status) bind(c, &
-            name="hm_mpi_adjoint_f")
-            import :: c_double, c_int, c_int32_t, c_int64_t, c_ptr, hm_c_error
+        function c_adjoint(rows, dj, gradient, executor, comm, err) result(status) bind(c, name="hm_mpi_adjoint_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error, hm_c_points
             implicit none
-            type(c_ptr), value, intent(in) :: rows
-            real(c_double), intent(in) :: dj_dx(*), dj_dy(*)
-            integer(c_int64_t), value, intent(in) :: stride
-            type(c_ptr), value, intent(in) :: gradient, executor
+            type(c_ptr), value, intent(in) :: rows, gradient, executor
+            type(hm_c_points), intent(in) :: dj
             integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
@@ -109,13 +106,14 @@ contains
     ! gradient(2, functions): the same on all processes.
     subroutine adjoint(basis, dj_dx, dj_dy, gradient, comm, stat, err)
         type(hm_basis), intent(in) :: basis
-        real(c_double), intent(in), contiguous :: dj_dx(:), dj_dy(:)
+        real(c_double), intent(in), contiguous, target :: dj_dx(:), dj_dy(:)
         real(c_double), intent(inout), contiguous, target :: gradient(:, :)
         type(mpi_comm), intent(in) :: comm
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_basis_info) :: info
         type(hm_c_error) :: e
+        type(hm_c_points) :: dj
         type(c_ptr) :: room
         integer(c_int32_t) :: status
         integer :: known
@@ -126,7 +124,8 @@ contains
             if (size(dj_dx) == info%points .and. size(dj_dy) == info%points .and. size(gradient, 1) == 2 .and. &
                 size(gradient, 2) == info%functions) room = c_loc(gradient)
         end if
-        status = c_adjoint(basis%address(), dj_dx, dj_dy, 1_c_int64_t, room, c_null_ptr, int(comm%mpi_val, c_int), e)
+        if (size(dj_dx) > 0 .and. size(dj_dy) > 0) dj = hm_c_points(c_loc(dj_dx), c_loc(dj_dy), 1_c_int64_t)
+        status = c_adjoint(basis%address(), dj, room, c_null_ptr, int(comm%mpi_val, c_int), e)
         call hm_finish(status, e, stat, err)
     end subroutine
 

@@ -64,8 +64,11 @@ int main(void) {
     HAS_SIZE_FIRST(hm_safe_options);
     HAS_SIZE_FIRST(hm_safe_report);
     if (sizeof(void *) == 8) {
-        PLACE(hm_mesh, x, 16);
-        PLACE(hm_mesh, stride, 32);
+        SIZE(hm_points, 24);
+        SIZE(hm_points_out, 24);
+        PLACE(hm_points, stride, 16);
+        PLACE(hm_points_out, stride, 16);
+        PLACE(hm_mesh, points, 16);
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);
         PLACE(hm_options, progress, 32);

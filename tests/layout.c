@@ -17,7 +17,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_mesh
     case 3:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(x); AT(y); AT(stride); AT(cell_layout);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(points); AT(cell_layout);
         AT(n_cells); AT(cell_start); AT(cell_points); AT(ni); AT(nj); AT(n_faces); AT(face_points); AT(face_markers);
         AT(n_lists); AT(list_start); AT(list_points); AT(list_markers);
         break;
@@ -131,6 +131,12 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_RUNG_LINEAR); PUT(HM_RUNG_OTHER); PUT(HM_RUNG_SUBSTEPS);
         PUT(HM_RUNG_UNTANGLED);
         break;
+#define TYPE hm_points
+    case 21: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;
+#undef TYPE
+#define TYPE hm_points_out
+    case 22: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;
+#undef TYPE
     default: break;
     }
     return n;

@@ -19,6 +19,7 @@ program layout
     type(hm_c_error), target :: error
     type(hm_c_executor), target :: executor
     type(hm_c_mesh), target :: mesh
+    type(hm_c_points), target :: points
     type(hm_c_curve), target :: curve
     type(hm_c_curves), target :: curves
     type(hm_c_fit_options), target :: fit_options
@@ -40,7 +41,7 @@ program layout
     call compare("hm_executor", 2, c_sizeof(executor), c_loc(executor), [c_loc(executor%struct_size), &
         c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%reserved)])
     call compare("hm_mesh", 3, c_sizeof(mesh), c_loc(mesh), [c_loc(mesh%struct_size), c_loc(mesh%index_base), &
-        c_loc(mesh%n_points), c_loc(mesh%x), c_loc(mesh%y), c_loc(mesh%stride), c_loc(mesh%cell_layout), &
+        c_loc(mesh%n_points), c_loc(mesh%points), c_loc(mesh%cell_layout), &
         c_loc(mesh%n_cells), c_loc(mesh%cell_start), c_loc(mesh%cell_points), c_loc(mesh%ni), c_loc(mesh%nj), &
         c_loc(mesh%n_faces), c_loc(mesh%face_points), c_loc(mesh%face_markers), c_loc(mesh%n_lists), &
         c_loc(mesh%list_start), c_loc(mesh%list_points), c_loc(mesh%list_markers)])
@@ -126,6 +127,11 @@ program layout
         hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
         hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
+
+    call compare("hm_points", 21, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
+        c_loc(points%stride)])
+    call compare("hm_points_out", 22, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
+        c_loc(points%stride)])
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop

@@ -65,8 +65,10 @@ static void check_morph(const hm_basis *whole, const hm_basis *rows, const part 
         own[k] = its->x[mine->points[k]];
         own[mine->n + k] = its->y[mine->points[k]];
     }
-    need(hm_morph(whole, move, its->x, its->y, 1, all, all + n, 1, NULL, &error), &error);
-    need(hm_morph(rows, move, own, own + mine->n, 1, own, own + mine->n, 1, NULL, &error), &error);
+    need(hm_morph(whole, move, &(hm_points){its->x, its->y, 1}, &(hm_points_out){all, all + n, 1}, NULL,
+                  &error), &error);
+    need(hm_morph(rows, move, &(hm_points){own, own + mine->n, 1}, &(hm_points_out){own, own + mine->n, 1}, NULL,
+                  &error), &error);
     for (k = 0; k < mine->n; ++k) {
         wrong += memcmp(&own[k], &all[mine->points[k]], sizeof *own) != 0;
         wrong += memcmp(&own[mine->n + k], &all[n + mine->points[k]], sizeof *own) != 0;
@@ -90,21 +92,21 @@ static void check_adjoint(const hm_basis *whole, const hm_basis *rows, const par
         own[k] = k < mine->n_own ? all[mine->points[k]] : 0;
         own[mine->n + k] = k < mine->n_own ? all[n + mine->points[k]] : 0;
     }
-    need(hm_adjoint(whole, all, all + n, 1, expected, NULL, &error), &error);
-    need(hm_mpi_adjoint(rows, own, own + mine->n, 1, found, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_adjoint(whole, &(hm_points){all, all + n, 1}, expected, NULL, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD, &error), &error);
     check(same_bits(found, expected, n_gradient), "the gradient is that of one process");
     memset(found, 0, sizeof *found * (size_t)n_gradient);
-    need(hm_mpi_adjoint(rows, own, own + mine->n, 1, found, &executor, MPI_COMM_WORLD, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, &executor, MPI_COMM_WORLD, &error), &error);
     check(same_bits(found, expected, n_gradient), "and on several threads of each");
     hm_pthreads_stop(&pool);
 
     if (rank == size - 1) own[0] = NAN;
-    need(hm_mpi_adjoint(rows, own, own + mine->n, 1, found, NULL, MPI_COMM_WORLD, &error), &error);
+    need(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, found, NULL, MPI_COMM_WORLD, &error), &error);
     for (k = 0; k < n_gradient; ++k) not_a_number += found[k] != found[k];
     check(not_a_number == n_gradient, "one NaN on one process: NaN on all");
 
-    check(hm_mpi_adjoint(rows, own, own + mine->n, 1, rank == 0 ? NULL : found, NULL, MPI_COMM_WORLD, &error) ==
-              HM_BAD_ARGUMENT, "what one process has wrong is refused by all");
+    check(hm_mpi_adjoint(rows, &(hm_points){own, own + mine->n, 1}, rank == 0 ? NULL : found, NULL, MPI_COMM_WORLD,
+                         &error) == HM_BAD_ARGUMENT, "what one process has wrong is refused by all");
     check(rank == 0 || strstr(error.text, "another process") != NULL, "and told on");
     free(all);
     free(own);

@@ -66,8 +66,8 @@ static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_funct
     its->markers[0] = WALL;
     its->markers[1] = FAR_FIELD;
     mesh.n_points = its->n_points;
-    mesh.x = its->x;
-    mesh.y = its->y;
+    mesh.points.x = its->x;
+    mesh.points.y = its->y;
     mesh.cell_layout = HM_CELLS_STRUCTURED;
     mesh.ni = ni;
     mesh.nj = nj;
@@ -80,7 +80,8 @@ static void make_case(problem_case *its, int32_t ni, int32_t nj, int32_t n_funct
     fit.closed = HM_PERIODIC;
     its->fit = fit;
     need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
-    need(hm_fit(&its->curves, room(bytes), bytes, its->x, its->y, 1, ni - 1, 1, &fit, NULL, &error), &error);
+    need(hm_fit(&its->curves, room(bytes), bytes, &(hm_points){its->x, its->y, 1}, ni - 1, 1, &fit, NULL,
+                &error), &error);
     on_curve.marker = WALL;
     on_curve.kind = HM_ON_CURVE;
     on_curve.n_curves = 1;
@@ -113,7 +114,7 @@ static void make_solver(solver *its, const problem_case *of) {
     its->bytes += bytes;
     its->plan_block = room(bytes);
     need(hm_plan_init(&its->plan, its->plan_block, bytes, its->analysis, &error), &error);
-    need(hm_plan_factor(its->plan, NULL, NULL, 0, &error), &error);
+    need(hm_plan_factor(its->plan, NULL, &error), &error);
 }
 
 static void free_solver(solver *its) {

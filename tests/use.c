@@ -121,7 +121,8 @@ static const hm_curves *fit_body(const hm_mesh *mesh, void **block) {
     options.n_control = CONTROL;
     require(hm_fit_size(n, &options, &bytes, &error), "size of the fit", &error);
     *block = block_of(bytes);
-    require(hm_fit(&curves, *block, bytes, body_x, body_y, 1, n, is_loop, &options, &fit, &error), "the fit", &error);
+    require(hm_fit(&curves, *block, bytes, &(hm_points){body_x, body_y, 1}, n, is_loop, &options, &fit,
+                   &error), "the fit", &error);
     check(fit.closed == HM_PERIODIC && curves->n_control == CONTROL, "a smooth body gets a periodic curve", &error);
     check(fit.max_error < 2e-3 && fit.rms_error <= fit.max_error, "the fit is close", &error);
     require(hm_curves_check(curves, &error), "the fitted curves are well formed", &error);
@@ -161,7 +162,7 @@ static hm_basis *solve(const hm_problem *problem, void **block) {
     require(hm_basis_init(&basis, *block, basis_bytes, analysis, &error), "the basis", &error);
     free(analysis_block);
 
-    require(hm_plan_factor(plan, NULL, NULL, 0, &error), "the factor", &error);
+    require(hm_plan_factor(plan, NULL, &error), "the factor", &error);
     check(hm_plan_solve(plan, basis, &report, &error) == HM_CANCELLED, "the callback cancels the solution", &error);
     stop_in = -1;
     error.code = HM_OK;
@@ -182,29 +183,35 @@ static void morph(const hm_basis *basis, const hm_mesh *mesh) {
     int32_t point = 0;
     int k;
 
-    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, NULL, &error), "a movement of nothing", &error);
+    require(hm_morph(basis, move, &(hm_points){x, y, 1}, &(hm_points_out){x_new, y_new, 1}, NULL,
+                     &error), "a movement of nothing", &error);
     check(memcmp(x, x_new, sizeof x) == 0 && memcmp(y, y_new, sizeof y) == 0, "it keeps all bits", &error);
 
     for (k = 0; k < 2 * CONTROL; ++k) move[k] = 0.01 * noise();
-    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "displacements alone", &error);
-    require(hm_admissible_step(basis, mesh, dx, dy, 1, NULL, &step, &error), "the admissible step", &error);
+    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error), "displacements alone", &error);
+    require(hm_admissible_step(basis, mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step,
+                               &error), "the admissible step", &error);
     check(step.admissible > 0 && step.cell >= 1 && step.cell <= CELLS, "somewhere a cell sets the limit", &error);
     for (k = 0; k < 2 * CONTROL; ++k) move[k] *= step.admissible < 2 ? 0.5 * step.admissible : 1;
-    require(hm_morph(basis, move, x, y, 1, x_new, y_new, 1, NULL, &error), "half the admissible step", &error);
-    require(hm_boundary_error(basis, move, x, y, 1, x_new, y_new, 1, &boundary_error, &point, &error), "its check", &error);
+    require(hm_morph(basis, move, &(hm_points){x, y, 1}, &(hm_points_out){x_new, y_new, 1}, NULL,
+                     &error), "half the admissible step", &error);
+    require(hm_boundary_error(basis, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1}, &boundary_error,
+                              &point, &error), "its check", &error);
     check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
-    require(hm_quality(basis, mesh, x_new, y_new, 1, x, y, 1, NULL, &quality, &error), "quality", &error);
+    require(hm_quality(basis, mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
+                       &error), "quality", &error);
     check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid", &error);
     check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality, "least and mean quality", &error);
 
     /* <g, F m> = <F^T g, m> */
-    require(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "displacements of this step", &error);
+    require(hm_morph(basis, move, NULL, &(hm_points_out){dx, dy, 1}, NULL,
+                     &error), "displacements of this step", &error);
     for (k = 0; k < POINTS; ++k) {
         dj_dx[k] = noise();
         dj_dy[k] = noise();
         here += dj_dx[k] * dx[k] + dj_dy[k] * dy[k];
     }
-    require(hm_adjoint(basis, dj_dx, dj_dy, 1, gradient, NULL, &error), "the adjoint", &error);
+    require(hm_adjoint(basis, &(hm_points){dj_dx, dj_dy, 1}, gradient, NULL, &error), "the adjoint", &error);
     for (k = 0; k < 2 * CONTROL; ++k) there += gradient[k] * move[k];
     check(absolute(here - there) <= 1e-13 * POINTS * 0.01, "the adjoint is the transpose", &error);
 }
@@ -248,7 +255,7 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     require(hm_basis_size(analysis, &bytes, &error), "size of Laplace's basis", &error);
     laplace_block = block_of(bytes);
     require(hm_basis_init(&laplace, laplace_block, bytes, analysis, &error), "Laplace's basis", &error);
-    require(hm_plan_factor(plan, NULL, NULL, 0, &error), "Laplace's factor", &error);
+    require(hm_plan_factor(plan, NULL, &error), "Laplace's factor", &error);
     require(hm_plan_solve(plan, laplace, NULL, &error), "Laplace's functions", &error);
     free(analysis_block);
 
@@ -256,17 +263,21 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
         move[2 * k] = 0.3;
         move[2 * k + 1] = curves.control[2 * k + 1] + 0.3;
     }
-    require(hm_morph(laplace, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), "a large displacement", &error);
-    require(hm_assess(laplace, problem->mesh, dx, dy, 1, NULL, &step, &quality, &error), "its assessment", &error);
+    require(hm_morph(laplace, move, NULL, &(hm_points_out){dx, dy, 1}, NULL, &error), "a large displacement", &error);
+    require(hm_assess(laplace, problem->mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &quality,
+                      &error), "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
     require(hm_morph_safe_size(plan, &bytes, &error), "size of a safe morph", &error);
     work = block_of(bytes);
-    require(hm_morph_safe(plan, laplace, move, x_new, y_new, 1, NULL, work, bytes, NULL, &report, &error), "it",
+    require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes, NULL, &report,
+                          &error), "it",
             &error);
     check(report.step_fraction >= 1 && report.rung >= HM_RUNG_SUBSTEPS && report.inverted == 0, "all of it", &error);
-    require(hm_quality(laplace, problem->mesh, x_new, y_new, 1, x, y, 1, NULL, &quality, &error), "quality", &error);
+    require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
+                       &error), "quality", &error);
     check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);
-    require(hm_boundary_error(laplace, move, x, y, 1, x_new, y_new, 1, &boundary_error, &point, &error), "its wall",
+    require(hm_boundary_error(laplace, move, &(hm_points){x, y, 1}, &(hm_points){x_new, y_new, 1}, &boundary_error,
+                              &point, &error), "its wall",
             &error);
     check(boundary_error <= 1e-12, "the wall is where the B-spline is", &error);
     free(work);
@@ -308,8 +319,8 @@ int main(void) {
     make_mesh();
     mesh.index_base = 1;
     mesh.n_points = POINTS;
-    mesh.x = x;
-    mesh.y = y;
+    mesh.points.x = x;
+    mesh.points.y = y;
     mesh.cell_layout = HM_CELLS_QUADS;
     mesh.n_cells = CELLS;
     mesh.cell_points = cells;

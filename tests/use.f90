@@ -1145,6 +1145,35 @@ contains
         call compare_assessment(step, its_step, quality, its_quality)
         call basis%assess(mesh, dx(2:), dy(2:), its_step, its_quality, stat=stat)
         call check(stat == hm_bad_argument, "a displacement too few")
+        call starts_elsewhere(dx, dy, step, quality)
+    end subroutine
+
+    ! A mesh whose arrays hold other coordinates than those the movement starts from: it is judged from where it starts.
+    subroutine starts_elsewhere(dx, dy, step, quality)
+        real(dp), intent(in) :: dx(:), dy(:)
+        type(hm_step_report), intent(in) :: step
+        type(hm_quality_report), intent(in) :: quality
+        real(dp), target :: x_now(n_points), y_now(n_points)
+        type(hm_mesh) :: elsewhere
+        type(hm_step_report) :: its_step
+        type(hm_quality_report) :: its_quality
+        x_now = x + 0.5_dp * step%admissible * dx
+        y_now = y + 0.5_dp * step%admissible * dy
+        call elsewhere%points(x_now, y_now)
+        call elsewhere%cells(cells)
+        call elsewhere%faces(faces, markers)
+        call basis%admissible_step(elsewhere, dx, dy, its_step, x, y)
+        call check(abs(its_step%admissible - step%admissible) <= 0, "the step from other coordinates")
+        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x, y)
+        call check(abs(its_step%admissible - step%admissible) <= 0, "the assessed step from other coordinates")
+        call compare_assessment(step, its_step, quality, its_quality)
+        call basis%admissible_step(elsewhere, dx, dy, its_step)
+        call check(abs(its_step%admissible - 0.5_dp * step%admissible) < 1e-9_dp * step%admissible, &
+            "the step from the mesh's own coordinates")
+        call basis%admissible_step(elsewhere, dx, dy, its_step, x, stat=stat)
+        call check(stat == hm_bad_argument, "x without y")
+        call basis%assess(elsewhere, dx, dy, its_step, its_quality, x(2:), y(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a start of one point too few")
     end subroutine
 
     subroutine compare_assessment(step, its_step, quality, its_quality)

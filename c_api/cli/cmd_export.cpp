@@ -46,7 +46,7 @@ Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis)
     const Threads threads(1);
     Solver solver(mesh, task, threads);
     solver.prepare();
-    call(mesh, hm_plan_factor, solver.plan(), nullptr, nullptr, std::int64_t{0});
+    call(mesh, hm_plan_factor, solver.plan(), nullptr);
     Level level;
     level.number = arguments.whole("--level", 1, 0, 19);
     level.cells.resize(mesh.x.size());

@@ -79,8 +79,9 @@ Fit fit(const Mesh& mesh, const Outline& outline, const hm_fit_options& options)
     call(mesh, hm_fit_size, outline.points(), &options, &bytes);
     Block block(bytes);
     const hm_curves* curves = nullptr;
-    call(mesh, hm_fit, &curves, block.data(), bytes, outline.x.data(), outline.y.data(), std::int64_t{1},
-         outline.points(), std::int32_t{outline.is_loop}, &options, &fit.report);
+    const hm_points points = {outline.x.data(), outline.y.data(), 1};
+    call(mesh, hm_fit, &curves, block.data(), bytes, &points, outline.points(), std::int32_t{outline.is_loop}, &options,
+         &fit.report);
     fit.curves = copy(*curves, fit.report);
     return fit;
 }

@@ -39,8 +39,7 @@ hm_mesh Mesh::view() const {
     hm_mesh mesh = {};
     mesh.struct_size = sizeof mesh;
     mesh.n_points = points();
-    mesh.x = x.data();
-    mesh.y = y.data();
+    mesh.points = coordinates();
     mesh.cell_layout = HM_CELLS_ROWS;
     mesh.n_cells = cells();
     mesh.cell_start = cell_start.data();

@@ -26,7 +26,8 @@ struct Mesh {
     std::int32_t faces() const { return static_cast<std::int32_t>(face_markers.size()); }
     std::int32_t faces(std::int32_t marker) const;
 
-    hm_mesh view() const; // for the library, of these arrays
+    hm_points coordinates() const { return {x.data(), y.data(), 1}; } // for the library, of these arrays
+    hm_mesh view() const;
 
     // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A tag may hold commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;

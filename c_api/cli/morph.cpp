@@ -9,8 +9,9 @@ namespace {
 
 void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
                  const Threads& threads) {
-    call(basis.path(), hm_morph, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1}, to.x.data(),
-         to.y.data(), std::int64_t{1}, threads.executor());
+    const hm_points from = mesh.coordinates();
+    const hm_points_out result = to.write();
+    call(basis.path(), hm_morph, basis.get(), moves.data(), &from, &result, threads.executor());
 }
 
 double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
@@ -28,17 +29,17 @@ double median_seconds(const Basis& basis, const Mesh& mesh, const std::vector<do
 
 Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads) {
     Field field(mesh.x.size());
-    call(basis.path(), hm_morph, basis.get(), moves.data(), nullptr, nullptr, std::int64_t{1}, field.x.data(),
-         field.y.data(), std::int64_t{1}, threads.executor());
+    const hm_points_out result = field.write();
+    call(basis.path(), hm_morph, basis.get(), moves.data(), nullptr, &result, threads.executor());
     return field;
 }
 
 hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field& displacement,
                                const Threads& threads) {
     const hm_mesh view = mesh.view();
+    const hm_points along = displacement.read();
     auto report = sized<hm_step_report>();
-    call(mesh, hm_admissible_step, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
-         threads.executor(), &report);
+    call(mesh, hm_admissible_step, basis.get(), &view, nullptr, &along, threads.executor(), &report);
     return report;
 }
 
@@ -65,9 +66,9 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     moved.x = mesh.x;
     moved.y = mesh.y;
     options.reached = moves.data(); // stays 0 where the target is refused
+    const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), moved.x.data(), moved.y.data(), 1,
-                                           nullptr, work.data(), bytes, &options, &safe, &error);
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     if (status != HM_OK) refusal = error.text;
     seconds = watch.seconds();
@@ -80,11 +81,10 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const hm_mesh view = mesh.view();
-    call(mesh, hm_assess, basis.get(), &view, displacement.x.data(), displacement.y.data(), std::int64_t{1},
-         threads.executor(), &step, &quality);
+    const hm_points along = displacement.read(), to = moved.read();
+    call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);
     std::int32_t worst_point = -1; // of no interest
-    call(mesh, hm_boundary_error, basis.get(), moves.data(), mesh.x.data(), mesh.y.data(), std::int64_t{1},
-         moved.x.data(), moved.y.data(), std::int64_t{1}, &boundary_error, &worst_point);
+    call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error, &worst_point);
 }
 
 } // namespace cli

@@ -13,6 +13,8 @@ namespace cli {
 struct Field {
     std::vector<double> x, y;
     explicit Field(std::size_t points) : x(points), y(points) {}
+    hm_points read() const { return {x.data(), y.data(), 1}; } // for the library
+    hm_points_out write() { return {x.data(), y.data(), 1}; }
 };
 
 // The points' movement for dx,dy pairs of the control points, and how far it may go on without inverting a cell.

@@ -20,7 +20,7 @@ Solver::Solver(const Mesh& mesh, const Task& task, const Threads& threads)
 hm_status Solver::run() {
     const Stopwatch watch;
     prepare();
-    call(mesh_, hm_plan_factor, plan_, nullptr, nullptr, std::int64_t{0});
+    call(mesh_, hm_plan_factor, plan_, nullptr);
     const double before_solving = watch.seconds();
     hm_error error = {};
     const hm_status status = hm_plan_solve(plan_, basis_, &report_, &error);

@@ -26,8 +26,9 @@ int main(void) {
         lists[i] = i;
         lists[NI + i] = i + NI * (NJ - 1);
     }
-    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = NI * NJ, .x = x, .y = y, .cell_layout = HM_CELLS_STRUCTURED,
-                    .ni = NI, .nj = NJ, .n_lists = 2, .list_start = start, .list_points = lists, .list_markers = markers};
+    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = NI * NJ, .points = {x, y, 1}, .ni = NI, .nj = NJ,
+                    .cell_layout = HM_CELLS_STRUCTURED, .n_lists = 2, .list_start = start, .list_points = lists,
+                    .list_markers = markers};
     hm_error error;
     size_t bytes;
 
@@ -35,7 +36,7 @@ int main(void) {
     hm_fit_options fit = {.struct_size = sizeof fit, .n_control = 12, .closed = HM_PERIODIC};
     const hm_curves *curves;
     check(hm_fit_size(NI - 1, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, x, y, 1, NI - 1, 1, &fit, NULL, &error), &error);
+    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error), &error);
 
     /* One harmonic function for each control point; analysis and plan may be freed after the solution. */
     hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
@@ -50,19 +51,21 @@ int main(void) {
     check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error), &error);
     check(hm_basis_size(analysis, &bytes, &error), &error);
     check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, NULL, 0, &error), &error);
+    check(hm_plan_factor(plan, NULL, &error), &error);
     check(hm_plan_solve(plan, basis, NULL, &error), &error);
 
     /* The upper control points go up: displacement first, to see how far the mesh could follow; then the morph. */
     double move[2 * 12] = {0}, dx[NI * NJ], dy[NI * NJ];
     for (int i = 0; i < 12; ++i) move[2 * i + 1] = curves->control[2 * i + 1] > 0 ? 0.1 : 0;
+    hm_points displacement = {dx, dy, 1};
+    hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};
     hm_step_report step = {.struct_size = sizeof step};
-    check(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), &error);
-    check(hm_admissible_step(basis, &mesh, dx, dy, 1, NULL, &step, &error), &error);
-    check(hm_morph(basis, move, x, y, 1, x, y, 1, NULL, &error), &error);
+    check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);
+    check(hm_admissible_step(basis, &mesh, NULL, &displacement, NULL, &step, &error), &error);
+    check(hm_morph(basis, move, &mesh.points, &to_mesh, NULL, &error), &error);
 
     hm_quality_report quality = {.struct_size = sizeof quality};
-    check(hm_quality(basis, &mesh, x, y, 1, NULL, NULL, 0, NULL, &quality, &error), &error);
+    check(hm_quality(basis, &mesh, NULL, NULL, NULL, &quality, &error), &error);
     printf("%d inverted cells; the mesh could follow %.1f times as far\n", quality.inverted, step.admissible);
     return quality.inverted > 0;
 }

@@ -54,7 +54,7 @@ int main(void) {
         lists[i] = i;
         lists[NI + i] = i + NI * (NJ - 1);
     }
-    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = N, .x = x_first, .y = y_first, .ni = NI, .nj = NJ,
+    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = N, .points = {x_first, y_first, 1}, .ni = NI, .nj = NJ,
                     .cell_layout = HM_CELLS_STRUCTURED, .n_lists = 2, .list_start = start, .list_points = lists,
                     .list_markers = markers};
     hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
@@ -62,7 +62,7 @@ int main(void) {
     hm_error error;
     size_t bytes;
     check(hm_fit_size(NI - 1, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, x_first, y_first, 1, NI - 1, 1, &fit, NULL, &error), &error);
+    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI - 1, 1, &fit, NULL, &error), &error);
 
     hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
     hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves, .n_conditions = 1,
@@ -78,23 +78,26 @@ int main(void) {
     check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
     check(hm_basis_size(analysis, &bytes, &error), &error);
     check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, NULL, 0, &error), &error);
+    check(hm_plan_factor(plan, NULL, &error), &error);
     check(hm_plan_solve(plan, basis, NULL, &error), &error);
     free(analysis_block);
     free(plan_block);
 
+    const hm_points now = {x, y, 1};
+    const hm_points_out to_now = {x, y, 1}, to_velocity = {vx, vy, 1};
+    const hm_points_out to_before = {x_before, y_before, 1}, to_after = {x_after, y_after, 1};
     double move[2 * CONTROL], least_quality = 1, rigid = 0, slip = 0;
     int returned = 0, inverted = 0;
     for (int step = 0; step <= STEPS; ++step) {
         const double angle = angle_at(step), rate = amplitude * two_pi / PERIOD * cos(two_pi * step / PERIOD);
         turn(curves->control, angle, move);
-        check(hm_morph(basis, move, x_first, y_first, 1, x, y, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, &mesh.points, &to_now, NULL, &error), &error);
         velocity(curves->control, angle, rate, move);
-        check(hm_morph(basis, move, NULL, NULL, 0, vx, vy, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, NULL, &to_velocity, NULL, &error), &error);
         /* Here a solver would take its time step, with (x, y) and the velocities (vx, vy) of the mesh. */
 
         hm_quality_report quality = {.struct_size = sizeof quality};
-        check(hm_quality(basis, &mesh, x, y, 1, x_first, y_first, 1, NULL, &quality, &error), &error);
+        check(hm_quality(basis, &mesh, &now, &mesh.points, NULL, &quality, &error), &error);
         inverted += quality.inverted;
         least_quality = fmin(least_quality, quality.min_quality);
         if (step % (PERIOD / 2) == 0 && angle == 0) {
@@ -106,9 +109,9 @@ int main(void) {
             rigid = fmax(rigid, fabs(y[i] - cos(angle) * py + sin(angle) * px));
         }
         turn(curves->control, angle_at(step + 0.5), move);
-        check(hm_morph(basis, move, x_first, y_first, 1, x_after, y_after, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, &mesh.points, &to_after, NULL, &error), &error);
         turn(curves->control, angle_at(step + PERIOD - 0.5), move);
-        check(hm_morph(basis, move, x_first, y_first, 1, x_before, y_before, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, &mesh.points, &to_before, NULL, &error), &error);
         for (int k = 0; k < N; ++k) {
             slip = fmax(slip, fabs(x_after[k] - x_before[k] - vx[k]) + fabs(y_after[k] - y_before[k] - vy[k]));
         }

@@ -53,7 +53,7 @@ static double area(double *by_x, double *by_y) {
 
 int main(void) {
     make_mesh();
-    hm_mesh mesh = {.struct_size = sizeof mesh, .index_base = 1, .n_points = N, .x = x, .y = y, .n_cells = CELLS,
+    hm_mesh mesh = {.struct_size = sizeof mesh, .index_base = 1, .n_points = N, .points = {x, y, 1}, .n_cells = CELLS,
                     .cell_layout = HM_CELLS_QUADS, .cell_points = cells, .n_faces = 2 * NI, .face_points = faces,
                     .face_markers = markers};
     hm_fit_options fit = {.struct_size = sizeof fit, .n_control = CONTROL, .closed = HM_PERIODIC};
@@ -61,7 +61,7 @@ int main(void) {
     hm_error error;
     size_t bytes;
     check(hm_fit_size(NI, &fit, &bytes, &error), &error);
-    check(hm_fit(&curves, malloc(bytes), bytes, x, y, 1, NI, 1, &fit, NULL, &error), &error);
+    check(hm_fit(&curves, malloc(bytes), bytes, &mesh.points, NI, 1, &fit, NULL, &error), &error);
 
     hm_condition on_curve = {.struct_size = sizeof on_curve, .marker = WALL, .kind = HM_ON_CURVE, .n_curves = 1};
     hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .curves = curves, .n_conditions = 1,
@@ -77,11 +77,13 @@ int main(void) {
     check(hm_plan_init(&plan, plan_block, bytes, analysis, &error), &error);
     check(hm_basis_size(analysis, &bytes, &error), &error);
     check(hm_basis_init(&basis, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, NULL, 0, &error), &error);
+    check(hm_plan_factor(plan, NULL, &error), &error);
     check(hm_plan_solve(plan, basis, NULL, &error), &error);
     free(analysis_block);
     free(plan_block);
 
+    const hm_points by_points = {gx, gy, 1}, displacement = {dx, dy, 1};
+    const hm_points_out to_displacement = {dx, dy, 1}, to_mesh = {x, y, 1};
     const double wanted = 1.1 * area(gx, gy);
     double missing = wanted;
     int inverted = 0, step;
@@ -91,17 +93,17 @@ int main(void) {
         if (fabs(missing) < 1e-10 * wanted) break;
 
         double move[2 * CONTROL], square = 0;
-        check(hm_adjoint(basis, gx, gy, 1, move, NULL, &error), &error);   /* the area's gradient by the control points */
+        check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);   /* the area's gradient by the control points */
         for (int k = 0; k < 2 * CONTROL; ++k) square += move[k] * move[k];
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
-        check(hm_morph(basis, move, NULL, NULL, 0, dx, dy, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);
         hm_step_report limit = {.struct_size = sizeof limit};
-        check(hm_admissible_step(basis, &mesh, dx, dy, 1, NULL, &limit, &error), &error);
+        check(hm_admissible_step(basis, &mesh, NULL, &displacement, NULL, &limit, &error), &error);
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= fmin(1, 0.5 * limit.admissible);
-        check(hm_morph(basis, move, x, y, 1, x, y, 1, NULL, &error), &error);
+        check(hm_morph(basis, move, &mesh.points, &to_mesh, NULL, &error), &error);
 
         hm_quality_report quality = {.struct_size = sizeof quality};
-        check(hm_quality(basis, &mesh, x, y, 1, NULL, NULL, 0, NULL, &quality, &error), &error);
+        check(hm_quality(basis, &mesh, NULL, NULL, NULL, &quality, &error), &error);
         inverted += quality.inverted;
     }
     printf("%d inverted cells on the way\n", inverted);

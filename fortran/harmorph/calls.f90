@@ -57,13 +57,13 @@ module harmorph_calls
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_fit(curves, block, bytes, x, y, stride, n, is_loop, options, report, err) &
+        integer(c_int32_t) function hm_c_fit(curves, block, bytes, points, n, is_loop, options, report, err) &
             bind(c, name="hm_fit")
             import
             type(c_ptr), intent(inout) :: curves
-            type(c_ptr), value, intent(in) :: block, x, y
+            type(c_ptr), value, intent(in) :: block
             integer(c_size_t), value, intent(in) :: bytes
-            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_c_points), intent(in) :: points
             integer(c_int32_t), value, intent(in) :: n, is_loop
             type(hm_c_fit_options), intent(in) :: options
             type(hm_fit_report), intent(inout) :: report
@@ -126,10 +126,9 @@ module harmorph_calls
             integer(c_size_t), value, intent(in) :: bytes
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_plan_factor(plan, x, y, stride, err) bind(c, name="hm_plan_factor")
+        integer(c_int32_t) function hm_c_plan_factor(plan, at, err) bind(c, name="hm_plan_factor")
             import
-            type(c_ptr), value, intent(in) :: plan, x, y
-            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: plan, at    ! hm_c_points, or null
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_plan_solve(plan, basis, report, err) bind(c, name="hm_plan_solve")
@@ -212,28 +211,26 @@ module harmorph_calls
             type(hm_transfer_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_morph(basis, move, x, y, stride, x_new, y_new, stride_new, executor, err) &
-            bind(c, name="hm_morph")
+        integer(c_int32_t) function hm_c_morph(basis, move, from, to, executor, err) bind(c, name="hm_morph")
             import
-            type(c_ptr), value, intent(in) :: basis, x, y, x_new, y_new, executor
+            type(c_ptr), value, intent(in) :: basis, from, executor    ! from: hm_c_points, or null
             real(c_double), intent(in) :: move(*)
-            integer(c_int64_t), value, intent(in) :: stride, stride_new
+            type(hm_c_points), intent(in) :: to
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_adjoint(basis, dj_dx, dj_dy, stride, gradient, executor, err) &
-            bind(c, name="hm_adjoint")
+        integer(c_int32_t) function hm_c_adjoint(basis, dj, gradient, executor, err) bind(c, name="hm_adjoint")
             import
-            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
-            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: basis, executor
+            type(hm_c_points), intent(in) :: dj
             real(c_double), intent(inout) :: gradient(*)
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_boundary_error(basis, move, x, y, stride, x_new, y_new, stride_new, error, &
-            point, err) bind(c, name="hm_boundary_error")
+        integer(c_int32_t) function hm_c_boundary_error(basis, move, from, to, error, point, err) &
+            bind(c, name="hm_boundary_error")
             import
-            type(c_ptr), value, intent(in) :: basis, x, y, x_new, y_new
+            type(c_ptr), value, intent(in) :: basis
             real(c_double), intent(in) :: move(*)
-            integer(c_int64_t), value, intent(in) :: stride, stride_new
+            type(hm_c_points), intent(in) :: from, to
             real(c_double), intent(inout) :: error
             integer(c_int32_t), intent(inout) :: point
             type(hm_c_error), intent(inout) :: err
@@ -300,19 +297,19 @@ module harmorph_calls
             integer(c_int64_t), value, intent(in) :: doubles
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_adjoint_scale(basis, dj_dx, dj_dy, stride, scale, executor, err) &
+        integer(c_int32_t) function hm_c_adjoint_scale(basis, dj, scale, executor, err) &
             bind(c, name="hm_adjoint_scale")
             import
-            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
-            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: basis, executor
+            type(hm_c_points), intent(in) :: dj
             integer(c_int32_t), intent(inout) :: scale
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_adjoint_sums(basis, dj_dx, dj_dy, stride, scale, sums, executor, err) &
+        integer(c_int32_t) function hm_c_adjoint_sums(basis, dj, scale, sums, executor, err) &
             bind(c, name="hm_adjoint_sums")
             import
-            type(c_ptr), value, intent(in) :: basis, dj_dx, dj_dy, executor
-            integer(c_int64_t), value, intent(in) :: stride
+            type(c_ptr), value, intent(in) :: basis, executor
+            type(hm_c_points), intent(in) :: dj
             integer(c_int32_t), value, intent(in) :: scale
             integer(c_int64_t), intent(inout) :: sums(*)
             type(hm_c_error), intent(inout) :: err
@@ -326,30 +323,29 @@ module harmorph_calls
             real(c_double), intent(inout) :: gradient(*)
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_admissible_step(basis, mesh, dx, dy, stride, executor, report, err) &
+        integer(c_int32_t) function hm_c_admissible_step(basis, mesh, from, displacement, executor, report, err) &
             bind(c, name="hm_admissible_step")
             import
-            type(c_ptr), value, intent(in) :: basis, dx, dy, executor
+            type(c_ptr), value, intent(in) :: basis, from, executor    ! from: hm_c_points, or null
             type(hm_c_mesh), intent(in) :: mesh
-            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_c_points), intent(in) :: displacement
             type(hm_step_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_quality(basis, mesh, x, y, stride, x_ref, y_ref, stride_ref, executor, &
-            report, err) bind(c, name="hm_quality")
+        integer(c_int32_t) function hm_c_quality(basis, mesh, at, reference, executor, report, err) &
+            bind(c, name="hm_quality")
             import
-            type(c_ptr), value, intent(in) :: basis, x, y, x_ref, y_ref, executor
+            type(c_ptr), value, intent(in) :: basis, at, reference, executor    ! at, reference: hm_c_points, or null
             type(hm_c_mesh), intent(in) :: mesh
-            integer(c_int64_t), value, intent(in) :: stride, stride_ref
             type(hm_quality_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_assess(basis, mesh, dx, dy, stride, executor, step, quality, err) &
+        integer(c_int32_t) function hm_c_assess(basis, mesh, from, displacement, executor, step, quality, err) &
             bind(c, name="hm_assess")
             import
-            type(c_ptr), value, intent(in) :: basis, dx, dy, executor
+            type(c_ptr), value, intent(in) :: basis, from, executor    ! from: hm_c_points, or null
             type(hm_c_mesh), intent(in) :: mesh
-            integer(c_int64_t), value, intent(in) :: stride
+            type(hm_c_points), intent(in) :: displacement
             type(hm_step_report), intent(inout) :: step
             type(hm_quality_report), intent(inout) :: quality
             type(hm_c_error), intent(inout) :: err
@@ -360,12 +356,12 @@ module harmorph_calls
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_morph_safe(plan, basis, move, x_new, y_new, stride_new, derivative, work, &
-            bytes, options, report, err) bind(c, name="hm_morph_safe")
+        integer(c_int32_t) function hm_c_morph_safe(plan, basis, move, to, derivative, work, bytes, options, report, &
+            err) bind(c, name="hm_morph_safe")
             import
-            type(c_ptr), value, intent(in) :: plan, basis, x_new, y_new, derivative, work
+            type(c_ptr), value, intent(in) :: plan, basis, derivative, work
             real(c_double), intent(in) :: move(*)
-            integer(c_int64_t), value, intent(in) :: stride_new
+            type(hm_c_points), intent(in) :: to
             integer(c_size_t), value, intent(in) :: bytes
             type(hm_c_safe_options), intent(in) :: options
             type(hm_safe_report), intent(inout) :: report

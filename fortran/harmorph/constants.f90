@@ -4,7 +4,7 @@ module harmorph_constants
     public
 
     character(len=*), parameter :: hm_header_version = "0.1.0"
-    integer, parameter :: hm_abi = 1
+    integer, parameter :: hm_abi = 2
 
     integer, parameter :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3
     integer, parameter :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4

@@ -2,11 +2,11 @@
 module harmorph_plan_core
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int32_t, c_int64_t, c_null_ptr, c_ptr, c_size_t, &
         c_sizeof
-    use harmorph_structs, only: hm_c_error, hm_solve_report
+    use harmorph_structs, only: hm_c_error, hm_c_points, hm_solve_report
     use harmorph_calls
     use harmorph_outcome, only: hm_error, outcome
     use harmorph_memory, only: block_of_memory
-    use harmorph_view, only: view
+    use harmorph_view, only: c_address, c_points, view
     use harmorph_analysis, only: analysis_of, n_points_of, need_analysis, plan_analysis
     use harmorph_basis_core, only: check_view, make_basis
     use harmorph_basis, only: hm_basis
@@ -78,10 +78,12 @@ contains
         class(plan_core), intent(inout) :: self
         type(view), intent(in) :: v
         type(outcome), intent(inout) :: done
+        type(hm_c_points), target :: at
         if (.not. c_associated(self%plan)) call make_plan(self, done=done)
+        at = c_points(v)
         if (done%ok() .and. (c_associated(v%x) .or. v%wrong /= "")) &
             call check_view(v, int(n_points_of(self), c_int64_t), done)
-        if (done%ok()) done%status = hm_c_plan_factor(self%plan, v%x, v%y, v%stride, done%error)
+        if (done%ok()) done%status = hm_c_plan_factor(self%plan, c_address(at), done%error)
     end subroutine
 
     ! All functions; a basis that has no memory yet is made first.

@@ -19,11 +19,15 @@ module harmorph_structs
         integer(c_int32_t) :: n_threads = 1, reserved = 0
     end type
 
+    type, bind(c), public :: hm_c_points        ! hm_points and hm_points_out
+        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
+        integer(c_int64_t) :: stride = 1
+    end type
+
     type, bind(c), public :: hm_c_mesh
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: index_base = 0, n_points = 0
-        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
-        integer(c_int64_t) :: stride = 0
+        type(hm_c_points) :: points
         integer(c_int32_t) :: cell_layout = 0, n_cells = 0
         type(c_ptr) :: cell_start = c_null_ptr, cell_points = c_null_ptr
         integer(c_int32_t) :: ni = 0, nj = 0, n_faces = 0

@@ -1,10 +1,11 @@
 ! Where coordinates lie. Calls come in four forms, _v8, _v4, _b8 and _b4: vectors x(:) or blocks x(:, :), of
 ! real(c_double) or real(c_float). view_of makes one thing of them, put_back hands results to what had to be copied.
 module harmorph_view
-    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int64_t, c_intptr_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_float, c_int64_t, c_intptr_t, c_loc, c_null_ptr, c_ptr
+    use harmorph_structs, only: hm_c_points
     implicit none
     private
-    public :: view_of
+    public :: c_address, c_points, view_of
 
     type, public :: view
         type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
@@ -103,6 +104,21 @@ contains
         bytes = transfer(to, bytes) - transfer(from, bytes)
         numbers = 0
         if (mod(bytes, 8_c_intptr_t) == 0) numbers = int(bytes / 8, c_int64_t)
+    end function
+
+    ! As C has it.
+    pure function c_points(v) result(points)
+        type(view), intent(in) :: v
+        type(hm_c_points) :: points
+        points = hm_c_points(v%x, v%y, v%stride)
+    end function
+
+    ! Of points that need not be given: null where they are not.
+    function c_address(points) result(address)
+        type(hm_c_points), intent(in), target :: points
+        type(c_ptr) :: address
+        address = c_null_ptr
+        if (c_associated(points%x)) address = c_loc(points)
     end function
 
     ! The end of a view, unless a mesh has taken the copy.

@@ -53,9 +53,9 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
 
 Status check_coordinates(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.points.x == nullptr || mesh.points.y == nullptr) {
-        return fault.refuse(Status::bad_argument, "mesh.x or mesh.y is NULL");
+        return fault.refuse(Status::bad_argument, "mesh.points.x or mesh.points.y is NULL");
     }
-    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.stride must not be negative");
+    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
     for (Index k = 0; k < mesh.n_points; ++k) {
         Vec2 const p = mesh.points[k];
         if (!is_finite(p.x) || !is_finite(p.y)) {

@@ -107,12 +107,12 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
             REQUIRE(status == HM_OK);   // in the same block
         }
         REQUIRE(attempt.prepare());
-        hm_status status = hm_plan_factor(attempt.plan, nullptr, nullptr, 0, &attempt.error);
+        hm_status status = hm_plan_factor(attempt.plan, nullptr, &attempt.error);
         if (status < 0) {
             CHECK((status == HM_CANCELLED && !cancelled));
             cancelled = true;
             CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);   // there is no factor
-            REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+            REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         }
         status = hm_plan_solve(attempt.plan, attempt.basis, nullptr, &attempt.error);
         if (status < 0) {
@@ -141,7 +141,7 @@ TEST_CASE("what does not belong together is refused: no factor yet, another anal
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_admissible_step(attempt.basis, &mesh, d.data(), d.data(), 1, nullptr, &step, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_admissible_step(attempt.basis, &mesh, nullptr, points_in(d, d), nullptr, &step, nullptr) == HM_BAD_BASIS);
     Attempt only_mesh;
     hm_problem problem = its.problem();
     problem.curves = nullptr;
@@ -156,7 +156,7 @@ TEST_CASE("factor and solve again on moved coordinates: as if the moved mesh had
     Case moved = its;
     perturb(moved.mesh, 0.2, 4);
     Solved const first(its), expected(moved);
-    REQUIRE(hm_plan_factor(first.plan, moved.mesh.x.data(), moved.mesh.y.data(), 1, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(first.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(first.plan, first.basis, nullptr, nullptr) == HM_OK);
     CHECK(largest_difference(first.all_values(), expected.all_values()) < 1e-12);
     hm_mesh const on_moved = moved.mesh.view(), on_old = its.mesh.view();

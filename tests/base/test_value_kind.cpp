@@ -92,7 +92,8 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
         std::int32_t const n = solved.info().functions;
         std::vector<double> const g = some_move(its.mesh.n_points(), 1, 5);
         std::vector<double> gradient(2 * static_cast<std::size_t>(n), -1.0);
-        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
+                HM_OK);
         for (std::int32_t k = 0; k < 2 * n; ++k) {   // each of its numbers
             Field const by = displacement_by(solved, k / 2, k % 2 == 0 ? Complex(1, 0) : Complex(0, 1));
             double expected = 0, size = 0;
@@ -106,7 +107,8 @@ TEST_CASE("the adjoint is the transpose of the morph, for values of all kinds") 
         Backwards backwards;
         hm_executor const executor = backwards.executor(3);
         std::vector<double> again(gradient.size());
-        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, again.data(), &executor, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), again.data(), &executor, nullptr) ==
+                HM_OK);
         CHECK(same_bits(again, gradient));
     }
 }
@@ -119,7 +121,8 @@ TEST_CASE("larger meshes and many functions: adjoint and morph agree beyond one 
         std::vector<double> const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
         Field const moved = displacement(solved, move);
         std::vector<double> gradient(2 * static_cast<std::size_t>(n));
-        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
+                HM_OK);
         double here = 0, there = 0, size = 0;
         for (std::size_t k = 0; k < moved.size(); ++k) {
             here += g[2 * k] * moved[k].real() + g[2 * k + 1] * moved[k].imag();
@@ -141,11 +144,10 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
         x[3] = -0.0;
         std::vector<double> const before = x;
-        REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
         CHECK((same_bits(x, before) && same_bits(y, its.mesh.y)));
         move.back() = std::nan("");
-        CHECK(hm_morph(solved.basis, move.data(), x.data(), y.data(), 0, x.data(), y.data(), 0, nullptr, nullptr) ==
+        CHECK(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) ==
               HM_BAD_ARGUMENT);
         CHECK(same_bits(x, before));
     }
@@ -246,7 +248,7 @@ TEST_CASE("a plan does not solve the basis of another operator, exponent or corr
     auto const plan_of = [&](Attempt& attempt, hm_options const& options) {
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
-        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
     };
     hm_options const options[] = {options_of(HM_WEIGHTED, 4), options_of(HM_WEIGHTED, 6), options_of(HM_LAPLACE),
                                   options_of(HM_CONFORMAL, 4), options_of(HM_CONFORMAL, 6)};

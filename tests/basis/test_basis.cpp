@@ -55,8 +55,8 @@ TEST_CASE("a copy at another address is the same basis") {
     {
         Solved const solved(its);
         expected = solved.all_values();
-        REQUIRE(hm_morph(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, moved_x.data(), moved_y.data(),
-                         1, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(moved_x, moved_y),
+                         nullptr, nullptr) == HM_OK);
         copy = std::make_unique<Copy>(solved);
     }   // the original, its plan and its analysis are gone
     hm_mesh const mesh = its.mesh.view();
@@ -67,12 +67,12 @@ TEST_CASE("a copy at another address is the same basis") {
         values.insert(values.end(), x.begin(), x.end());
     }
     CHECK(same_bits(values, expected));
-    REQUIRE(hm_morph(copy->basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, x.data(), y.data(), 1, nullptr,
-                     nullptr) == HM_OK);
+    REQUIRE(hm_morph(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
+            HM_OK);
     CHECK(same_bits(x, moved_x));
     CHECK(same_bits(y, moved_y));
     double error = 1;
-    CHECK(hm_boundary_error(copy->basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, x.data(), y.data(), 1, &error,
+    CHECK(hm_boundary_error(copy->basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
                             nullptr, nullptr) == HM_OK);
     CHECK(error < 1e-14);
 }
@@ -242,8 +242,8 @@ TEST_CASE("numbers that lead nowhere are found behind a good checksum, too") {
             words[k] = wrong;
             if (attach_sealed() >= 0) {
                 ++accepted;
-                CHECK(hm_morph(copy.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
-                CHECK(hm_adjoint(copy.basis, mesh.x, mesh.y, 1, gradient.data(), nullptr, nullptr) == HM_OK);
+                CHECK(hm_morph(copy.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+                CHECK(hm_adjoint(copy.basis, &mesh.points, gradient.data(), nullptr, nullptr) == HM_OK);
             }
             words[k] = right;
         }
@@ -280,9 +280,7 @@ TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
     view.cell_points = quads.data();
     std::vector<double> xy;
     for (std::size_t k = 0; k < its.mesh.x.size(); ++k) xy.insert(xy.end(), {its.mesh.x[k], its.mesh.y[k]});
-    view.x = xy.data();
-    view.y = xy.data() + 1;
-    view.stride = 2;
+    view.points = {xy.data(), xy.data() + 1, 2};
     CHECK(copy.attach(&view) == HM_OK);
 }
 
@@ -296,15 +294,14 @@ TEST_CASE("before it is solved it can do nothing, and is not attached") {
     info.struct_size = sizeof info;
     REQUIRE(hm_basis_info_get(attempt.basis, &info, nullptr) == HM_OK);
     CHECK(info.solved == 0);
-    CHECK(hm_morph(attempt.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) ==
-          HM_BAD_BASIS);
-    CHECK(hm_adjoint(attempt.basis, x.data(), y.data(), 1, move.data(), nullptr, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_BAD_BASIS);
+    CHECK(hm_adjoint(attempt.basis, points_in(x, y), move.data(), nullptr, nullptr) == HM_BAD_BASIS);
     CHECK(hm_basis_values(attempt.basis, 0, 0, x.data(), nullptr) == HM_BAD_BASIS);
     CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y) && move[3] == 0.1));
     Copy copy(attempt.basis, static_cast<std::size_t>(info.bytes));
     CHECK((copy.attach() == HM_BAD_BASIS && copy.says("not been solved")));
     REQUIRE(attempt.solve());
-    CHECK(hm_morph(attempt.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
 }
 
 TEST_CASE("written to a file and read back") {

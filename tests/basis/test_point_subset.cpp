@@ -17,8 +17,7 @@ struct Moved {
 
 Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
     Moved to{Numbers(from.x.size()), Numbers(from.x.size())};
-    REQUIRE(hm_morph(basis, move.data(), from.x.data(), from.y.data(), 1, to.x.data(), to.y.data(), 1, nullptr, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_morph(basis, move.data(), points_in(from.x, from.y), points_out(to.x, to.y), nullptr, nullptr) == HM_OK);
     return to;
 }
 
@@ -72,11 +71,11 @@ TEST_CASE("values, morph, curves and points of the wall are those of the whole, 
             std::int32_t worst = -1;
             Moved wrong = there;
             wrong.x[static_cast<std::size_t>(info.curve_point[5])] += 0.01;
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, there.x.data(),
-                                      there.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y), points_in(there.x, there.y),
+                                      &error, &worst, nullptr) == HM_OK);
             CHECK(error < 1e-14);
-            REQUIRE(hm_boundary_error(rows.basis, move.data(), here.x.data(), here.y.data(), 1, wrong.x.data(),
-                                      wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+            REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(here.x, here.y), points_in(wrong.x, wrong.y),
+                                      &error, &worst, nullptr) == HM_OK);
             CHECK(error == doctest::Approx(0.01).epsilon(1e-9));
             CHECK(worst == info.curve_point[5] + base);
         }
@@ -114,10 +113,10 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     quality.struct_size = sizeof quality;
     hm_step_report step{};
     step.struct_size = sizeof step;
-    CHECK(hm_quality(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, &quality, &error) == HM_BAD_BASIS);
+    CHECK(hm_quality(rows.basis, &mesh, &mesh.points, nullptr, nullptr, &quality, &error) == HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);
-    CHECK(hm_admissible_step(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, &step, &error) == HM_BAD_BASIS);
-    CHECK(hm_assess(rows.basis, &mesh, mesh.x, mesh.y, 1, nullptr, &step, &quality, &error) == HM_BAD_BASIS);
+    CHECK(hm_admissible_step(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &error) == HM_BAD_BASIS);
+    CHECK(hm_assess(rows.basis, &mesh, nullptr, &mesh.points, nullptr, &step, &quality, &error) == HM_BAD_BASIS);
     const hm_basis* attached = nullptr;
     CHECK(hm_basis_attach(&attached, rows.basis, info_of(rows.basis).bytes, &mesh, &error) == HM_BAD_BASIS);
     CHECK(std::string(error.text).find("list of points") != std::string::npos);

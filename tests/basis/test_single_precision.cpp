@@ -62,8 +62,8 @@ TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed p
         CHECK(wrong == 0);
         CHECK(differ > wall.size() / 4);
         double error = 1;
-        REQUIRE(hm_boundary_error(single.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, found.x.data(), found.y.data(),
-                                  1, &error, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(single.basis, move.data(), points_in(mesh.x, mesh.y), points_in(found.x, found.y),
+                                  &error, nullptr, nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
         // In place, in pairs; and the movement 0 keeps every bit.
@@ -72,10 +72,12 @@ TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed p
         xy[0] = -0.0;
         Numbers const start = xy;
         double *const x = xy.data(), *const y = x + 1;
-        REQUIRE(hm_morph(single.basis, nothing.data(), x, y, 2, x, y, 2, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(single.basis, nothing.data(), points_in(x, y, 2), points_out(x, y, 2), nullptr, nullptr) ==
+                HM_OK);
         CHECK(same_bits(xy, start));
         xy[0] = mesh.x[0];
-        REQUIRE(hm_morph(single.basis, move.data(), x, y, 2, x, y, 2, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(single.basis, move.data(), points_in(x, y, 2), points_out(x, y, 2), nullptr, nullptr) ==
+                HM_OK);
         std::size_t unequal = 0;
         for (std::size_t k = 0; k < mesh.x.size(); ++k) unequal += xy[2 * k] != found.x[k] || xy[2 * k + 1] != found.y[k];
         CHECK(unequal == 0);

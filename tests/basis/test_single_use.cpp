@@ -83,7 +83,7 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     Numbers const move = some_move(20, 1e-3, 1);
     Numbers x = its.mesh.x, y = its.mesh.y;
     auto const safe = [&](const hm_basis* by, hm_basis* derivative, hm_safe_options const* options) {
-        return hm_morph_safe(solved.plan, by, move.data(), x.data(), y.data(), 1, derivative, work.data(), bytes, options,
+        return hm_morph_safe(solved.plan, by, move.data(), points_out(x, y), derivative, work.data(), bytes, options,
                              nullptr, &error);
     };
     const hm_basis* const other = single.basis;

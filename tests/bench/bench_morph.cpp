@@ -22,11 +22,13 @@ public:
 
     // In place: F read, coordinates read and written. The move is tiny, so that repeating it does no harm.
     void morph() {
-        double* const x = x_.data();
-        done(hm_morph(basis_, move_.data(), x, y(), 1, x, y(), 1, executor_, &error_), "hm_morph");
+        hm_points const from{x_.data(), y(), 1};
+        hm_points_out const to{x_.data(), y(), 1};
+        done(hm_morph(basis_, move_.data(), &from, &to, executor_, &error_), "hm_morph");
     }
     void adjoint() {
-        done(hm_adjoint(basis_, x_.data(), y(), 1, gradient_.data(), executor_, &error_), "hm_adjoint");
+        hm_points const dj{x_.data(), y(), 1};
+        done(hm_adjoint(basis_, &dj, gradient_.data(), executor_, &error_), "hm_adjoint");
     }
     double morph_seconds() { return time_of([&] { morph(); }); }
 
@@ -101,8 +103,8 @@ private:
     void check(Blas const& its, std::vector<double> const& by_node, std::vector<double> const& columns) {
         std::vector<double> ours(2 * n_), theirs(2 * n_);
         int const m = static_cast<int>(m_), n = static_cast<int>(n_);
-        double *const dx = ours.data(), *const dy = dx + n_;
-        done(hm_morph(basis_, move_.data(), nullptr, nullptr, 1, dx, dy, 1, executor_, &error_), "hm_morph");
+        hm_points_out const displacement{ours.data(), ours.data() + n_, 1};
+        done(hm_morph(basis_, move_.data(), nullptr, &displacement, executor_, &error_), "hm_morph");
         its.dgemm('T', 'N', n, 2, m, 1, by_node.data(), m, columns.data(), m, 0, theirs.data(), n);
         for (std::size_t i = 0; i < 2 * n_; ++i)
             if (!(std::fabs(ours[i] - theirs[i]) < 1e-20)) throw std::runtime_error("our morph is not OpenBLAS's");
@@ -170,26 +172,27 @@ void add_step(Case const& its_case, Settings const& settings, Table& table) {
     hm_executor const* const executor = settings.executor;
     hm_error error{};
     hm_mesh const mesh = its_case.mesh.view();
-    std::vector<double> dx(its_case.mesh.x.size()), dy = dx, move(40, 1e-3), x = its_case.mesh.x, y = its_case.mesh.y;
-    require(hm_morph(basis, move.data(), nullptr, nullptr, 1, dx.data(), dy.data(), 1, executor, &error), error, "hm_morph");
+    std::vector<double> dx(its_case.mesh.x.size()), dy = dx, move(40, 1e-3);
+    hm_points const displacement{dx.data(), dy.data(), 1};
+    hm_points_out const to{dx.data(), dy.data(), 1};
+    require(hm_morph(basis, move.data(), nullptr, &to, executor, &error), error, "hm_morph");
     double const step = time_of([&] {
         hm_step_report report{};
         report.struct_size = sizeof report;
-        require(hm_admissible_step(basis, &mesh, dx.data(), dy.data(), 1, executor, &report, &error), error,
+        require(hm_admissible_step(basis, &mesh, nullptr, &displacement, executor, &report, &error), error,
                 "hm_admissible_step");
     });
     double const quality = time_of([&] {
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_quality(basis, &mesh, x.data(), y.data(), 1, mesh.x, mesh.y, 1, executor, &report, &error), error,
-                "hm_quality");
+        require(hm_quality(basis, &mesh, nullptr, &mesh.points, executor, &report, &error), error, "hm_quality");
     });
     double const both = time_of([&] {
         hm_step_report limit{};
         limit.struct_size = sizeof limit;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        require(hm_assess(basis, &mesh, dx.data(), dy.data(), 1, executor, &limit, &report, &error), error, "hm_assess");
+        require(hm_assess(basis, &mesh, nullptr, &displacement, executor, &limit, &report, &error), error, "hm_assess");
     });
     table.add({its_case.name(), count(its_case.mesh.n_cells()), milliseconds(morph), milliseconds(step),
                milliseconds(quality), milliseconds(both), ratio(both / morph)});

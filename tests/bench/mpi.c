@@ -30,6 +30,8 @@ int main(int argc, char **argv) {
     int32_t first, n_share, begin_point, n, k, *points;
     double start, factor, solve, exchange, morph = 1e9, adjoint = 1e9, *xy, *numbers, bytes;
     void *share_block, *rows_block;
+    hm_points from = {NULL, NULL, 1};
+    hm_points_out to = {NULL, NULL, 1};
     hm_basis *share, *rows;
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -63,14 +65,16 @@ int main(int argc, char **argv) {
     for (k = 0; k < 2 * its.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);
     memcpy(xy, its.x + begin_point, sizeof *xy * (size_t)n);
     memcpy(xy + n, its.y + begin_point, sizeof *xy * (size_t)n);
+    from.x = to.x = xy;
+    from.y = to.y = xy + n;
     for (repeat = 0; repeat < REPEATS; ++repeat) {
         double seconds;
         start = begin();
-        need(hm_morph(rows, numbers, xy, xy + n, 1, xy, xy + n, 1, NULL, &error), &error);
+        need(hm_morph(rows, numbers, &from, &to, NULL, &error), &error);
         seconds = since(start);
         morph = seconds < morph ? seconds : morph;
         start = begin();
-        need(hm_mpi_adjoint(rows, xy, xy + n, 1, numbers, NULL, MPI_COMM_WORLD, &error), &error);
+        need(hm_mpi_adjoint(rows, &from, numbers, NULL, MPI_COMM_WORLD, &error), &error);
         seconds = since(start);
         adjoint = seconds < adjoint ? seconds : adjoint;
         for (k = 0; k < 2 * its.n_functions; ++k) numbers[k] = 1e-9 * (k % 7);

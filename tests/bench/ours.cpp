@@ -84,7 +84,7 @@ Phases Ours::run() {
     // It also copies the mesh's structure, but most of it is symbolic work that no phase tells of.
     clock.phases.symbolic += planning.seconds();
 
-    done(hm_plan_factor(plan, nullptr, nullptr, 0, &error), "hm_plan_factor");
+    done(hm_plan_factor(plan, nullptr, &error), "hm_plan_factor");
     report_.struct_size = sizeof report_;
     done(hm_plan_solve(plan, basis_, &report_, &error), "hm_plan_solve");
     // Refinement is part of the solution, where it brings what the factor lacks.

@@ -104,8 +104,8 @@ TEST_CASE("a blunt base: points there are on the second curve, the ends belong t
     REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
     Guarded block(bytes);
     const hm_curves* curves = nullptr;
-    REQUIRE(hm_fit(&curves, block.data(), bytes, &outline.points[0].x, &outline.points[0].y, 2, n, 1, &options, &report,
-                   nullptr) == HM_OK);
+    REQUIRE(hm_fit(&curves, block.data(), bytes, points_in(&outline.points[0].x, &outline.points[0].y, 2), n, 1,
+                   &options, &report, nullptr) == HM_OK);
     REQUIRE(curves->n_curves == 2);
     REQUIRE(report.base_points == 5);
 

@@ -66,8 +66,8 @@ TEST_CASE("many small steps later they are still on it") {
     Mesh mesh = its.mesh;
     for (unsigned step = 0; step < 100; ++step) {
         std::vector<double> const move = some_move(8, 0.01, step);
-        REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1,
-                         nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(mesh.x, mesh.y), nullptr,
+                         nullptr) == HM_OK);
     }
     for (std::int32_t const point : points_on(its.mesh, slip_line))
         if (point != 0 && point != 16) CHECK(std::fabs((to_complex(mesh.point(point)) / turn).imag()) < 1e-14);

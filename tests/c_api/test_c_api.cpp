@@ -77,10 +77,10 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
         hm_basis_init(nullptr, block.data(), 64, solved.analysis, nullptr),
         hm_basis_init(&basis, nullptr, 64, solved.analysis, nullptr),
         hm_basis_init(&basis, block.data(), 64, nullptr, nullptr),
-        hm_plan_factor(nullptr, nullptr, nullptr, 0, nullptr),
-        hm_plan_factor(solved.plan, x.data(), nullptr, 1, nullptr),
-        hm_plan_factor(solved.plan, nullptr, y.data(), 1, nullptr),
-        hm_plan_factor(solved.plan, x.data(), y.data(), -1, nullptr),
+        hm_plan_factor(nullptr, nullptr, nullptr),
+        hm_plan_factor(solved.plan, points_in(x.data(), nullptr), nullptr),
+        hm_plan_factor(solved.plan, points_in(nullptr, y.data()), nullptr),
+        hm_plan_factor(solved.plan, points_in(x, y, -1), nullptr),
         hm_plan_solve(nullptr, solved.basis, nullptr, nullptr),
         hm_plan_solve(solved.plan, nullptr, nullptr, nullptr),
         hm_basis_attach(nullptr, solved.basis, 64, nullptr, nullptr),
@@ -95,31 +95,31 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
         hm_basis_values(solved.basis, 0, 0, nullptr, nullptr),
         hm_basis_values(solved.basis, -1, 0, x.data(), nullptr),
         hm_basis_values(solved.basis, 4, 0, x.data(), nullptr),
-        hm_morph(nullptr, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
-        hm_morph(solved.basis, nullptr, x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), x.data(), nullptr, 1, x.data(), y.data(), 1, nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, nullptr, y.data(), 1, nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), nullptr, 1, nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), x.data(), y.data(), -1, x.data(), y.data(), 1, nullptr, nullptr),
-        hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), -2, nullptr, nullptr),
-        hm_adjoint(nullptr, x.data(), y.data(), 1, move.data(), nullptr, nullptr),
-        hm_adjoint(solved.basis, nullptr, y.data(), 1, move.data(), nullptr, nullptr),
-        hm_adjoint(solved.basis, x.data(), nullptr, 1, move.data(), nullptr, nullptr),
-        hm_adjoint(solved.basis, x.data(), y.data(), 1, nullptr, nullptr, nullptr),
-        hm_boundary_error(nullptr, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
-        hm_boundary_error(solved.basis, nullptr, x.data(), y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
-        hm_boundary_error(solved.basis, move.data(), nullptr, y.data(), 1, x.data(), y.data(), 1, &error, nullptr, nullptr),
-        hm_boundary_error(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr,
+        hm_morph(nullptr, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr),
+        hm_morph(solved.basis, nullptr, points_in(x, y), points_out(x, y), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x.data(), nullptr), points_out(x, y), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(nullptr, y.data()), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x.data(), nullptr), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y, -1), points_out(x, y), nullptr, nullptr),
+        hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y, -2), nullptr, nullptr),
+        hm_adjoint(nullptr, points_in(x, y), move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, points_in(nullptr, y.data()), move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, points_in(x.data(), nullptr), move.data(), nullptr, nullptr),
+        hm_adjoint(solved.basis, points_in(x, y), nullptr, nullptr, nullptr),
+        hm_boundary_error(nullptr, move.data(), points_in(x, y), points_in(x, y), &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, nullptr, points_in(x, y), points_in(x, y), &error, nullptr, nullptr),
+        hm_boundary_error(solved.basis, move.data(), points_in(nullptr, y.data()), points_in(x, y), &error, nullptr,
                           nullptr),
-        hm_admissible_step(nullptr, &mesh, x.data(), y.data(), 1, nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, nullptr, x.data(), y.data(), 1, nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, &mesh, nullptr, y.data(), 1, nullptr, &step, nullptr),
-        hm_admissible_step(solved.basis, &mesh, x.data(), y.data(), 1, nullptr, nullptr, nullptr),
-        hm_quality(nullptr, &mesh, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, nullptr, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, x.data(), nullptr, 1, nullptr, nullptr, 0, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, x.data(), nullptr, 0, nullptr, &quality, nullptr),
-        hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, nullptr, nullptr, 0, nullptr, nullptr, nullptr),
+        hm_boundary_error(solved.basis, move.data(), points_in(x, y), points_in(x, y), nullptr, nullptr, nullptr),
+        hm_admissible_step(nullptr, &mesh, nullptr, points_in(x, y), nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, nullptr, nullptr, points_in(x, y), nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(nullptr, y.data()), nullptr, &step, nullptr),
+        hm_admissible_step(solved.basis, &mesh, nullptr, points_in(x, y), nullptr, nullptr, nullptr),
+        hm_quality(nullptr, &mesh, points_in(x, y), nullptr, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, nullptr, points_in(x, y), nullptr, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, points_in(x.data(), nullptr), nullptr, nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, points_in(x, y), points_in(x.data(), nullptr), nullptr, &quality, nullptr),
+        hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, nullptr, nullptr),
         hm_curves_check(nullptr, nullptr),
         hm_fit_size(10, nullptr, nullptr, nullptr),
     };
@@ -163,19 +163,19 @@ TEST_CASE("reports and sentences count as the caller does") {
         d[0] = 1;
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, &step, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &step, nullptr) == HM_OK);
         CHECK((step.cell == base && step.point == base && step.admissible == doctest::Approx(0.5)));
 
         std::vector<double> x = its.mesh.x;
         x[8] = -1;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, x.data(), mesh.y, 1, nullptr, nullptr, 0, nullptr, &quality, nullptr) ==
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &quality, nullptr) ==
                 HM_OK);
         CHECK((quality.first_inverted == base && quality.min_quality_cell == base && quality.crossing_points[0] == -1));
 
         hm_error error{};
-        CHECK(hm_plan_factor(solved.plan, x.data(), mesh.y, 1, &error) == HM_BAD_MESH);
+        CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
         CHECK(error.item == base);
         CHECK(says(error, base == 0 ? "cell 0 " : "cell 1 "));
 

@@ -74,7 +74,7 @@ TEST_CASE("plan: at every size below the required one; the smallest block solves
         hm_status const status = hm_plan_init(&plan, block, bytes, reference.analysis, &error);
         CHECK((plan != nullptr) == (status >= 0));
         if (status >= 0) {
-            REQUIRE(hm_plan_factor(plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+            REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
             REQUIRE(hm_plan_solve(plan, reference.basis, nullptr, nullptr) == HM_OK);
         }
         return status;
@@ -109,7 +109,8 @@ TEST_CASE("fit: at every size below the required one") {
     REQUIRE(hm_fit_size(n, &options, &need, nullptr) == HM_OK);
     starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
         const hm_curves* curves = nullptr;
-        hm_status const status = hm_fit(&curves, block, bytes, xy, xy + 1, 2, n, 1, &options, nullptr, &error);
+        hm_status const status = hm_fit(&curves, block, bytes, points_in(xy, xy + 1, 2), n, 1, &options, nullptr,
+                                        &error);
         CHECK((curves != nullptr) == (status >= 0));
         return status;
     });
@@ -175,7 +176,7 @@ TEST_CASE("sizes follow from the counts alone, and do not depend on where anythi
     REQUIRE(hm_analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);
     CHECK(a == b);
     hm_mesh no_arrays = other.mesh.view();
-    no_arrays.x = no_arrays.y = nullptr;
+    no_arrays.points = {};
     no_arrays.cell_points = no_arrays.cell_start = no_arrays.face_points = nullptr;
     problem.mesh = &no_arrays;
     REQUIRE(hm_analysis_size(&problem, nullptr, &b, nullptr) == HM_OK);

@@ -100,10 +100,10 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     shortened(hm_basis_info{}, [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
     shortened(hm_solve_report{}, [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
     shortened(hm_step_report{}, [&](hm_step_report* r) {
-        return hm_admissible_step(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, r, nullptr);
+        return hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, r, nullptr);
     });
     shortened(hm_quality_report{}, [&](hm_quality_report* r) {
-        return hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, r, nullptr);
+        return hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, r, nullptr);
     });
 }
 

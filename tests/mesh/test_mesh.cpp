@@ -91,7 +91,7 @@ TEST_CASE("blocks that are not square: i is fastest") {
     view.n_points = 15;
     view.ni = 5;
     view.nj = 3;
-    view.x = view.y = zero.data();
+    view.points = {zero.data(), zero.data(), 1};
     harmorph::Mesh const mesh = core_mesh(view);
     CHECK(mesh.n_cells == 8);
     for (Index j = 0; j < 2; ++j)
@@ -106,15 +106,13 @@ TEST_CASE("coordinates with any stride, and 0 for 1") {
     std::vector<double> structs;
     for (std::size_t k = 0; k < mesh.x.size(); ++k) structs.insert(structs.end(), {-1, mesh.y[k], -2, mesh.x[k]});
     hm_mesh view = mesh.view();
-    view.x = structs.data() + 3;
-    view.y = structs.data() + 1;
-    view.stride = 4;
+    view.points = {structs.data() + 3, structs.data() + 1, 4};
     harmorph::Mesh const strided = core_mesh(view);
     for (Index k = 0; k < mesh.n_points(); ++k)
         CHECK((strided.points[k].x == mesh.point(k).x && strided.points[k].y == mesh.point(k).y));
     CHECK(coordinates_print(strided.points, mesh.n_points()) == coordinates_print(core_mesh(mesh).points, mesh.n_points()));
     view = mesh.view();
-    view.stride = 0;
+    view.points.stride = 0;
     CHECK(core_mesh(view).points.stride == 1);
 }
 

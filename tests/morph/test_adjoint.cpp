@@ -65,8 +65,8 @@ TEST_CASE("rows far from the wall, where all values are small, are scaled like t
     Rows const rows(solved.basis, points);
     Numbers const ones(static_cast<std::size_t>(n), 1.0);
     std::int32_t whole = 0, part = 0;
-    REQUIRE(hm_adjoint_scale(solved.basis, ones.data(), ones.data(), 1, &whole, nullptr, nullptr) == HM_OK);
-    REQUIRE(hm_adjoint_scale(rows.basis, ones.data(), ones.data(), 1, &part, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint_scale(solved.basis, points_in(ones, ones), &whole, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint_scale(rows.basis, points_in(ones, ones), &part, nullptr, nullptr) == HM_OK);
     CHECK(part == whole);
 }
 
@@ -116,9 +116,9 @@ TEST_CASE("scales that do not fit are refused") {
     Numbers gradient(40);
     std::int32_t scale = 0;
     hm_error error{};
-    REQUIRE(hm_adjoint_scale(solved.basis, g.x.data(), g.y.data(), 1, &scale, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), &scale, nullptr, nullptr) == HM_OK);
     auto const sum_at = [&](std::int32_t at) {
-        return hm_adjoint_sums(solved.basis, g.x.data(), g.y.data(), 1, at, sums.data(), nullptr, &error);
+        return hm_adjoint_sums(solved.basis, points_in(g.x, g.y), at, sums.data(), nullptr, &error);
     };
     CHECK(sum_at(scale) == HM_OK);
     CHECK(sum_at(scale + 1) == HM_OK);
@@ -128,9 +128,9 @@ TEST_CASE("scales that do not fit are refused") {
         CHECK(sum_at(absurd) == HM_BAD_ARGUMENT);
         CHECK(hm_adjoint_finish(solved.basis, absurd, sums.data(), gradient.data(), &error) == HM_BAD_ARGUMENT);
     }
-    CHECK(hm_adjoint_scale(solved.basis, nullptr, g.y.data(), 1, &scale, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_scale(solved.basis, g.x.data(), g.y.data(), 1, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_adjoint_sums(solved.basis, g.x.data(), g.y.data(), 1, scale, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_scale(solved.basis, points_in(nullptr, g.y.data()), &scale, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_scale(solved.basis, points_in(g.x, g.y), nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_adjoint_sums(solved.basis, points_in(g.x, g.y), scale, nullptr, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_adjoint_finish(solved.basis, scale, nullptr, gradient.data(), nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_adjoint_finish(nullptr, scale, sums.data(), gradient.data(), nullptr) == HM_BAD_ARGUMENT);
 }

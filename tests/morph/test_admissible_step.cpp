@@ -34,6 +34,14 @@ struct Displaced {
     bool valid_after(double s) const { return check(after(s)).min_corner > 0; }
 };
 
+double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at, Mesh const& reference) {
+    hm_quality_report report{};
+    report.struct_size = sizeof report;
+    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y), points_in(reference.x, reference.y), nullptr, &report,
+                       nullptr) == HM_OK);
+    return report.mean_quality;
+}
+
 Displaced one_triangle() {
     Mesh mesh;
     mesh.add_point({0, 0});
@@ -209,15 +217,46 @@ TEST_CASE("with a basis: half the admissible step of a movement is a valid mesh,
     for (unsigned seed = 0; seed < 5; ++seed) {
         std::vector<double> const move = some_move(its.curves.n_control(), 0.05, seed);
         Displaced displaced(its.mesh);
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, displaced.dx.data(), displaced.dy.data(), 1,
-                         nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(displaced.dx, displaced.dy), nullptr,
+                         nullptr) == HM_OK);
         hm_step_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, displaced.dx.data(), displaced.dy.data(), 1, nullptr, &report,
-                                   nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(displaced.dx, displaced.dy), nullptr,
+                                   &report, nullptr) == HM_OK);
         REQUIRE(report.admissible < HUGE_VAL);
         CHECK(displaced.valid_after(0.5 * report.admissible));
         CHECK(displaced.valid_after(0.999999 * report.admissible));
         CHECK(!displaced.valid_after(1.000001 * report.admissible));
     }
+}
+
+TEST_CASE("from other coordinates than the mesh's own: the limit is that of the start, as bisection finds it") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    Displaced start(its.mesh), now(its.mesh);
+    std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(start.dx, start.dy), nullptr, nullptr) == HM_OK);
+    double const limit = start.step().step;
+    now.mesh = start.after(0.5 * limit);   // as in a code that morphs from the first mesh at each time step
+    hm_mesh const mesh = now.mesh.view();
+    hm_step_report report{}, assessed{};
+    report.struct_size = assessed.struct_size = sizeof report;
+    hm_quality_report quality{};
+    quality.struct_size = sizeof quality;
+    auto const from = points_in(its.mesh.x, its.mesh.y), displacement = points_in(start.dx, start.dy);
+    REQUIRE(hm_admissible_step(solved.basis, &mesh, from, displacement, nullptr, &report, nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &mesh, from, displacement, nullptr, &assessed, &quality, nullptr) == HM_OK);
+    CHECK(assessed.admissible == report.admissible);
+    CHECK(quality.mean_quality == mean_quality(solved, mesh, start.after(1), its.mesh));
+
+    double valid = 0, invalid = 1;
+    while (start.valid_after(invalid)) valid = invalid, invalid += 0.125;
+    for (int k = 0; k < 50; ++k) {
+        double const middle = 0.5 * (valid + invalid);
+        (start.valid_after(middle) ? valid : invalid) = middle;
+    }
+    CHECK(report.admissible == doctest::Approx(valid).epsilon(1e-10));
+
+    REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, displacement, nullptr, &report, nullptr) == HM_OK);
+    CHECK(report.admissible == doctest::Approx(valid - 0.5 * limit).epsilon(1e-10));
 }

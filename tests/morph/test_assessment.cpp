@@ -45,25 +45,23 @@ TEST_CASE("the same step and the same quality as one after the other, before the
                 std::size_t const n = its.mesh.x.size();
                 std::vector<double> const move = some_move(its.curves.n_control(), size, 5);
                 std::vector<double> dx(n), dy(n), x(n), y(n);
-                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, dx.data(), dy.data(), 1, nullptr,
-                                 nullptr) == HM_OK);
-                REQUIRE(hm_morph(solved.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) ==
-                        HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
                 Both apart, together;
-                REQUIRE(hm_admissible_step(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &apart.step, nullptr) ==
-                        HM_OK);
-                REQUIRE(hm_quality(solved.basis, &mesh, x.data(), y.data(), 1, mesh.x, mesh.y, 1, nullptr, &apart.quality,
+                REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, &apart.step,
+                                           nullptr) == HM_OK);
+                REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), &mesh.points, nullptr, &apart.quality,
                                    nullptr) == HM_OK);
-                REQUIRE(hm_assess(solved.basis, &mesh, dx.data(), dy.data(), 1, nullptr, &together.step, &together.quality,
-                                  nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), nullptr, &together.step,
+                                  &together.quality, nullptr) == HM_OK);
                 CHECK(together.agrees_with(apart));
                 CHECK((together.quality.inverted > 0) == (size == 1.0));
                 CHECK((together.step.admissible < 1) == (size == 1.0));
                 Backwards order;
                 hm_executor const executor = order.executor(4);
                 Both threaded;
-                REQUIRE(hm_assess(solved.basis, &mesh, dx.data(), dy.data(), 1, &executor, &threaded.step, &threaded.quality,
-                                  nullptr) == HM_OK);
+                REQUIRE(hm_assess(solved.basis, &mesh, nullptr, points_in(dx, dy), &executor, &threaded.step,
+                                  &threaded.quality, nullptr) == HM_OK);
                 CHECK(threaded.same_as(together));
                 CHECK(order.tasks > 1);
             }
@@ -76,16 +74,18 @@ TEST_CASE("NULL and foreign meshes are refused") {
     std::vector<double> const d(its.mesh.x.size(), 0.0);
     Both both;
     hm_status const refused[] = {
-        hm_assess(nullptr, &mesh, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, nullptr, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, nullptr, d.data(), 1, nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, d.data(), nullptr, 1, nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, d.data(), d.data(), -1, nullptr, &both.step, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, nullptr, &both.quality, nullptr),
-        hm_assess(solved.basis, &mesh, d.data(), d.data(), 1, nullptr, &both.step, nullptr, nullptr),
+        hm_assess(nullptr, &mesh, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, nullptr, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(nullptr, d.data()), nullptr, &both.step, &both.quality,
+                  nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d.data(), nullptr), nullptr, &both.step, &both.quality,
+                  nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d, -1), nullptr, &both.step, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, nullptr, &both.quality, nullptr),
+        hm_assess(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &both.step, nullptr, nullptr),
     };
     for (hm_status const status : refused) CHECK(status == HM_BAD_ARGUMENT);
-    CHECK(hm_assess(solved.basis, &foreign, d.data(), d.data(), 1, nullptr, &both.step, &both.quality, nullptr) ==
+    CHECK(hm_assess(solved.basis, &foreign, nullptr, points_in(d, d), nullptr, &both.step, &both.quality, nullptr) ==
           HM_BAD_BASIS);
     CHECK(both.same_as(Both()));
 }

@@ -276,13 +276,13 @@ TEST_CASE("boundaries of valid meshes do not cross, not even thin trailing edges
         hm_mesh const mesh = its.mesh.view();
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, nullptr, &report, nullptr) == HM_OK);
         CHECK(report.self_crossing == 0);
         for (std::int32_t const point : report.crossing_points) CHECK(point == -1);
         Mesh crossed = its.mesh;
         for (std::size_t k = 10; k < 20; ++k) crossed.y[k] -= 0.2;   // on the upper side
-        REQUIRE(hm_quality(solved.basis, &mesh, crossed.x.data(), crossed.y.data(), 1, nullptr, nullptr, 0, nullptr, &report,
-                           nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr, &report, nullptr) ==
+                HM_OK);
         CHECK(report.self_crossing == 1);
         for (std::int32_t const point : report.crossing_points) CHECK((point >= 0 && point < 80));
     }

@@ -15,7 +15,7 @@ struct Moved {
 
 Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
     Moved out{Numbers(mesh.x.size()), Numbers(mesh.x.size())};
-    REQUIRE(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, out.x.data(), out.y.data(), 1, nullptr,
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(out.x, out.y), nullptr,
                      nullptr) == HM_OK);
     return out;
 }
@@ -24,8 +24,7 @@ Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
 Moved displacement(Solved const& solved, Numbers const& move) {
     std::size_t const n = static_cast<std::size_t>(solved.info().points);
     Moved out{Numbers(n, 7.0), Numbers(n, 7.0)};
-    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, out.x.data(), out.y.data(), 1, nullptr, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(out.x, out.y), nullptr, nullptr) == HM_OK);
     return out;
 }
 
@@ -89,7 +88,8 @@ TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
         Numbers const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
         Moved const found = displacement(solved, move);
         Numbers gradient(2 * static_cast<std::size_t>(n), -1.0);
-        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
+                HM_OK);
         double here = 0, there = 0, size = 0;
         for (std::size_t k = 0; k < found.x.size(); ++k) {
             here += g[2 * k] * found.x[k] + g[2 * k + 1] * found.y[k];
@@ -108,7 +108,7 @@ TEST_CASE("one component of the adjoint is one function against the gradient") {
     Numbers gx(f.size(), 0.0), gy(f.size(), 0.0), gradient(2 * static_cast<std::size_t>(its.curves.n_control()));
     gx[77] = 2;
     gy[91] = -1;
-    REQUIRE(hm_adjoint(solved.basis, gx.data(), gy.data(), 0, gradient.data(), nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_adjoint(solved.basis, points_in(gx, gy), gradient.data(), nullptr, nullptr) == HM_OK);
     CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);   // products are rounded to multiples of 2^-63 of the largest
     CHECK(std::fabs(gradient[11] + f[91]) <= 0x1p-62);
 }
@@ -164,12 +164,16 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
         };
         for (Layout const& to : layouts) {
             Numbers made(to.size, -77.0);
-            REQUIRE(hm_morph(solved.basis, move.data(), &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride),
-                             &made[to.x], &made[to.y], static_cast<std::int64_t>(to.stride), nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_morph(solved.basis, move.data(),
+                             points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
+                             points_out(&made[to.x], &made[to.y], static_cast<std::int64_t>(to.stride)), nullptr,
+                             nullptr) == HM_OK);
             compare(made, to);
         }
-        REQUIRE(hm_morph(solved.basis, move.data(), &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride),
-                         &old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride), nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(),
+                         points_in(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)),
+                         points_out(&old[from.x], &old[from.y], static_cast<std::int64_t>(from.stride)), nullptr,
+                         nullptr) == HM_OK);
         compare(old, from);
     }
 }
@@ -210,20 +214,20 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         Moved const to = morphed(solved, its.mesh, move);
         double error = -1;
         std::int32_t worst = -5;
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, to.x.data(),
-                                  to.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(to.x, to.y),
+                                  &error, &worst, nullptr) == HM_OK);
         CHECK((error >= 0 && error < 1e-12));
         // It sees a point that is elsewhere, and says which.
         Moved wrong = to;
         std::size_t const shifted = static_cast<std::size_t>(info.curve_point[17]);
         wrong.y[shifted] += 1e-3;
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, wrong.x.data(),
-                                  wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                                  points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
         CHECK(worst == info.curve_point[17]);
         wrong.x[static_cast<std::size_t>(info.curve_point[3])] = std::nan("");   // and one that is nowhere
-        REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, wrong.x.data(),
-                                  wrong.y.data(), 1, &error, &worst, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                                  points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(std::isnan(error));
         CHECK(worst == info.curve_point[3]);
     }
@@ -237,7 +241,7 @@ TEST_CASE("a movement that is not finite is refused, and nothing is written") {
         move[9] = bad;
         Mesh mesh = its.mesh;
         hm_error error{};
-        CHECK(hm_morph(solved.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, mesh.x.data(), mesh.y.data(), 1, nullptr,
+        CHECK(hm_morph(solved.basis, move.data(), points_in(mesh.x, mesh.y), points_out(mesh.x, mesh.y), nullptr,
                        &error) == HM_BAD_ARGUMENT);
         CHECK(error.item == 4);
         CHECK(same_bits(mesh.x, its.mesh.x));

@@ -43,7 +43,8 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
         x[8] = bad;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, x.data(), mesh.y, 1, nullptr, nullptr, 0, nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &report, nullptr) ==
+                HM_OK);
         CHECK(report.inverted == cells);
         CHECK((report.min_quality == 0 && report.mean_quality > 0 && report.mean_quality < 1));
     }
@@ -187,7 +188,7 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;
     hm_mesh const mesh = its.mesh_view();
-    REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, mesh.x, mesh.y, 1, nullptr, &quality, nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, &mesh.points, nullptr, &quality, nullptr) == HM_OK);
     CHECK(quality.mean_quality == doctest::Approx(expected.mean_quality()).epsilon(1e-15));
     CHECK(quality.min_quality_cell == expected.min_quality_cell + 1);
 }

@@ -277,11 +277,11 @@ TEST_CASE("the plan factors on the analysed coordinates alone") {
     Attempt tried(its.problem(), &options);
     REQUIRE(tried.status == HM_OK);
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    CHECK(hm_plan_factor(tried.plan, x.data(), y.data(), 1, nullptr) == HM_OK);
+    CHECK(hm_plan_factor(tried.plan, points_in(x, y), nullptr) == HM_OK);
     x[40] += 1e-9;
-    CHECK(hm_plan_factor(tried.plan, x.data(), y.data(), 1, &tried.error) == HM_UNSUPPORTED);
+    CHECK(hm_plan_factor(tried.plan, points_in(x, y), &tried.error) == HM_UNSUPPORTED);
     CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_BAD_ARGUMENT);   // no factor
-    CHECK(hm_plan_factor(tried.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    CHECK(hm_plan_factor(tried.plan, nullptr, nullptr) == HM_OK);
     CHECK(hm_plan_solve(tried.plan, tried.basis, nullptr, nullptr) == HM_OK);
 }
 

@@ -211,7 +211,7 @@ TEST_CASE("moved coordinates: the plan factors again, as a new one would") {
         hm_options const options = nodal(engine);
         Solved const fresh(moved, &options);
         Attempt again(its.problem(), &options);
-        REQUIRE(hm_plan_factor(again.plan, moved.mesh.x.data(), moved.mesh.y.data(), 1, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(again.plan, points_in(moved.mesh.x, moved.mesh.y), nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(again.plan, again.basis, nullptr, nullptr) == HM_OK);
         std::vector<double> values(its.mesh.x.size());
         REQUIRE(hm_basis_values(again.basis, 3, 0, values.data(), nullptr) == HM_OK);

@@ -118,7 +118,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         Solved const reference(its);
         Attempt attempt;
         REQUIRE((attempt.analyse(its.problem(), &options) && attempt.prepare()));
-        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         for (double& entry : inside(attempt.plan).engine.doubles.factor) entry *= 1 + error;
         hm_status const status = hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
         INFO("error " << error << ": " << attempt.report.refinements << " steps to " << attempt.report.residual);

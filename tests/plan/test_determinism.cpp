@@ -50,7 +50,7 @@ TEST_CASE("what lay in the blocks before does not matter") {
         REQUIRE(hm_basis_size(analysis, &bytes, nullptr) == HM_OK);
         REQUIRE(hm_basis_init(&basis, block(2), bytes, analysis, nullptr) == HM_OK);
         std::fill(blocks[0].begin(), blocks[0].end(), static_cast<unsigned char>(~garbage));   // the analysis is given back
-        REQUIRE(hm_plan_factor(plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK);
         CHECK(bytes_of(basis) == bytes_of(reference.basis));
     }
@@ -64,8 +64,8 @@ TEST_CASE("two plans step by step in turn do not disturb each other") {
     REQUIRE(d.analyse(second.problem()));
     REQUIRE(c.prepare());
     REQUIRE(d.prepare());
-    REQUIRE(hm_plan_factor(c.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
-    REQUIRE(hm_plan_factor(d.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(c.plan, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(d.plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(c.plan, c.basis, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(d.plan, d.basis, nullptr, nullptr) == HM_OK);
     CHECK(bytes_of(c.basis) == bytes_of(a.basis));
@@ -80,10 +80,10 @@ TEST_CASE("factoring and solving again, also after other coordinates, gives the 
     CHECK(bytes_of(solved.basis) == expected);
     Mesh moved = its.mesh;
     perturb(moved, 0.1, 3);
-    REQUIRE(hm_plan_factor(solved.plan, moved.x.data(), moved.y.data(), 1, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(solved.plan, points_in(moved.x, moved.y), nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
     CHECK(bytes_of(solved.basis) != expected);
-    REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr, 0, nullptr) == HM_OK);
+    REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
     REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
     CHECK(bytes_of(solved.basis) == expected);
 }
@@ -129,12 +129,13 @@ TEST_CASE("any number of threads, in any order of their tasks: the same bits, in
         step.struct_size = sizeof step;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, nullptr, 0, &found[0], &found[n], 1, &executor, nullptr) ==
+        REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(&found[0], &found[n]), &executor, nullptr) ==
                 HM_OK);
-        REQUIRE(hm_adjoint(solved.basis, g.data(), g.data() + 1, 2, gradient.data(), &executor, nullptr) == HM_OK);
-        REQUIRE(hm_admissible_step(solved.basis, &mesh, &found[0], &found[n], 1, &executor, &step, nullptr) == HM_OK);
-        REQUIRE(hm_quality(solved.basis, &mesh, mesh.x, mesh.y, 1, nullptr, nullptr, 0, &executor, &quality, nullptr) ==
+        REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), &executor, nullptr) ==
                 HM_OK);
+        REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(&found[0], &found[n]), &executor, &step,
+                                   nullptr) == HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, &mesh.points, nullptr, &executor, &quality, nullptr) == HM_OK);
         found.insert(found.end(), gradient.begin(), gradient.end());
         found.insert(found.end(), {step.admissible, 1.0 * step.cell, 1.0 * step.point, quality.min_quality,
                                    quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});

@@ -62,7 +62,7 @@ struct Positions {
     std::vector<double> x, y;
     Positions(Solved const& solved, std::vector<double> const& control)
         : x(static_cast<std::size_t>(solved.info().points)), y(x.size()) {
-        REQUIRE(hm_morph(solved.basis, control.data(), nullptr, nullptr, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_morph(solved.basis, control.data(), nullptr, points_out(x, y), nullptr, nullptr) == HM_OK);
     }
 };
 
@@ -153,7 +153,7 @@ TEST_CASE("positions and displacements are the same thing where the cage is the 
     for (std::size_t k = 0; k < control.size(); ++k) control[k] += move[k];
     Positions const positions(solved, control);
     std::vector<double> x = its.mesh.x, y = its.mesh.y;
-    REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
     CHECK(largest_difference(positions.x, x) < 1e-14);
     CHECK(largest_difference(positions.y, y) < 1e-14);
 }

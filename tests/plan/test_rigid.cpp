@@ -75,8 +75,8 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
                 std::vector<double> xy;
                 for (std::size_t k = 0; k < moved.size(); ++k)
                     xy.insert(xy.end(), {its.mesh.x[k] + moved[k].real(), its.mesh.y[k] + moved[k].imag()});
-                REQUIRE(hm_boundary_error(solved.basis, move.data(), its.mesh.x.data(), its.mesh.y.data(), 1, &xy[0],
-                                          &xy[1], 2, &error, nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
+                                          points_in(&xy[0], &xy[1], 2), &error, nullptr, nullptr) == HM_OK);
                 CHECK(error < 1e-14);
             }
             CHECK(solved.report.boundary_error < 1e-15);

@@ -81,7 +81,7 @@ void turn(Case& its, double angle) {
 
 std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move, std::size_t n) {
     std::vector<double> out(2 * n);
-    REQUIRE(hm_morph(basis, move.data(), nullptr, nullptr, 1, out.data(), out.data() + n, 1, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(basis, move.data(), nullptr, points_out(out.data(), out.data() + n), nullptr, nullptr) == HM_OK);
     return out;
 }
 
@@ -90,7 +90,8 @@ double admissible(hm_basis const* basis, Case& its, std::vector<double> const& m
     std::vector<double> const by = moved(basis, move, n);
     hm_step_report step{};
     step.struct_size = sizeof step;
-    REQUIRE(hm_admissible_step(basis, &its.mesh_view(), by.data(), by.data() + n, 1, nullptr, &step, nullptr) == HM_OK);
+    REQUIRE(hm_admissible_step(basis, &its.mesh_view(), nullptr, points_in(by.data(), by.data() + n), nullptr, &step,
+                               nullptr) == HM_OK);
     return step.admissible;
 }
 
@@ -160,9 +161,9 @@ TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not mov
     std::size_t const n = fine.mesh.x.size();
     std::vector<double> x(n), y(n);
     hm_mesh const mesh = fine.mesh_view();
-    REQUIRE(hm_morph(transferred.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(transferred.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
     double error = 1;
-    REQUIRE(hm_boundary_error(transferred.basis, move.data(), mesh.x, mesh.y, 1, x.data(), y.data(), 1, &error, nullptr,
+    REQUIRE(hm_boundary_error(transferred.basis, move.data(), &mesh.points, points_in(x, y), &error, nullptr,
                               nullptr) == HM_OK);
     CHECK(error < 1e-15);
     int fixed = 0;

@@ -34,7 +34,7 @@ public:
         report = {};
         report.struct_size = sizeof report;
         error = {};
-        status = hm_morph_safe(solved_.plan, solved_.basis, move.data(), x.data(), y.data(), 1, derivative, work_->data(),
+        status = hm_morph_safe(solved_.plan, solved_.basis, move.data(), points_out(x, y), derivative, work_->data(),
                                work_->size(), &safe_options, &report, &error);
         CHECK(work_->guards_intact());
         CHECK(solved_.guards_intact());
@@ -46,7 +46,7 @@ public:
         hm_mesh const view = mesh.view();
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved_.basis, &view, x.data(), y.data(), 1, mesh.x.data(), mesh.y.data(), 1, nullptr, &quality,
+        REQUIRE(hm_quality(solved_.basis, &view, points_in(x, y), points_in(mesh.x, mesh.y), nullptr, &quality,
                            nullptr) == HM_OK);
         Mesh moved = mesh;
         moved.x = x;
@@ -61,19 +61,18 @@ public:
     }
     double boundary_error(std::vector<double> const& move) const {
         double error_found = -1;
-        REQUIRE(hm_boundary_error(solved_.basis, move.data(), mesh.x.data(), mesh.y.data(), 1, x.data(), y.data(), 1,
-                                  &error_found, nullptr, nullptr) == HM_OK);
+        REQUIRE(hm_boundary_error(solved_.basis, move.data(), points_in(mesh.x, mesh.y), points_in(x, y), &error_found,
+                                  nullptr, nullptr) == HM_OK);
         return error_found;
     }
     bool untouched() const { return same_bits(x, mesh.x) && same_bits(y, mesh.y); }
     double admissible(std::vector<double> const& move) const {
         hm_mesh const view = mesh.view();
         std::vector<double> dx(mesh.x.size()), dy(mesh.x.size());
-        REQUIRE(hm_morph(solved_.basis, move.data(), nullptr, nullptr, 0, dx.data(), dy.data(), 1, nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_morph(solved_.basis, move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
         hm_step_report step{};
         step.struct_size = sizeof step;
-        REQUIRE(hm_admissible_step(solved_.basis, &view, dx.data(), dy.data(), 1, nullptr, &step, nullptr) == HM_OK);
+        REQUIRE(hm_admissible_step(solved_.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) == HM_OK);
         return step.admissible;
     }
     Solved const& solved() const { return solved_; }
@@ -423,12 +422,12 @@ TEST_CASE("functions on the way that miss the tolerance are a warning: the mesh 
     report.struct_size = sizeof report;
     std::vector<double> x(its.mesh.x.size()), y(x.size());
     hm_error error{};
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), x.data(), y.data(), 1, nullptr, work.data(),
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 120).data(), points_out(x, y), nullptr, work.data(),
                         bytes, nullptr, &report, &error) == HM_NOT_CONVERGED);
     CHECK((report.step_fraction == 1 && report.resolves > 0 && report.inverted == 0 && x[0] == its.mesh.x[0]));
     CHECK(error.value > 1e-18);
     // One step needs no other functions than those that are there.
-    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), x.data(), y.data(), 1, nullptr, work.data(),
+    CHECK(hm_morph_safe(attempt.plan, attempt.basis, turn_of(its, 10).data(), points_out(x, y), nullptr, work.data(),
                         bytes, nullptr, &report, &error) == HM_OK);
 }
 
@@ -473,7 +472,7 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     for (std::size_t give = 0; give < bytes; give += give + 300 < bytes ? 251 : 1) {
         Guarded less(give);
         hm_error error{};
-        hm_status const status = hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), x.data(), y.data(), 1,
+        hm_status const status = hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
                                                nullptr, less.data(), give, nullptr, nullptr, &error);
         if (status == HM_OK) CHECK(bytes - give < 64);   // the slack for alignment
         else CHECK((status == HM_BLOCK_TOO_SMALL && error.value > 0 && error.value <= static_cast<double>(bytes - give)));
@@ -482,7 +481,7 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     }
     for (std::size_t const shift : {std::size_t{1}, std::size_t{33}}) {
         Guarded other(bytes, shift);
-        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), x.data(), y.data(), 1, nullptr,
+        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y), nullptr,
                             other.data(), bytes, nullptr, nullptr, nullptr) == HM_OK);
         CHECK(other.guards_intact());
     }
@@ -514,7 +513,8 @@ TEST_CASE("the derivative: exact on the wall, the sum of the steps elsewhere, an
             }
             std::vector<double> const g = some_move(its.mesh.n_points(), 1, 4);
             std::vector<double> gradient(8);
-            REQUIRE(hm_adjoint(of.basis, g.data(), g.data() + 1, 2, gradient.data(), nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_adjoint(of.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
+                    HM_OK);
             double here = 0, there = 0;
             for (std::size_t k = 0; k < by.size(); ++k) here += g[2 * k] * by[k].real() + g[2 * k + 1] * by[k].imag();
             for (std::size_t k = 0; k < 8; ++k) there += gradient[k] * further[k];
@@ -580,7 +580,7 @@ TEST_CASE("the derivative is the sum of the steps' functions, each times what it
         Attempt here;   // the functions of this step, on the mesh it began with
         REQUIRE(here.analyse(its.problem(), &options));
         REQUIRE(here.prepare());
-        REQUIRE(hm_plan_factor(here.plan, x.data(), y.data(), 1, nullptr) == HM_OK);
+        REQUIRE(hm_plan_factor(here.plan, points_in(x, y), nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(here.plan, here.basis, nullptr, nullptr) == HM_OK);
         safe.safe_options.max_resolves = step == 1 ? -1 : step - 1;   // the way as far as that
         REQUIRE(safe.run(move) == (step < steps ? HM_SHORT : HM_OK));
@@ -625,7 +625,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), own.mesh.x.data(), own.mesh.y.data(), 1, nullptr,
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(own.mesh.x, own.mesh.y), nullptr,
                           work.data(), bytes, nullptr, nullptr, nullptr) == HM_OK);
     CHECK((same_bits(own.mesh.x, reference.x) && same_bits(own.mesh.y, reference.y)));
 }
@@ -640,7 +640,7 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
         REQUIRE(hm_morph_safe_size(plan, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
-        hm_status const status = hm_morph_safe(plan, basis, by.data(), x.data(), y.data(), 1, derivative, work.data(), bytes,
+        hm_status const status = hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,
                                                &safe.safe_options, nullptr, nullptr);
         CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y)));
         return status;

@@ -39,7 +39,7 @@ constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>
 // `curves`, a control point as `item`, likewise, and a curve as `other`, which counts from 0 like everything else.
 enum class Counts : std::int32_t { from_zero, mesh, curves };
 
-// Why a call was refused. In the sentence # stands for item, @ for other and ~ for value.
+// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value and % for argument.
 struct Fault {
     Status status = Status::ok;
     Counts counts = Counts::from_zero;
@@ -47,11 +47,18 @@ struct Fault {
     Index other = none;
     Real value = 0;
     const char* sentence = "";
+    const char* argument = "";
 
     Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none, Index second = none,
                   Real found = 0) noexcept {
-        *this = {why, base, first, second, found, text};
+        *this = {why, base, first, second, found, text, ""};
         return why;
+    }
+    // An argument of the call that cannot be used as it is.
+    Status refuse_argument(const char* name, const char* text) noexcept {
+        refuse(Status::bad_argument, text);
+        argument = name;
+        return status;
     }
 };
 
