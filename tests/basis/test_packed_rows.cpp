@@ -85,10 +85,14 @@ TEST_CASE("a share's report and values are those of its functions") {
     Solved const solved(problem.its);
     Share const share(problem, {8, 5});
     CHECK(share.report.functions == 5);
-    CHECK((share.report.residual_function >= 8 && share.report.residual_function < 13));
-    CHECK((share.report.residual > 0 && share.report.residual <= solved.report.residual));
-    CHECK((share.report.boundary_error <= 1e-15 && share.report.partition_defect == 0));
-    CHECK((share.report.max_value <= solved.report.max_value && share.report.max_value > 0.5));
+    CHECK(share.report.residual_function >= 8);
+    CHECK(share.report.residual_function < 13);
+    CHECK(share.report.residual > 0);
+    CHECK(share.report.residual <= solved.report.residual);
+    CHECK(share.report.boundary_error <= 1e-15);
+    CHECK(share.report.partition_defect == 0);
+    CHECK(share.report.max_value <= solved.report.max_value);
+    CHECK(share.report.max_value > 0.5);
     std::vector<double> values(problem.its.mesh.x.size());
     for (std::int32_t const function : {8, 12}) {
         REQUIRE(hm_basis_values(share.basis, function, 0, values.data(), nullptr) == HM_OK);
@@ -142,7 +146,8 @@ TEST_CASE("refinement of a function does not depend on those solved with it") {
         CHECK(same_bits(values, solved.values(i)));
     }
     INFO(least << " to " << most << " steps");
-    CHECK((most > 0 && least < most));
+    CHECK(most > 0);
+    CHECK(least < most);
 }
 
 TEST_CASE("a function's bits do not depend on the engine's blocks: any share, any threads, whatever goes together") {
@@ -223,7 +228,8 @@ TEST_CASE("parcels out of order, of other lists or problems, truncated, or no pa
     CHECK(info_of(rows.basis).solved == 0);
     hm_error error{};
     CHECK(unpack(rows, second.parcel(points), &error) == HM_BAD_BASIS);
-    CHECK((error.item == 12 && std::string(error.text).find("the next one to come is 0") != std::string::npos));
+    CHECK(error.item == 12);
+    CHECK(std::string(error.text).find("the next one to come is 0") != std::string::npos);
     CHECK(unpack(rows, foreign.parcel(points)) == HM_BAD_BASIS);
     CHECK(unpack(rows, first.parcel(fewer)) == HM_BAD_BASIS);
     std::vector<double> parcel = first.parcel(points);

@@ -3,6 +3,7 @@
 
 #include <fixtures/executors.hpp>
 #include <fixtures/graphs.hpp>
+#include <fixtures/wrong.hpp>
 
 #include <cstring>
 
@@ -146,7 +147,8 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
         HandMadeGraph grid = grid_graph(250, ny);
         bool const is_large = grid.n() >= harmorph::Parts::large;
         CHECK(is_large == (ny == 270));
-        Index wrong = 0, marked = 0;
+        Wrong wrong;
+        Index marked = 0;
         Dissected(grid, [&](auto const& work, auto order, auto&) {
             harmorph::Graph const& graph = grid.view();
             work.where.find(graph, grid.points(), {});
@@ -158,9 +160,9 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
             for (Index k = its.pivots; k < graph.n; ++k)
                 for (Index const v : graph.of(order[k])) is_next[static_cast<std::size_t>(v)] = 1;
             for (Index k = 0; k < its.pivots; ++k) {
-                bool const mark = work.where.place[order[k]].at[harmorph::border_lane] == 1;
-                marked += mark;
-                wrong += mark != (is_large && is_next[static_cast<std::size_t>(order[k])] != 0);
+                float const mark = work.where.place[order[k]].at[harmorph::border_lane];
+                marked += mark == 1;
+                wrong.compare(order[k], mark, is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
             }
         });
         CHECK(wrong == 0);
@@ -169,9 +171,9 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
 }
 
 TEST_CASE("large parts share what borders on separators above: fewer multiplications than with the marks taken away") {
-    // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut of a half is parallel
-    // to it: a quarter of the mesh then lies between two separators of 260. One across costs 270, but both quarters
-    // share what borders on the first one.
+    // Halves of 260 x 270 unknowns, the first separator along their shorter side. The shortest cut of a half is
+    // parallel to it: a quarter of the mesh then lies between two separators of 260. One across costs 270, but both
+    // quarters share what borders on the first one.
     HandMadeGraph grid = grid_graph(260, 541);
     double cost[2];
     for (bool const is_marked : {false, true}) {
