@@ -68,8 +68,10 @@ TEST_CASE("at a clamped end the curve is at its control point, exactly") {
             Curve const curve = spline.curve();
             CurveBasis const first = curve_basis(curve, curve.begin(), 0);
             CurveBasis const last = curve_basis(curve, curve.end(), 0);
-            CHECK((first.control[0] == 0 && first.value[0][0] == 1));
-            CHECK((last.control[degree] == 8 && last.value[0][degree] == 1));
+            CHECK(first.control[0] == 0);
+            CHECK(first.value[0][0] == 1);
+            CHECK(last.control[degree] == 8);
+            CHECK(last.value[0][degree] == 1);
             CHECK(curve_point(curve, curve.end()).x == spline.control[16]);
             CHECK(curve_point(curve, curve.end()).y == spline.control[17]);
             CHECK((curve_point(curve, curve.end() + 1).x == spline.control[16]));  // outside: the nearer end
@@ -187,7 +189,8 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     bad = good;
     bad.indices = {0, 1, 2, 3, 4, 5, 8, 7};
     CHECK(refusal(bad, "index #", &fault) == Status::bad_curve);
-    CHECK((fault.item == 6 && fault.value == 8));
+    CHECK(fault.item == 6);
+    CHECK(fault.value == 8);
     bad.indices[6] = std::numeric_limits<std::int32_t>::min();
     CHECK(refusal(bad, "index #") == Status::bad_curve);
     bad = good;
@@ -196,11 +199,13 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     bad = good;
     bad.control[9] = nan;
     CHECK(refusal(bad, "control point #", &fault) == Status::bad_curve);
-    CHECK((fault.item == 4 && fault.counts == Counts::curves));
+    CHECK(fault.item == 4);
+    CHECK(fault.counts == Counts::curves);
     for (double const weight : {0.0, -1.0, nan, 1e308 * 10}) {
         bad = with_weights(good);
         bad.weights[3] = weight;
         CHECK(refusal(bad, "weight", &fault) == Status::bad_curve);
-        CHECK((fault.item == 3 && fault.counts == Counts::curves));
+        CHECK(fault.item == 3);
+        CHECK(fault.counts == Counts::curves);
     }
 }

@@ -291,7 +291,8 @@ TEST_CASE("fields that are not of a condition's kind are refused by name, and wh
             field.set(its.conditions[1]);
             Attempt const attempt(its.problem());
             INFO("kind " << kind << ", " << std::string(field.name) << ": " << attempt.error.text);
-            CHECK((attempt.status == HM_BAD_CONDITION && attempt.error.item == 1));
+            CHECK(attempt.status == HM_BAD_CONDITION);
+            CHECK(attempt.error.item == 1);
             CHECK(std::string(attempt.error.text).find(field.name) != std::string::npos);
         }
 }
