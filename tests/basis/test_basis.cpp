@@ -264,13 +264,29 @@ TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
     view = other.mesh.view();
     CHECK((copy.attach(&view) == HM_BAD_BASIS && copy.says("the cells differ")));
     other = its;
+    std::swap(other.mesh.face_markers.front(), other.mesh.face_markers.back());   // a face each on the other's marker
+    REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
+    for (std::int32_t& marker : other.mesh.face_markers) marker += 7;   // the same points on markers of other numbers
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
     other.mesh.x[20] += 1e-12;
     view = other.mesh.view();
     CHECK((copy.attach(&view) == HM_MOVED && copy.says("coordinates")));
     other.mesh.x[20] = std::nan("");
     CHECK(copy.attach(&view) == HM_BAD_MESH);
 
-    // Numbering, layout and stride are ways of writing the same mesh.
+    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and that of their ends.
+    other = its;
+    std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
+    std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_OK);
     other = its;
     other.index_base = 1;
     CHECK(copy.attach(&other.mesh_view()) == HM_OK);
