@@ -48,7 +48,7 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n", brief(camber * scale).c_str(),
                 brief(100 * thickening * scale).c_str(), moves_path.c_str());
     OutputFiles files;
-    write_moves(files.add(moves_path), moves);
+    write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
 }
 

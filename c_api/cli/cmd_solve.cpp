@@ -102,7 +102,7 @@ void run(const Arguments& arguments) {
     const Stored stored(arguments, mesh, solver.basis());
     OutputFiles files;
     if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
-    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis());
+    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
