@@ -472,7 +472,7 @@ HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cell
 
 /* A basis is one block without pointers: write it to a file as it is (hm_basis_info.bytes), read or map it back, attach.
  * block aligned to 8 bytes. Refused with the reason: not a basis, another format version or byte order, truncated,
- * damaged (checksum), another mesh's. mesh NULL: not compared. HM_MOVED: the same mesh with other coordinates. */
+ * damaged (checksum), of other cells or points on markers. mesh NULL: not compared. HM_MOVED: other coordinates. */
 HM_API hm_status hm_basis_attach(const hm_basis **basis, const void *block, size_t bytes, const hm_mesh *mesh,
                                  hm_error *err);
 

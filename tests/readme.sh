@@ -55,8 +55,11 @@ check "from the command line: morphed meshes are valid" sh -c \
     'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
 # The first block, where it lies: packages are there, and the tests are those that run.
 first_lines() {
-    { echo 'apt-get() { :; }'; echo 'make() { [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }'
-      echo set -e; awk '/^```/ { inside = !inside && $0 == "```" && !n++; next } inside' README.md; } >"$dir/first.sh"
+    mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1
+    { echo 'PATH=$dir/bin:$PATH'
+      echo 'make() { [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }'
+      echo set -e
+      awk '/^```/ { inside = !inside && $0 == "```" && !n++; next } inside' README.md; } >"$dir/first.sh"
     grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
 }
 check "the first two commands" first_lines
