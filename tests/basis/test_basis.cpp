@@ -129,7 +129,7 @@ TEST_CASE("moved curves: control points plus their movement, all else as it was"
     for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
     // The wall is where it was, plus what hm_morph moves it by.
     std::vector<double> x(its.mesh.x), y(its.mesh.y);
-    REQUIRE(hm_morph(solved.basis, move.data(), x.data(), y.data(), 1, x.data(), y.data(), 1, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
     hm_basis_info const info = solved.info();
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double from[2], to[2];
