@@ -161,6 +161,7 @@ const char* hm_status_name(hm_status status) {
         case HM_NOT_CONVERGED: return "HM_NOT_CONVERGED";
         case HM_MOVED: return "HM_MOVED";
         case HM_SHORT: return "HM_SHORT";
+        case HM_BACKTRACKS: return "HM_BACKTRACKS";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";
         case HM_BAD_MESH: return "HM_BAD_MESH";

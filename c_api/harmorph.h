@@ -64,6 +64,7 @@ enum {
                                  before its values were about as near; error.value: by how much they may be off */
     HM_MOVED = 2,             /* attached, but the mesh's coordinates are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but not all of the movement was possible */
+    HM_BACKTRACKS = 4,        /* hm_fit: the curve runs back between two points; error.item: the first of them */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; call again to go on from the last finished call */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -186,11 +187,21 @@ HM_API hm_status hm_curve_project(const hm_curves *curves, int32_t curve, double
 /* ---- Fit: a B-spline through the ordered points of a boundary ----------------------------------------------------- */
 
 enum {                             /* hm_fit_options.closed */
-    HM_CLOSED_AUTO = 0,            /* of a loop: no corner: periodic; one: tied there; a blunt base: open, and a straight
-                                      curve of degree 1 over the base that shares both end points. Otherwise open */
+    HM_CLOSED_AUTO = 0,            /* of a loop: no corner: periodic; a blunt base: open, and a straight curve of degree 1 over
+                                      the base that shares both end points; otherwise tied at the sharpest corner. A base is
+                                      straight, between two corners, at most .15 of the extent long, at that end of the
+                                      section that is farthest from the nose, and the outline comes back over it: facets of a
+                                      nose or a rounded edge are none. No loop: open */
     HM_OPEN = 1,                   /* clamped at the first and the last point */
     HM_TIED = 2,                   /* clamped, both ends one control point: a sharp trailing edge */
     HM_PERIODIC = 3                /* smooth all round */
+};
+enum {                             /* hm_fit_report.reason */
+    HM_FIT_ASKED = 0,              /* closed as the options say */
+    HM_FIT_NO_LOOP = 1,            /* open: the points are no loop */
+    HM_FIT_NO_CORNER = 2,          /* periodic: no corner was found */
+    HM_FIT_CORNER = 3,             /* tied: there are corners and no blunt base */
+    HM_FIT_BASE = 4                /* open: there is a blunt base */
 };
 
 typedef struct hm_fit_options {
@@ -207,11 +218,17 @@ typedef struct hm_fit_report {
     int32_t  closed;               /* HM_OPEN, HM_TIED or HM_PERIODIC: what was made */
     int32_t  first_point;          /* where the curve begins (the corner of a loop), from 0 */
     int32_t  base_points;          /* points on a blunt base, both ends counted; 0: none */
+    int32_t  reason;               /* HM_FIT_...: why it closes so */
+    int32_t  corners;              /* where the points' direction jumps, ends of the curve counted */
+    int32_t  backtrack_point;      /* from this point (from 0) to the next the curve runs back; -1: nowhere */
+    int32_t  reserved;             /* 0 */
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
 /* Least squares through n points in order; is_loop: the last is joined to the first (which is not repeated). Knots are
- * placed by arc length and curvature. *curves lives in the block, as do its arrays (index_base 0). options may be NULL. */
+ * placed by arc length and curvature. *curves lives in the block, as do its arrays (index_base 0). options may be NULL.
+ * HM_BACKTRACKS: a curve as good as any of so many control points, but it runs against the order of the points somewhere, as
+ * curves of high degree do where there are hardly more points than control points. */
 HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const hm_points *points, int32_t n,
                         int32_t is_loop, const hm_fit_options *options, hm_fit_report *report, hm_error *err);
 
@@ -455,7 +472,7 @@ HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cell
 
 /* A basis is one block without pointers: write it to a file as it is (hm_basis_info.bytes), read or map it back, attach.
  * block aligned to 8 bytes. Refused with the reason: not a basis, another format version or byte order, truncated,
- * damaged (checksum), another mesh's. mesh NULL: not compared. HM_MOVED: the same mesh with other coordinates. */
+ * damaged (checksum), of other cells or points on markers. mesh NULL: not compared. HM_MOVED: other coordinates. */
 HM_API hm_status hm_basis_attach(const hm_basis **basis, const void *block, size_t bytes, const hm_mesh *mesh,
                                  hm_error *err);
 
@@ -479,6 +496,10 @@ HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, h
 /* The curves the basis was solved with (index_base 0); curve [capacity >= info.curves] receives them, out->curve is it.
  * Their arrays are the basis's own. */
 HM_API hm_status hm_basis_curves(const hm_basis *basis, hm_curves *out, hm_curve *curve, int32_t capacity, hm_error *err);
+/* The same curves, moved: control [2*n_control] receives the control points plus `move`, as hm_morph moves them (rigid bodies
+ * have no curve), and out->control is it. The rest as hm_basis_curves. The caller's array; nothing is kept. */
+HM_API hm_status hm_moved_curves(const hm_basis *basis, const double *move, double *control, hm_curves *out, hm_curve *curve,
+                                 int32_t capacity, hm_error *err);
 /* The conditions the basis was solved with: out [capacity], out[0].struct_size set; *n: how many there are, also when
  * capacity is too small (HM_BAD_ARGUMENT). With curves and parameters they make the problem again. */
 HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n, hm_error *err);

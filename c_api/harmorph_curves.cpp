@@ -88,8 +88,11 @@ Status run_fit(const hm_curves** curves, void* memory, Size bytes, const hm_poin
     filled.closed = static_cast<std::int32_t>(made.closure);
     filled.first_point = made.first_point;
     filled.base_points = made.base_points;
+    filled.reason = static_cast<std::int32_t>(made.reason);
+    filled.corners = made.corners;
+    filled.backtrack_point = made.backtrack_point;
     write_struct(filled, report);
-    return Status::ok;
+    return fault.status;
 }
 
 }  // namespace

@@ -50,6 +50,22 @@ solver_lines() {   # as they stand in the example, up to indentation
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
 check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
 check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
+check "from the command line" path 3 "^inverted cells   0"
+check "from the command line: morphed meshes are valid" sh -c \
+    'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
+# The first block, where it lies: packages are there, and the tests are those that run.
+first_lines() {
+    mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1
+    { echo 'PATH=$dir/bin:$PATH'
+      echo 'make() { [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }'
+      echo set -e
+      awk '/^```/ { inside = !inside && $0 == "```" && !n++; next } inside' README.md; } >"$dir/first.sh"
+    grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
+}
+check "the first two commands" first_lines
+# No other block holds commands: those of the program stand in blocks that are run.
+no_other_commands() { ! awk '/^```/ { inside = !inside && $0 != "```sh"; next } inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .; }
+check "commands stand in blocks that are run" no_other_commands
 
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
 export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1

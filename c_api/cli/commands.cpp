@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "harmorph.h"
+#include "marker_names.hpp"
 #include "su2.hpp"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ void run_command(const std::vector<std::string>& words) {
 
 Mesh read_mesh(const std::string& path) {
     Mesh mesh = read_su2(path);
+    number_by_name(mesh);
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;
 }

@@ -6,7 +6,8 @@ module harmorph_constants
     character(len=*), parameter :: hm_header_version = "0.1.0"
     integer, parameter :: hm_abi = 2
 
-    integer, parameter :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3
+    integer, parameter :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &
+        hm_backtracks = 4
     integer, parameter :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
     integer, parameter :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
         hm_not_positive = -8
@@ -14,6 +15,7 @@ module harmorph_constants
 
     integer, parameter :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
     integer, parameter :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
+    integer, parameter :: hm_fit_asked = 0, hm_fit_no_loop = 1, hm_fit_no_corner = 2, hm_fit_corner = 3, hm_fit_base = 4
     integer, parameter :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
     integer, parameter :: hm_periodic_pair = 5
     integer, parameter :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1

@@ -59,6 +59,7 @@ module harmorph_structs
         integer(c_int64_t) :: struct_size = 0
         real(c_double) :: max_error = 0, rms_error = 0
         integer(c_int32_t) :: max_error_point = 0, closed = 0, first_point = 0, base_points = 0
+        integer(c_int32_t) :: reason = 0, corners = 0, backtrack_point = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_c_condition

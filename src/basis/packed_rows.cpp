@@ -13,7 +13,7 @@ ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
 // Does the parcel have what the rows wait for?
 Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) noexcept {
     BasisHeader const& header = *rows.header;
-    if (header.topology != label.topology || header.conditions != label.conditions ||
+    if (!(header.topology == label.topology) || header.conditions != label.conditions ||
         header.coordinates != label.coordinates || label.numbers != numbers_of(header.counts.kind)) {
         return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
     }
@@ -46,7 +46,7 @@ void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexce
 Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept {
     ParcelLabel label;
     if (words < label_words) return fault.refuse(Status::bad_basis, "the parcel is truncated");
-    std::memcpy(&label, parcel, sizeof label);
+    std::memcpy(static_cast<void*>(&label), parcel, sizeof label);
     if (label.magic != ParcelLabel::mark) return fault.refuse(Status::bad_basis, "this is not a parcel of rows");
     HARMORPH_TRY(check_label(label, rows, fault));
     Offset const length = Offset{label.numbers} * label.n;
