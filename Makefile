@@ -56,6 +56,8 @@ all: rules
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit
 	@sh fortran/join.sh >$(BUILD)/harmorph.f90
+	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
+	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
 	@echo '$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
 	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
 	@objects() { \
@@ -76,7 +78,7 @@ rules:
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp; program $(PROGRAM); \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@mv $(BUILD)/rules.new $(BUILD)/rules.mk
