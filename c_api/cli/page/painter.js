@@ -1,9 +1,10 @@
 "use strict";
-// Lines and triangles of the mesh, given in pixels: by WebGL 2, or on a canvas where the browser has none.
+// Lines and triangles of the mesh, given in pixels: by WebGL 2, or on a canvas where the browser has no graphics processor
+// for it, which is then the faster way.
 
 class GlPainter {
-    constructor(canvas) {
-        const gl = this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
+    constructor(canvas, more = { failIfMajorPerformanceCaveat: true }) {
+        const gl = this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false, ...more });
         if (!gl) throw new Error("no WebGL 2");
         this.canvas = canvas;
         const vertex = `#version 300 es
@@ -109,18 +110,25 @@ class CanvasPainter {
     begin(width, height, ratio, background) {
         this.canvas.width = Math.round(width * ratio);
         this.canvas.height = Math.round(height * ratio);
+        Object.assign(this, { width, height });
         this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
         this.context.fillStyle = CanvasPainter.style([...background, 1]);
         this.context.fillRect(0, 0, width, height);
         this.context.lineWidth = 1 / ratio;
     }
 
+    line(ax, ay, bx, by) {
+        if ((ax < 0 && bx < 0) || (ay < 0 && by < 0) || (ax > this.width && bx > this.width) || (ay > this.height && by > this.height)) return;
+        this.context.moveTo(ax, ay);
+        this.context.lineTo(bx, by);
+    }
+
     lines(positions, pairs, colour) {
         const { context } = this;
         context.beginPath();
         for (let i = 0; i < pairs.length; i += 2) {
-            context.moveTo(positions[2 * pairs[i]], positions[2 * pairs[i] + 1]);
-            context.lineTo(positions[2 * pairs[i + 1]], positions[2 * pairs[i + 1] + 1]);
+            const a = 2 * pairs[i], b = 2 * pairs[i + 1];
+            this.line(positions[a], positions[a + 1], positions[b], positions[b + 1]);
         }
         context.strokeStyle = CanvasPainter.style(colour);
         context.stroke();
@@ -129,10 +137,7 @@ class CanvasPainter {
     segments(positions, n, colour) {
         const { context } = this;
         context.beginPath();
-        for (let i = 0; i < 4 * n; i += 4) {
-            context.moveTo(positions[i], positions[i + 1]);
-            context.lineTo(positions[i + 2], positions[i + 3]);
-        }
+        for (let i = 0; i < 4 * n; i += 4) this.line(positions[i], positions[i + 1], positions[i + 2], positions[i + 3]);
         context.strokeStyle = CanvasPainter.style(colour);
         context.stroke();
     }
@@ -141,12 +146,11 @@ class CanvasPainter {
     triangles(positions, colours, n) {
         const { context } = this;
         for (let i = 0; i < n; ++i) {
-            const p = positions.subarray(6 * i, 6 * i + 6), c = colours.subarray(12 * i, 12 * i + 4);
-            context.fillStyle = `rgba(${c[0]},${c[1]},${c[2]},${c[3] / 255})`;
+            const p = 6 * i, c = 12 * i;
             context.beginPath();
-            context.moveTo(p[0], p[1]);
-            context.lineTo(p[2], p[3]);
-            context.lineTo(p[4], p[5]);
+            this.line(positions[p], positions[p + 1], positions[p + 2], positions[p + 3]);
+            context.lineTo(positions[p + 4], positions[p + 5]);
+            context.fillStyle = `rgb(${colours[c]},${colours[c + 1]},${colours[c + 2]})`;
             context.fill();
         }
     }
