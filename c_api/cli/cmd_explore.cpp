@@ -1,6 +1,5 @@
 // harmorph explore: one page to drag control points on, for any browser.
 #include "commands.hpp"
-#include "draw_curves.hpp"
 #include "moves_file.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
@@ -37,8 +36,8 @@ void run(const Arguments& arguments) {
         read_moves(arguments.text("--move"), basis, mesh); // refuses what the page would not understand
         moves = TextFile(arguments.text("--move")).text();
     }
-    Box body = box_of_bodies(basis.info(), mesh.x, mesh.y);
-    if (basis.curves().n_control > 0) body.include(box_of(basis.curves()));
+    const hm_basis_info& info = basis.info();
+    const std::vector<std::int32_t> body(info.curve_point, info.curve_point + info.curve_points);
     const PageSelection selection = select_for_page(mesh, body, most);
     OutputFiles files;
     std::ostream& out = files.add(path);

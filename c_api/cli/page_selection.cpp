@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <unordered_map>
+#include <utility>
 
 namespace cli {
 
@@ -13,22 +16,66 @@ constexpr std::int32_t unselected = -1;
 
 std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
+// The length of the shortest way along edges of the mesh from some points to each point; infinite where none leads.
+class Distances {
+public:
+    explicit Distances(const Mesh& mesh) : mesh_(mesh), start_(mesh.x.size() + 1) {
+        const std::vector<Edge> edges = mesh_edges(mesh, [](Edge) { return true; });
+        for (const Edge edge : edges) {
+            ++start_[place(edge.a) + 1];
+            ++start_[place(edge.b) + 1];
+        }
+        for (std::size_t k = 1; k < start_.size(); ++k) start_[k] += start_[k - 1];
+        neighbour_.resize(2 * edges.size());
+        std::vector<std::size_t> end(start_.begin(), start_.end() - 1);
+        for (const Edge edge : edges) {
+            neighbour_[end[place(edge.a)]++] = edge.b;
+            neighbour_[end[place(edge.b)]++] = edge.a;
+        }
+    }
+
+    // E. W. Dijkstra, Numer. Math. 1 (1959) 269.
+    std::vector<double> from(const std::vector<std::int32_t>& points) const {
+        std::vector<double> distance(mesh_.x.size(), std::numeric_limits<double>::infinity());
+        std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> front;
+        for (const std::int32_t point : points) {
+            distance[place(point)] = 0;
+            front.push({0, point});
+        }
+        while (!front.empty()) {
+            const auto [way, here] = front.top();
+            front.pop();
+            if (way > distance[place(here)]) continue;
+            for (std::size_t i = start_[place(here)]; i < start_[place(here) + 1]; ++i) {
+                const std::size_t next = place(neighbour_[i]);
+                const double x = mesh_.x[next] - mesh_.x[place(here)], y = mesh_.y[next] - mesh_.y[place(here)];
+                const double longer = way + std::hypot(x, y);
+                if (!(longer < distance[next])) continue;
+                distance[next] = longer;
+                front.push({longer, neighbour_[i]});
+            }
+        }
+        return distance;
+    }
+
+private:
+    using Reached = std::pair<double, std::int32_t>;
+
+    const Mesh& mesh_;
+    std::vector<std::size_t> start_;
+    std::vector<std::int32_t> neighbour_;
+};
+
 class Selector {
 public:
-    Selector(const Mesh& mesh, const Box& body, std::int32_t most)
-        : mesh_(mesh), distance_(mesh.x.size()), slot_(mesh.x.size(), unselected) {
-        extent_ = std::max(body.width(), body.height());
-        for (std::size_t k = 0; k < mesh.x.size(); ++k) {
-            const double right = std::max(body.low.x - mesh.x[k], mesh.x[k] - body.high.x);
-            const double up = std::max(body.low.y - mesh.y[k], mesh.y[k] - body.high.y);
-            distance_[k] = std::max({right, up, 0.0});
-        }
-        reach_ = std::numeric_limits<double>::infinity();
-        if (place(most) < distance_.size()) {
-            std::vector<double> sorted = distance_;
-            std::nth_element(sorted.begin(), sorted.begin() + most, sorted.end());
-            reach_ = sorted[place(most)];
-        }
+    Selector(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t most)
+        : mesh_(mesh), slot_(mesh.x.size(), unselected) {
+        is_whole_ = mesh.x.size() <= place(most);
+        if (is_whole_) return;
+        distance_ = Distances(mesh).from(body);
+        std::vector<double> sorted = distance_;
+        std::nth_element(sorted.begin(), sorted.begin() + most, sorted.end());
+        reach_ = sorted[place(most)];
     }
 
     PageSelection select() {
@@ -43,7 +90,7 @@ public:
     }
 
 private:
-    bool is_near(std::int32_t point) const { return distance_[place(point)] < reach_; }
+    bool is_near(std::int32_t point) const { return is_whole_ || distance_[place(point)] < reach_; }
 
     bool is_in_cells(std::int32_t point) const {
         return slot_[place(point)] != unselected && slot_[place(point)] < selection_.in_cells;
@@ -61,10 +108,7 @@ private:
             const auto end = mesh_.cell_points.begin() + mesh_.cell_start[place(cell) + 1];
             if (!std::all_of(begin, end, [this](std::int32_t point) { return is_near(point); })) continue;
             selection_.cells.push_back(cell);
-            for (auto point = begin; point != end; ++point) {
-                add(*point);
-                selection_.window.include(Point{mesh_.x[place(*point)], mesh_.y[place(*point)]});
-            }
+            for (auto point = begin; point != end; ++point) add(*point);
         }
     }
 
@@ -73,7 +117,7 @@ private:
     void thin_the_rest() {
         for (const std::int32_t point : mesh_.face_points) add(point);
         const std::size_t most = place(selection_.in_cells) / 4 + 100;
-        for (double share = 1.0 / 64; share < 1; share *= 1.5) {
+        for (double share = 1.0 / 64; share < 16; share *= 1.5) {
             group(share);
             if (stand_ins_.size() <= most) break;
         }
@@ -92,18 +136,18 @@ private:
         selection_.edges.erase(std::unique(selection_.edges.begin(), selection_.edges.end(), same), selection_.edges.end());
     }
 
-    // Grid squares of about `share` of the distance to the body.
+    // Grid squares of about `share` of the distance to the body, which is not 0: those points have been selected.
     void group(double share) {
         std::unordered_map<std::uint64_t, std::int32_t> first;
         stand_ins_.clear();
         group_.assign(mesh_.x.size(), unselected);
         for (std::size_t k = 0; k < mesh_.x.size(); ++k) {
-            if (slot_[k] != unselected) continue;
-            const int level = std::ilogb(share * std::max(distance_[k], 1e-3 * extent_) / extent_);
-            const double side = std::ldexp(extent_, level);
+            if (slot_[k] != unselected || !std::isfinite(distance_[k])) continue;
+            const int level = std::ilogb(share * distance_[k]);
+            const double side = std::ldexp(1.0, level);
             const auto column = static_cast<std::int64_t>(std::floor(mesh_.x[k] / side));
             const auto row = static_cast<std::int64_t>(std::floor(mesh_.y[k] / side));
-            const std::uint64_t key = (static_cast<std::uint64_t>(level + 512) << 54) ^
+            const std::uint64_t key = (static_cast<std::uint64_t>(level) << 54) ^
                                       ((static_cast<std::uint64_t>(column) & 0x7ffffff) << 27) ^
                                       (static_cast<std::uint64_t>(row) & 0x7ffffff);
             const auto found = first.try_emplace(key, static_cast<std::int32_t>(k));
@@ -118,8 +162,9 @@ private:
     }
 
     const Mesh& mesh_;
-    double extent_ = 0, reach_ = 0;
-    std::vector<double> distance_;       // of each point from the body's box
+    bool is_whole_ = false;
+    double reach_ = 0;
+    std::vector<double> distance_;       // of each point from the body
     std::vector<std::int32_t> slot_;     // of each point: its place in the selection
     std::vector<std::int32_t> group_;    // of each point of the rest: the one that stands for it
     std::vector<std::int32_t> stand_ins_;
@@ -128,7 +173,7 @@ private:
 
 } // namespace
 
-PageSelection select_for_page(const Mesh& mesh, const Box& body, std::int32_t most) {
+PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t most) {
     return Selector(mesh, body, most).select();
 }
 

@@ -15,10 +15,9 @@ struct PageSelection {
     std::vector<std::int32_t> cells;  // all cells with no other points than those
     std::vector<Edge> edges;          // what is drawn of the rest: places in `points`
     std::vector<std::int32_t> faces;  // of the boundary, both of whose points are among them
-    Box window;                       // what holds the points of the cells
 };
 
-// The `most` points nearest to the body (the box of all that moves), as far as whole cells are made of them.
-PageSelection select_for_page(const Mesh& mesh, const Box& body, std::int32_t most);
+// The `most` points nearest to the body, which is given by its mesh points, as far as whole cells are made of them.
+PageSelection select_for_page(const Mesh& mesh, const std::vector<std::int32_t>& body, std::int32_t most);
 
 } // namespace cli

@@ -99,7 +99,7 @@ class Panel {
 
     add_section(section, place) {
         if (section.control.length === 0) return;
-        if (this.app.sections.length > 1) this.add_title(section.name);
+        if (this.app.sections.length + this.app.data.bodies.length > 1) this.add_title(section.name);
         const values = () => this.app.shape.state.variables[place];
         for (const { name, label, unit, most, step } of Section.variables) {
             this.add_slider(label, unit, -most, most, step, () => values()[name], (value) => { values()[name] = value; });
@@ -131,7 +131,7 @@ class Panel {
     update_verdict() {
         const { cells, wall, still } = this.app, { inverted, step } = cells, crosses = wall.crossing.length > 0;
         const words = inverted > 0 ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
-            : crosses ? "Wall crosses itself" : "Valid mesh";
+            : crosses ? "Wall crosses itself" : cells.n < this.app.data.all_cells ? "Valid near the body" : "Valid mesh";
         element("verdict_word").textContent = words;
         element("verdict_detail").textContent = inverted > 0 && crosses ? "and the wall crosses itself"
             : inverted > 0 ? `${short(Math.min(1, step) * 100)} % of this movement is possible`
