@@ -8,7 +8,7 @@
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
-#   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
+#   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures, and a table of engines; MESHES=directory: of the SU2 files there, too
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
@@ -117,7 +117,7 @@ bench-mpi: all
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo
-	@ls $(BUILD)/demo/*.svg
+	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \

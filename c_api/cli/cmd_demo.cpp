@@ -74,7 +74,9 @@ void run(const Arguments& arguments) {
     step("airfoil and mesh move together",
          {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
           "--svg", in_folder("morph.svg")});
-    std::printf("\n# look at %s and %s\n", in_folder("morph.svg").c_str(), in_folder("function.svg").c_str());
+    step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
+    std::printf("\n# look at %s and %s, and open %s in a browser\n", in_folder("morph.svg").c_str(),
+                in_folder("function.svg").c_str(), in_folder("page.html").c_str());
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 class GlPainter {
     constructor(canvas, more = { failIfMajorPerformanceCaveat: true }) {
         const gl = this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false, ...more });
-        if (!gl) throw new Error("no WebGL 2");
+        if (!gl || (more.failIfMajorPerformanceCaveat && GlPainter.is_software(gl))) throw new Error("no WebGL 2");
         this.canvas = canvas;
         const vertex = `#version 300 es
             in vec2 at; in vec4 its; uniform vec2 size; uniform vec4 colour; out vec4 shade;
@@ -36,6 +36,11 @@ class GlPainter {
         gl.enableVertexAttribArray(0);
         gl.enable(gl.BLEND);
         gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    }
+
+    static is_software(gl) {
+        const names = gl.getExtension("WEBGL_debug_renderer_info");
+        return names !== null && /swiftshader|llvmpipe|softpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
     }
 
     begin(width, height, ratio, background) {
@@ -148,7 +153,8 @@ class CanvasPainter {
         for (let i = 0; i < n; ++i) {
             const p = 6 * i, c = 12 * i;
             context.beginPath();
-            this.line(positions[p], positions[p + 1], positions[p + 2], positions[p + 3]);
+            context.moveTo(positions[p], positions[p + 1]);
+            context.lineTo(positions[p + 2], positions[p + 3]);
             context.lineTo(positions[p + 4], positions[p + 5]);
             context.fillStyle = `rgb(${colours[c]},${colours[c + 1]},${colours[c + 2]})`;
             context.fill();
@@ -162,6 +168,9 @@ function make_painter(canvas) {
     try {
         return new GlPainter(canvas);
     } catch (error) {
-        return new CanvasPainter(canvas);
+        if (canvas.getContext("2d")) return new CanvasPainter(canvas);
+        const another = canvas.cloneNode();   // one that WebGL has had draws in no other way
+        canvas.replaceWith(another);
+        return new CanvasPainter(another);
     }
 }
