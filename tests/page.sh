@@ -49,7 +49,7 @@ fi
 
 browse() { # browse PAGE: the page's elements as text, once it is loaded
     timeout 120 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
-        --disable-component-update --disable-sync --user-data-dir="$tmp/profile" --use-angle=swiftshader \
+        --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" --use-angle=swiftshader \
         --enable-unsafe-swiftshader --window-size=1280,800 --dump-dom "file://$1" 2>"$tmp/browser.log"
     rm -rf "$tmp/profile"
 }
