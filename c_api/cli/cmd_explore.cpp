@@ -41,9 +41,9 @@ void run(const Arguments& arguments) {
     const PageSelection selection = select_for_page(mesh, body, most);
     OutputFiles files;
     std::ostream& out = files.add(path);
-    out << page_before_data << "<script>\nconst page_data = ";
+    out << explore_page.before_data << "<script>\nconst page_data = ";
     write_page_data(out, mesh, basis, selection, moves);
-    out << ";\n</script>\n" << page_after_data;
+    out << ";\n</script>\n" << explore_page.after_data;
     const double megabytes = static_cast<double>(out.tellp()) / 1e6;
     files.commit();
     std::printf("%s: %s megabytes; open it in a browser\n", path.c_str(), brief(megabytes).c_str());

@@ -5,6 +5,8 @@
 #include "moves_file.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "page_data.hpp"
+#include "page_text.hpp"
 #include "pictures.hpp"
 #include "su2.hpp"
 #include "vtu.hpp"
@@ -27,6 +29,14 @@ PointData displacement_data(const Field& displacement) {
     return data;
 }
 
+void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph, bool safe) {
+    const hm_basis_info& info = basis.info();
+    const PageSelection selection = select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
+    out << report_page.before_data << "<script>\nconst page_data = ";
+    write_report_data(out, mesh, basis, selection, morph, safe);
+    out << ";\n</script>\n" << report_page.after_data;
+}
+
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
     OutputFiles files;
     const Field& moved = morph.moved;
@@ -42,6 +52,13 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     if (arguments.has("--boundary-svg")) {
         files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
+    files.commit();
+}
+
+// Also of a mesh that is not valid: it shows why.
+void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+    OutputFiles files;
+    write_report(files.add(arguments.text("--report")), mesh, basis, morph, arguments.has("--safe"));
     files.commit();
 }
 
@@ -127,6 +144,7 @@ void run(const Arguments& arguments) {
     const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
     const bool reached = morph.valid() && morph.refusal.empty();
     if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, morph);
+    if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
         print_json(morph, safe);
     } else {
@@ -151,6 +169,8 @@ const Command morph_command = {
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+     {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
+                          "along the wall; written even if the morphed mesh is not valid"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},

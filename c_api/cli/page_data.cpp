@@ -57,7 +57,8 @@ public:
     Writer(const Mesh& mesh, const Basis& basis, const PageSelection& selection)
         : mesh_(mesh), basis_(basis), selection_(selection) {}
 
-    JsonObject run() {
+    // All but what is asked for afterwards.
+    JsonObject& run() {
         const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
         object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
         object_.add("basis", name(basis_.path()));
@@ -70,8 +71,31 @@ public:
         add_boundary();
         add_curves();
         add_bodies();
-        add_functions();
         return object_;
+    }
+
+    // The points' values of the first number of the first function, of its second number, ..., of the next function.
+    void add_functions() {
+        Base64 all;
+        for (std::int32_t function = 0; function < basis_.functions(); ++function) {
+            for (std::int32_t number = 0; number < basis_.info().numbers_per_value; ++number) {
+                const std::vector<double> values = basis_.values(function, number, mesh_);
+                for (const std::int32_t point : selection_.points) {
+                    all.add(static_cast<float>(values[static_cast<std::size_t>(point)]));
+                }
+            }
+        }
+        object_.add("functions", std::move(all).text());
+    }
+
+    void add_displacement(const Field& displacement) {
+        std::vector<double> dx, dy;
+        for (const std::int32_t point : selection_.points) {
+            dx.push_back(displacement.x[static_cast<std::size_t>(point)]);
+            dy.push_back(displacement.y[static_cast<std::size_t>(point)]);
+        }
+        add_array("dx", dx);
+        add_array("dy", dy);
     }
 
 private:
@@ -185,20 +209,6 @@ private:
         object_.add("bodies", bodies);
     }
 
-    // The points' values of the first number of the first function, of its second number, ..., of the next function.
-    void add_functions() {
-        Base64 all;
-        for (std::int32_t function = 0; function < basis_.functions(); ++function) {
-            for (std::int32_t number = 0; number < basis_.info().numbers_per_value; ++number) {
-                const std::vector<double> values = basis_.values(function, number, mesh_);
-                for (const std::int32_t point : selection_.points) {
-                    all.add(static_cast<float>(values[static_cast<std::size_t>(point)]));
-                }
-            }
-        }
-        object_.add("functions", std::move(all).text());
-    }
-
     const Mesh& mesh_;
     const Basis& basis_;
     const PageSelection& selection_;
@@ -215,8 +225,25 @@ std::string for_script(std::string json) {
 
 void write_page_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
                      const std::string& moves) {
-    JsonObject object = Writer(mesh, basis, selection).run();
-    object.add("moves", moves);
+    Writer writer(mesh, basis, selection);
+    JsonObject& object = writer.run();
+    writer.add_functions();
+    out << for_script(object.add("moves", moves).text());
+}
+
+void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis, const PageSelection& selection,
+                       const Morph& morph, bool safe) {
+    Writer writer(mesh, basis, selection);
+    JsonObject& object = writer.run();
+    writer.add_displacement(morph.displacement);
+    object.add("functions", std::string()).add("moved", base64(morph.moves)).add("refusal", morph.refusal);
+    object.add("inverted", morph.quality.inverted).add("self_crossing", morph.quality.self_crossing != 0);
+    object.add("admissible_step", morph.step.admissible).add("limiting_cell", morph.step.cell);
+    object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
+    object.add("worst_cell", morph.quality.min_quality_cell).add("boundary_error", morph.boundary_error);
+    object.add("safe", safe).add("rung", morph.safe.rung).add("steps", morph.safe.steps);
+    object.add("resolves", morph.safe.resolves).add("step_fraction", morph.safe.step_fraction);
+    object.add("untangled", morph.safe.untangled);
     out << for_script(object.text());
 }
 

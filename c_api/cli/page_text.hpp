@@ -1,9 +1,13 @@
-// The page of `harmorph explore`, as page/embed.sh makes it of the files in page/: the text before and after its data.
+// The pages of the program, as page/embed.sh makes them of the files in page/: the text before and after the data of each.
 #pragma once
 
 namespace cli {
 
-extern const char* const page_before_data;
-extern const char* const page_after_data;
+struct PageText {
+    const char *before_data, *after_data;
+};
+
+extern const PageText explore_page; // page/explore.html
+extern const PageText report_page;  // page/report.html
 
 } // namespace cli

@@ -147,7 +147,7 @@ class CanvasPainter {
         context.stroke();
     }
 
-    // One colour for each triangle: its first corner's.
+    // One colour for each triangle: the mean of its corners'.
     triangles(positions, colours, n) {
         const { context } = this;
         for (let i = 0; i < n; ++i) {
@@ -156,7 +156,8 @@ class CanvasPainter {
             context.moveTo(positions[p], positions[p + 1]);
             context.lineTo(positions[p + 2], positions[p + 3]);
             context.lineTo(positions[p + 4], positions[p + 5]);
-            context.fillStyle = `rgb(${colours[c]},${colours[c + 1]},${colours[c + 2]})`;
+            const [red, green, blue] = [c, c + 1, c + 2].map((part) => (colours[part] + colours[part + 4] + colours[part + 8]) / 3);
+            context.fillStyle = `rgb(${red},${green},${blue})`;
             context.fill();
         }
     }

@@ -2,9 +2,8 @@
 // What lies behind the handles: mesh before and after, cells in colour, contours.
 
 class Picture {
-    constructor(canvas, data, model, cells) {
-        Object.assign(this, { data, model, cells });
-        this.painter = make_painter(canvas);
+    constructor(canvas, data, model, cells, painter = make_painter(canvas)) {
+        Object.assign(this, { data, model, cells, painter });
         this.screen = new Float32Array(2 * model.n);
         this.screen_before = new Float32Array(2 * model.n);
         this.edges = Picture.edges_of(data);
