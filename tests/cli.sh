@@ -517,7 +517,7 @@ leaves_nothing "refused commands leave no file" "$tmp/x"
 # ---- The demo on the shipped mesh --------------------------------------------------------------------------------
 
 runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
-for file in airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.vtu morph.svg function.svg page.html; do
+for file in airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.vtu morph.svg function.svg report.html page.html; do
     check "demo leaves $file" test -s "$tmp/demo/$file"
 done
 refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"

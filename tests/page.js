@@ -76,6 +76,7 @@
         check("a typed number is its movement", app.moves[0] === 0.00123, app.moves[0]);
         pairs();
         slider();
+        pinch();
     };
 
     const pairs = () => {
@@ -91,6 +92,23 @@
         key("z", { ctrlKey: true });
         frame();
         check("and back", app.moves.every((move, k) => move === before[k]));
+    };
+
+    // Two fingers that part to twice their distance.
+    const pinch = () => {
+        const before = app.camera.scale, moves = app.moves.join(), finger = (type, id, x) =>
+            pointer(type, x, 40, { pointerId: id, pointerType: "touch" });
+        finger("pointerdown", 1, 300);
+        finger("pointerdown", 2, 400);
+        finger("pointermove", 1, 250);
+        finger("pointermove", 2, 450);
+        finger("pointerup", 1, 250);
+        finger("pointerup", 2, 450);
+        frame();
+        const zoom = app.camera.scale / before;
+        check("two fingers zoom", Math.abs(zoom - 2) < 1e-9 && app.moves.join() === moves, zoom);
+        app.fit();
+        frame();
     };
 
     const slider = () => {

@@ -112,6 +112,26 @@ page rigid "$naca" "$tmp/rigid.basis" 0
 judged_alike
 page slip "$meshes/block.su2" "$tmp/slip.basis" 0
 judged_alike
+# The report of the movement that inverts cells: the same numbers, in double precision, and its pictures.
+case=report
+cp "$tmp/inverted.json" "$tmp/report.json"
+"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --report "$tmp/report.html" >/dev/null 2>&1
+cat >>"$tmp/report.html" <<'END'
+<script>
+const lines = [`value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
+    `value min_quality ${report.cells.min_quality}`, `value mean_quality ${report.cells.mean_quality}`,
+    `value self_crossing ${report.wall.crossing.length > 0}`, `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
+    `value charts ${document.querySelectorAll("article svg").length}`];
+document.body.innerHTML = `<pre>\n\nresult begins\n${lines.join("\n")}\nresult ends\n</pre>`;
+</script>
+END
+browse "$tmp/report.html" | sed -n '/^result begins/,/^result ends/p' >"$tmp/report.result"
+judged_alike
+if [ "$(value close_ups) $(value charts)" = "10 3" ]; then ok; else
+    fail "report: $(value close_ups) worst cells, $(value charts) charts"
+fi
+"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" >/dev/null 2>&1
+if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

@@ -73,10 +73,10 @@ void run(const Arguments& arguments) {
     write_admissible_moves(mesh, curve, basis, moves);
     step("airfoil and mesh move together",
          {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
-          "--svg", in_folder("morph.svg")});
+          "--svg", in_folder("morph.svg"), "--report", in_folder("report.html")});
     step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
-    std::printf("\n# look at %s and %s, and open %s in a browser\n", in_folder("morph.svg").c_str(),
-                in_folder("function.svg").c_str(), in_folder("page.html").c_str());
+    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n", in_folder("morph.svg").c_str(),
+                in_folder("function.svg").c_str(), in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
 
 } // namespace

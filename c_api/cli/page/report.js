@@ -40,7 +40,7 @@ class Report {
             : data.self_crossing ? "The boundary crosses itself" : "The target was not reached";
         element("verdict_detail").textContent = data.refusal;
         const rest = data.all_cells - data.cells;
-        element("left_out").textContent = `Numbers at the top are of all ${data.all_cells.toLocaleString("en")} cells` + (rest === 0 ? "."
+        element("footnote").textContent = `Numbers at the top are of all ${data.all_cells.toLocaleString("en")} cells` + (rest === 0 ? "."
             : `; maps, histogram and worst cells of the ${data.cells.toLocaleString("en")} nearest to the body.`);
     }
 
@@ -55,13 +55,13 @@ class Report {
             ["Off the B-spline", brief(data.boundary_error), "at most, of what the wall moved"],
         ];
         if (data.safe) {
-            cards.push(["The way", rungs[data.rung], `${data.steps} steps, solved again ${data.resolves} times` +
+            cards.push(["The way", data.steps === 0 ? "no step" : rungs[data.rung], `${data.steps} steps, solved again ${data.resolves} times` +
                 (data.untangled > 0 ? `, ${data.untangled} cells untangled` : "")]);
             cards.push(["Of the movement", `${brief(100 * data.step_fraction)} %`, "was reached"]);
         }
         for (const { name, start, now } of this.sections) {
-            cards.push([`Thickness, ${name}`, `${(100 * now.thickness).toFixed(2)} %`, `before ${(100 * start.thickness).toFixed(2)} %`]);
-            cards.push([`Camber, ${name}`, `${(100 * now.camber).toFixed(2)} %`, `before ${(100 * start.camber).toFixed(2)} %`]);
+            cards.push([`Thickness, ${name}`, `${fixed(100 * now.thickness, 2)} %`, `before ${fixed(100 * start.thickness, 2)} %`]);
+            cards.push([`Camber, ${name}`, `${fixed(100 * now.camber, 2)} %`, `before ${fixed(100 * start.camber, 2)} %`]);
             cards.push([`Area, ${name}`, brief(now.area), `before ${brief(start.area)}`]);
         }
         for (const [name, value, note] of cards) {

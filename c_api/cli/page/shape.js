@@ -27,13 +27,11 @@ class Shape {
     undo() { this.exchange(this.done, this.undone); }
     redo() { this.exchange(this.undone, this.done); }
     exchange(from, to) {
-        this.commit_silently();
         if (from.length === 0) return;
         to.push(this.last);
         this.last = from.pop();
         this.state = JSON.parse(this.last);
     }
-    commit_silently() { if (JSON.stringify(this.state) !== this.last) this.state = JSON.parse(this.last); }
 
     reset() {
         this.state.points.fill(0);
@@ -66,8 +64,8 @@ class Shape {
     // The movement of one control point, of all reasons, becomes this.
     set_point(index, dx, dy) {
         const moves = this.moves(), { points } = this.state;
-        points[2 * index] += dx - moves[2 * index];
-        points[2 * index + 1] += dy - moves[2 * index + 1];
+        points[2 * index] = dx - (moves[2 * index] - points[2 * index]);
+        points[2 * index + 1] = dy - (moves[2 * index + 1] - points[2 * index + 1]);
     }
 
     // moves.txt: numbers with all their digits, so that `harmorph morph` reads the same.

@@ -55,7 +55,9 @@ class Wall {
                 points.push(point);
                 point = this.at(point).next;
             }
-            chains.push({ points, closed: point === first, marker: marker_of.get(first) });
+            const { x0: x, y0: y } = this.model, last = points[points.length - 1];
+            const is_cut = points.length > 2 && x[first] === x[last] && y[first] === y[last];   // of a C-mesh, at the trailing edge
+            chains.push({ points, closed: point === first || is_cut, marker: marker_of.get(first) });
         };
         for (const wall of this.points) if (wall.previous < 0) follow(wall.point);
         for (const wall of this.points) if (!seen.has(wall.point)) follow(wall.point);
