@@ -1,7 +1,7 @@
 #!/bin/sh
 # Tests of the page of `harmorph explore`: sh tests/page.sh path/to/harmorph path/to/meshes folder/for/output
-# Headless Chromium (CHROMIUM, or what is found) opens the page with tests/page.js behind it and prints what became of it;
-# `harmorph morph` with the moves that the page saved must put every point where the page has it.
+# Headless Chromium (CHROMIUM, or what is found) opens the page with tests/page.js behind it and prints what became of
+# it; `harmorph morph` with the moves that the page saved must put every point where the page has it.
 harmorph=$1 meshes=$2 tmp=$3
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2

@@ -153,10 +153,13 @@ private:
 
     double twice_area(std::int32_t begin, std::int32_t n) const {
         double sum = 0;
-        const auto at = [&](std::int32_t k) { return static_cast<std::size_t>(mesh_.cell_points[static_cast<std::size_t>(begin + k)]); };
+        const auto at = [&](std::int32_t k) {
+            const auto point = static_cast<std::size_t>(mesh_.cell_points[static_cast<std::size_t>(begin + k)]);
+            return Point{mesh_.x[point], mesh_.y[point]};
+        };
         for (std::int32_t k = 1; k + 1 < n; ++k) {
-            const std::size_t a = at(0), b = at(k), c = at(k + 1);
-            sum += (mesh_.x[b] - mesh_.x[a]) * (mesh_.y[c] - mesh_.y[a]) - (mesh_.x[c] - mesh_.x[a]) * (mesh_.y[b] - mesh_.y[a]);
+            const Point a = at(0), b = at(k), c = at(k + 1);
+            sum += (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
         }
         return sum;
     }
@@ -204,7 +207,8 @@ private:
             if (condition.kind != HM_RIGID || named[static_cast<std::size_t>(condition.body)]) continue;
             named[static_cast<std::size_t>(condition.body)] = true;
             JsonObject& body = bodies[static_cast<std::size_t>(condition.body)];
-            body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]).add("x", condition.x).add("y", condition.y);
+            body.add("marker", mesh_.markers[static_cast<std::size_t>(condition.marker)]);
+            body.add("x", condition.x).add("y", condition.y);
         }
         object_.add("bodies", bodies);
     }

@@ -112,8 +112,8 @@ private:
         }
     }
 
-    // One point of each square of a grid that is the coarser the farther it is from the body stands for all in it; two such
-    // points are joined where mesh edges lead from the one's square to the other's. The boundary keeps its points.
+    // One point of each square of a grid that is the coarser the farther it is from the body stands for all in it; two
+    // such points are joined where mesh edges lead from the one's square to the other's. The boundary keeps its points.
     void thin_the_rest() {
         for (const std::int32_t point : mesh_.face_points) add(point);
         const std::size_t most = place(selection_.in_cells) / 4 + 100;

@@ -1,5 +1,5 @@
-// Which part of a mesh the page of `harmorph explore` shows, so that any browser can follow: all of it near what moves; far
-// from there fewer points, for drawing alone.
+// Which part of a mesh the page of `harmorph explore` shows, so that any browser can follow: all of it near what moves;
+// far from there fewer points, for drawing alone.
 #pragma once
 
 #include "edge_chains.hpp"

@@ -1,4 +1,5 @@
-// The pages of the program, as page/embed.sh makes them of the files in page/: the text before and after the data of each.
+// The pages of the program, as page/embed.sh makes them of the files in page/: the text before and after the data of
+// each.
 #pragma once
 
 namespace cli {

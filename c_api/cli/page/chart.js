@@ -3,8 +3,10 @@
 
 // Round numbers between low and high, about so many.
 function ticks(low, high, about) {
-    const rough = (high - low) / about, power = 10 ** Math.floor(Math.log10(rough));
-    const distance = power * [1, 2, 5, 10].find((digit) => digit * power >= rough), list = [];
+    const rough = (high - low) / about,
+        power = 10 ** Math.floor(Math.log10(rough));
+    const distance = power * [1, 2, 5, 10].find((digit) => digit * power >= rough),
+        list = [];
     for (let i = Math.ceil(low / distance - 1e-9); i * distance <= high + 1e-9 * distance; ++i) list.push(i * distance);
     return list;
 }
@@ -26,14 +28,26 @@ class Chart {
         this.text(y_name, this.left, 15, "start", "name");
     }
 
-    px(x) { return this.left + (x - this.x[0]) / (this.x[1] - this.x[0]) * (this.width - this.left - this.right); }
-    py(y) { return this.height - this.bottom - (y - this.y[0]) / (this.y[1] - this.y[0]) * (this.height - this.top - this.bottom); }
+    px(x) {
+        return this.left + ((x - this.x[0]) / (this.x[1] - this.x[0])) * (this.width - this.left - this.right);
+    }
+    py(y) {
+        return (
+            this.height -
+            this.bottom -
+            ((y - this.y[0]) / (this.y[1] - this.y[0])) * (this.height - this.top - this.bottom)
+        );
+    }
 
     line(ax, ay, bx, by, colour) {
-        this.parts.push(`<line x1="${ax.toFixed(1)}" y1="${ay.toFixed(1)}" x2="${bx.toFixed(1)}" y2="${by.toFixed(1)}" stroke="${colour}"/>`);
+        this.parts.push(
+            `<line x1="${ax.toFixed(1)}" y1="${ay.toFixed(1)}" x2="${bx.toFixed(1)}" y2="${by.toFixed(1)}" stroke="${colour}"/>`,
+        );
     }
     text(text, x, y, anchor, its_class = "") {
-        this.parts.push(`<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}" class="${its_class}">${text}</text>`);
+        this.parts.push(
+            `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}" class="${its_class}">${text}</text>`,
+        );
     }
 
     curve(points, colour) {
@@ -45,12 +59,18 @@ class Chart {
     bars(counts, colour, begin, share) {
         const bin = (this.x[1] - this.x[0]) / counts.length;
         counts.forEach((count, i) => {
-            const x = this.px(this.x[0] + (i + begin) * bin), width = this.px(bin) - this.px(0), y = this.py(count);
+            const x = this.px(this.x[0] + (i + begin) * bin),
+                width = this.px(bin) - this.px(0),
+                y = this.py(count);
             if (count === 0) return;
-            this.parts.push(`<rect x="${x.toFixed(1)}" y="${y.toFixed(1)}" width="${(share * width).toFixed(1)}" ` +
-                `height="${(this.height - this.bottom - y).toFixed(1)}" fill="${colour}" stroke="none"/>`);
+            this.parts.push(
+                `<rect x="${x.toFixed(1)}" y="${y.toFixed(1)}" width="${(share * width).toFixed(1)}" ` +
+                    `height="${(this.height - this.bottom - y).toFixed(1)}" fill="${colour}" stroke="none"/>`,
+            );
         });
     }
 
-    svg() { return `<svg viewBox="0 0 ${this.width} ${this.height}">${this.parts.join("")}</svg>`; }
+    svg() {
+        return `<svg viewBox="0 0 ${this.width} ${this.height}">${this.parts.join("")}</svg>`;
+    }
 }

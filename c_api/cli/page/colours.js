@@ -4,10 +4,12 @@
 function colour_of(name) {
     const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
     const value = parseInt(text.slice(1), 16);
-    return [(value >> 16 & 255) / 255, (value >> 8 & 255) / 255, (value & 255) / 255];
+    return [((value >> 16) & 255) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255];
 }
 
-function style_of(name) { return getComputedStyle(document.documentElement).getPropertyValue(name).trim(); }
+function style_of(name) {
+    return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
 
 // A scale from 0 to 1 between equally spaced colours "#rrggbb"; at(t) gives three bytes.
 class Scale {
@@ -15,9 +17,11 @@ class Scale {
         this.table = new Uint8Array(3 * 256);
         const anchors = colours.map((text) => [1, 3, 5].map((begin) => parseInt(text.slice(begin, begin + 2), 16)));
         for (let i = 0; i < 256; ++i) {
-            const position = i / 255 * (anchors.length - 1), k = Math.min(Math.floor(position), anchors.length - 2);
+            const position = (i / 255) * (anchors.length - 1),
+                k = Math.min(Math.floor(position), anchors.length - 2);
             for (let part = 0; part < 3; ++part) {
-                this.table[3 * i + part] = anchors[k][part] + (position - k) * (anchors[k + 1][part] - anchors[k][part]);
+                this.table[3 * i + part] =
+                    anchors[k][part] + (position - k) * (anchors[k + 1][part] - anchors[k][part]);
             }
         }
     }
@@ -27,7 +31,9 @@ class Scale {
         return this.table.subarray(i, i + 3);
     }
 
-    css(t) { return `rgb(${this.at(t).join()})`; }
+    css(t) {
+        return `rgb(${this.at(t).join()})`;
+    }
 }
 
 // Poor is what one looks for: it is strong in light and in dark, and good is quiet. Readable for the colour-blind.

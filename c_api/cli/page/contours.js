@@ -4,7 +4,7 @@
 class Contours {
     constructor() {
         this.positions = new Float32Array(4096);
-        this.n = 0;   // segments
+        this.n = 0; // segments
     }
 
     // screen: pixel pairs of the points; levels are the multiples of `distance`.
@@ -18,13 +18,17 @@ class Contours {
     }
 
     triangle(a, b, c, screen, values, distance) {
-        const va = values[a] / distance, vb = values[b] / distance, vc = values[c] / distance;
-        const first = Math.ceil(Math.min(va, vb, vc)), last = Math.floor(Math.max(va, vb, vc));
+        const va = values[a] / distance,
+            vb = values[b] / distance,
+            vc = values[c] / distance;
+        const first = Math.ceil(Math.min(va, vb, vc)),
+            last = Math.floor(Math.max(va, vb, vc));
         for (let level = first; level <= last; ++level) {
-            let at = 4 * this.n, found = 0;
+            let at = 4 * this.n,
+                found = 0;
             if (at + 4 > this.positions.length) this.grow();
             const cross = (p, q, vp, vq) => {
-                if ((vp < level) === (vq < level) || found === 2) return;
+                if (vp < level === vq < level || found === 2) return;
                 const t = (level - vp) / (vq - vp);
                 this.positions[at++] = screen[2 * p] + t * (screen[2 * q] - screen[2 * p]);
                 this.positions[at++] = screen[2 * p + 1] + t * (screen[2 * q + 1] - screen[2 * p + 1]);

@@ -5,7 +5,7 @@ class Curves {
     constructor(data) {
         this.weights = data.weights;
         this.control0 = data.control;
-        this.control = data.control.slice();   // where the control points are now
+        this.control = data.control.slice(); // where the control points are now
         this.curves = data.curves.map((curve) => Object.assign({ samples: this.tabulate(curve) }, curve));
     }
 
@@ -17,7 +17,9 @@ class Curves {
     outline(curve, control = this.control) {
         const line = new Float64Array(2 * curve.samples.length);
         curve.samples.forEach((sample, place) => {
-            let x = 0, y = 0, w = 0;
+            let x = 0,
+                y = 0,
+                w = 0;
             for (let k = 0; k <= curve.degree; ++k) {
                 const index = curve.indices[sample.first + k];
                 const value = sample.values[k] * (this.weights.length > 0 ? this.weights[index] : 1);
@@ -43,12 +45,16 @@ class Curves {
 
     // The functions that are not 0, at equal distances in each span between two knots.
     tabulate(curve) {
-        const samples = [], per_span = 16, { degree, knots } = curve, n = curve.indices.length;
+        const samples = [],
+            per_span = 16,
+            { degree, knots } = curve,
+            n = curve.indices.length;
         for (let span = degree; span < n; ++span) {
-            const begin = knots[span], end = knots[span + 1];
+            const begin = knots[span],
+                end = knots[span + 1];
             if (!(begin < end)) continue;
             for (let i = samples.length === 0 ? 0 : 1; i <= per_span; ++i) {
-                const u = begin + (end - begin) * i / per_span;
+                const u = begin + ((end - begin) * i) / per_span;
                 samples.push({ first: span - degree, values: this.functions_at(curve, span, u) });
             }
         }
@@ -57,7 +63,10 @@ class Curves {
 
     // Piegl and Tiller, The NURBS Book, A2.2.
     functions_at(curve, span, u) {
-        const { degree, knots } = curve, values = [1], left = [0], right = [0];
+        const { degree, knots } = curve,
+            values = [1],
+            left = [0],
+            right = [0];
         for (let j = 1; j <= degree; ++j) {
             left[j] = u - knots[span + 1 - j];
             right[j] = knots[span + j] - u;

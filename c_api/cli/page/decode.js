@@ -5,7 +5,7 @@
 //   all_points, all_cells     of the whole mesh; points, in_cells, cells: of those on this page
 //   point [points]            their places in the mesh, from 0; the first in_cells are points of whole cells
 //   x, y [points]             coordinates before anything moves, in double precision
-//   cell [cells]              their places in the mesh; cell_points [4*cells]: counter-clockwise, a triangle repeats its last
+//   cell [cells]              their places in the mesh; cell_points [4*cells]: counter-clockwise; a triangle repeats one
 //   face_points, face_markers boundary; markers: name, kind, and which curves or which body
 //   thin_edges [2*]           what is drawn of the mesh beyond the cells
 //   control, weights, curves  the B-spline as it was, see curve.js

@@ -24,8 +24,10 @@ class Drag {
 
     // What is under a pixel: {kind: "point" | "body" | "knob", place}, or null.
     find(px, py, reach) {
-        const { app } = this, { camera, curves } = app;
-        let best = null, least = reach;
+        const { app } = this,
+            { camera, curves } = app;
+        let best = null,
+            least = reach;
         const offer = (kind, place, x, y) => {
             const distance = Math.hypot(x - px, y - py);
             if (distance < least) [best, least] = [{ kind, place }, distance];
@@ -43,14 +45,17 @@ class Drag {
     }
 
     down(event) {
-        const { app, canvas } = this, [px, py] = this.place(event);
+        const { app, canvas } = this,
+            [px, py] = this.place(event);
         canvas.focus();
         try {
             canvas.setPointerCapture(event.pointerId);
-        } catch (error) { /* the pointer has gone already */ }
+        } catch (error) {
+            /* the pointer has gone already */
+        }
         this.pointers.set(event.pointerId, [px, py]);
         if (this.pointers.size > 1) {
-            this.grip = null;   // two fingers zoom
+            this.grip = null; // two fingers zoom
             return;
         }
         const found = this.find(px, py, event.pointerType === "touch" ? 28 : 16);
@@ -60,18 +65,23 @@ class Drag {
     }
 
     take({ kind, place }, px, py) {
-        const { app } = this, { camera } = app, x = camera.plane_x(px), y = camera.plane_y(py);
+        const { app } = this,
+            { camera } = app,
+            x = camera.plane_x(px),
+            y = camera.plane_y(py);
         if (kind === "point") {
             app.select(place);
             return { kind, place, x, y, dx: app.moves[2 * place], dy: app.moves[2 * place + 1] };
         }
         app.choose_body(place);
-        const body = app.shape.state.bodies[place], handle = app.body_handle(place);
+        const body = app.shape.state.bodies[place],
+            handle = app.body_handle(place);
         return { kind, place, x, y, start: { ...body }, angle: Math.atan2(y - handle.y, x - handle.x) };
     }
 
     move(event) {
-        const { app, canvas } = this, [px, py] = this.place(event);
+        const { app, canvas } = this,
+            [px, py] = this.place(event);
         if (!this.pointers.has(event.pointerId)) {
             const near = this.find(px, py, 16);
             canvas.classList.toggle("near", near !== null);
@@ -96,12 +106,13 @@ class Drag {
             app.move_point(grip.place, app.rounded(grip.dx + x - grip.x), app.rounded(grip.dy + y - grip.y));
             return;
         }
-        const body = app.shape.state.bodies[grip.place], handle = app.body_handle(grip.place);
+        const body = app.shape.state.bodies[grip.place],
+            handle = app.body_handle(grip.place);
         if (grip.kind === "body") {
             body.x = app.rounded(grip.start.x + x - grip.x);
             body.y = app.rounded(grip.start.y + y - grip.y);
         } else {
-            const turned = (Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180 / Math.PI;
+            const turned = ((Math.atan2(y - handle.y, x - handle.x) - grip.angle) * 180) / Math.PI;
             const degrees = grip.start.degrees + turned;
             body.degrees = Number((degrees - 360 * Math.round((degrees - body.degrees) / 360)).toFixed(2));
         }
@@ -109,8 +120,11 @@ class Drag {
     }
 
     pinch(id, px, py) {
-        const { app } = this, other = [...this.pointers].find(([key]) => key !== id)[1], mine = this.pointers.get(id);
-        const before = Math.hypot(mine[0] - other[0], mine[1] - other[1]), after = Math.hypot(px - other[0], py - other[1]);
+        const { app } = this,
+            other = [...this.pointers].find(([key]) => key !== id)[1],
+            mine = this.pointers.get(id);
+        const before = Math.hypot(mine[0] - other[0], mine[1] - other[1]),
+            after = Math.hypot(px - other[0], py - other[1]);
         app.camera.pan((px - mine[0]) / 2, (py - mine[1]) / 2);
         if (before > 0) app.camera.zoom(after / before, (px + other[0]) / 2, (py + other[1]) / 2);
         app.draw_soon();
@@ -131,8 +145,10 @@ class Drag {
     }
 
     key(event) {
-        const { app } = this, typing = event.target.tagName === "INPUT" && event.target.type !== "range";
-        const control = event.ctrlKey || event.metaKey, key = event.key.toLowerCase();
+        const { app } = this,
+            typing = event.target.tagName === "INPUT" && event.target.type !== "range";
+        const control = event.ctrlKey || event.metaKey,
+            key = event.key.toLowerCase();
         const does = (action) => {
             event.preventDefault();
             action();
@@ -140,16 +156,24 @@ class Drag {
         if (control && key === "s") return does(() => app.save());
         if (control && key === "o") return does(() => element("file").click());
         if (typing) return undefined;
-        if (control && key === "z") return does(() => event.shiftKey ? app.redo() : app.undo());
+        if (control && key === "z") return does(() => (event.shiftKey ? app.redo() : app.undo()));
         if (control && key === "y") return does(() => app.redo());
         if (control || element("keys").open) return undefined;
         const on_canvas = event.target === this.canvas || event.target === document.body;
         if (on_canvas && key === "tab" && app.step_selection(event.shiftKey ? -1 : 1)) return does(() => {});
         const arrows = { arrowleft: [-1, 0], arrowright: [1, 0], arrowup: [0, 1], arrowdown: [0, -1] };
-        if (on_canvas && key in arrows) return does(() => this.nudge(arrows[key], event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
+        if (on_canvas && key in arrows)
+            return does(() => this.nudge(arrows[key], event.shiftKey ? 10 : event.altKey ? 0.1 : 1));
         const actions = {
-            escape: () => app.select(-1), f: () => app.fit(), l: () => app.show_limit(), "+": () => app.zoom(1.4), "=": () => app.zoom(1.4),
-            "-": () => app.zoom(1 / 1.4), b: () => app.toggle("before"), p: () => app.toggle("polygon"), t: () => app.switch_theme(),
+            escape: () => app.select(-1),
+            f: () => app.fit(),
+            l: () => app.show_limit(),
+            "+": () => app.zoom(1.4),
+            "=": () => app.zoom(1.4),
+            "-": () => app.zoom(1 / 1.4),
+            b: () => app.toggle("before"),
+            p: () => app.toggle("polygon"),
+            t: () => app.switch_theme(),
             "?": () => element("keys").showModal(),
         };
         const colour = ["none", "quality", "angle", "height", "function"]["12345".indexOf(key)];
@@ -158,7 +182,8 @@ class Drag {
     }
 
     nudge([right, up], factor) {
-        const { app } = this, length = app.extent / 1000 * factor;
+        const { app } = this,
+            length = (app.extent / 1000) * factor;
         if (app.chosen_body >= 0) {
             const body = app.shape.state.bodies[app.chosen_body];
             body.x = app.rounded(body.x + right * length);
@@ -166,7 +191,11 @@ class Drag {
             app.changed();
         } else if (app.selected >= 0) {
             const i = app.selected;
-            app.move_point(i, app.rounded(app.moves[2 * i] + right * length), app.rounded(app.moves[2 * i + 1] + up * length));
+            app.move_point(
+                i,
+                app.rounded(app.moves[2 * i] + right * length),
+                app.rounded(app.moves[2 * i + 1] + up * length),
+            );
         } else {
             app.camera.pan(-40 * right, 40 * up);
             app.draw_soon();

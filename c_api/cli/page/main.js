@@ -3,25 +3,27 @@
 
 class App {
     constructor(raw) {
-        const data = this.data = decode(raw);
+        const data = (this.data = decode(raw));
         this.model = new Model(data);
         this.cells = new Cells(data, this.model);
         this.curves = new Curves(data);
         this.wall = new Wall(data, this.model);
-        this.sections = this.wall.chains.filter((chain) => chain.closed && data.markers[chain.marker].kind === "curve")
+        this.sections = this.wall.chains
+            .filter((chain) => chain.closed && data.markers[chain.marker].kind === "curve")
             .map((chain) => new Section(chain, data, this.model));
         this.pairs = new Pairs(data, this.sections);
         this.shape = new Shape(data, this.sections);
         this.still_faces = this.wall.faces.filter((face) => !this.wall.moves[face.marker]);
         this.home = this.box_of_what_moves();
         this.extent = Math.max(this.home[2] - this.home[0], this.home[3] - this.home[1]);
-        this.digit = 10 ** (Math.floor(Math.log10(this.extent)) - 5);   // dragged movements are multiples of it
+        this.digit = 10 ** (Math.floor(Math.log10(this.extent)) - 5); // dragged movements are multiples of it
         this.options = { colour: "none", before: false, polygon: true, pair: "alone", theme: this.theme_of_system() };
         this.selected = this.hovered = this.chosen_body = -1;
         this.moves = this.shape.moves();
         this.still = true;
-        this.times = { morph: 0, judge: 0, draw: 0 };   // of the last frame [ms]
+        this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]
         this.camera = new Camera();
+        this.legend = new Legend(this);
         this.picture = new Picture(element("mesh"), data, this.model, this.cells);
         this.overlay = new Overlay(element("handles"), this);
         this.set_theme(this.options.theme);
@@ -38,7 +40,12 @@ class App {
     }
 
     box_of_what_moves() {
-        const { x0, y0 } = this.model, box = box_of_points(x0, y0, this.wall.points.map((wall) => wall.point));
+        const { x0, y0 } = this.model,
+            box = box_of_points(
+                x0,
+                y0,
+                this.wall.points.map((wall) => wall.point),
+            );
         const { control0 } = this.curves;
         for (let i = 0; i < control0.length; i += 2) {
             box[0] = Math.min(box[0], control0[i]);
@@ -50,7 +57,9 @@ class App {
     }
 
     connect_buttons() {
-        const on = (id, action) => { element(id).onclick = action; };
+        const on = (id, action) => {
+            element(id).onclick = action;
+        };
         on("fit", () => this.fit());
         on("zoom_in", () => this.zoom(1.4));
         on("zoom_out", () => this.zoom(1 / 1.4));
@@ -60,7 +69,8 @@ class App {
         on("theme", () => this.switch_theme());
         on("help", () => {
             const { morph, judge, draw } = this.times;
-            element("timing").textContent = `Last frame: ${brief(morph + judge + draw)} ms (morph ${brief(morph)}, judge ${brief(judge)}, ` +
+            element("timing").textContent =
+                `Last frame: ${brief(morph + judge + draw)} ms (morph ${brief(morph)}, judge ${brief(judge)}, ` +
                 `draw ${brief(draw)}). harmorph ${this.data.version}.`;
             element("keys").showModal();
         });
@@ -69,7 +79,9 @@ class App {
         on("reset", () => this.after(() => this.shape.reset()));
         on("load", () => element("file").click());
         on("save", () => this.save());
-        on("previous", () => this.select(((this.selected < 0 ? 0 : this.selected) + this.data.n_control - 1) % this.data.n_control));
+        on("previous", () =>
+            this.select(((this.selected < 0 ? 0 : this.selected) + this.data.n_control - 1) % this.data.n_control),
+        );
         on("next", () => this.select((this.selected + 1) % this.data.n_control));
         element("file").onchange = (event) => {
             if (event.target.files.length > 0) this.open(event.target.files[0]);
@@ -78,9 +90,12 @@ class App {
     }
 
     say_what_is_left_out() {
-        const { data } = this, note = element("left_out"), rest = data.all_cells - data.cells;
+        const { data } = this,
+            note = element("left_out"),
+            rest = data.all_cells - data.cells;
         note.hidden = rest === 0;
-        note.textContent = `${data.cells.toLocaleString("en")} of ${data.all_cells.toLocaleString("en")} cells are shown and judged; ` +
+        note.textContent =
+            `${data.cells.toLocaleString("en")} of ${data.all_cells.toLocaleString("en")} cells are shown and judged; ` +
             "farther away the mesh is thinned";
     }
 
@@ -88,18 +103,27 @@ class App {
 
     // A control point's movement becomes this; the point across follows as the user has chosen.
     move_point(index, dx, dy) {
-        const was = [this.moves[2 * index], this.moves[2 * index + 1]], partner = this.partner_of(index);
+        const was = [this.moves[2 * index], this.moves[2 * index + 1]],
+            partner = this.partner_of(index);
         this.shape.set_point(index, dx, dy);
         if (partner >= 0) {
             const [px, py] = this.pairs.partner_moves(this.options.pair, index, dx - was[0], dy - was[1]);
-            this.shape.set_point(partner, this.rounded(this.moves[2 * partner] + px), this.rounded(this.moves[2 * partner + 1] + py));
+            this.shape.set_point(
+                partner,
+                this.rounded(this.moves[2 * partner] + px),
+                this.rounded(this.moves[2 * partner + 1] + py),
+            );
         }
         this.changed();
     }
 
-    partner_of(index) { return index < 0 || this.options.pair === "alone" ? -1 : this.pairs.partner[index]; }
+    partner_of(index) {
+        return index < 0 || this.options.pair === "alone" ? -1 : this.pairs.partner[index];
+    }
 
-    rounded(length) { return Number((Math.round(length / this.digit) * this.digit).toPrecision(12)); }
+    rounded(length) {
+        return Number((Math.round(length / this.digit) * this.digit).toPrecision(12));
+    }
 
     changed() {
         this.moves = this.shape.moves();
@@ -117,8 +141,12 @@ class App {
         action();
         this.changed();
     }
-    undo() { this.after(() => this.shape.undo()); }
-    redo() { this.after(() => this.shape.redo()); }
+    undo() {
+        this.after(() => this.shape.undo());
+    }
+    redo() {
+        this.after(() => this.shape.redo());
+    }
 
     // The mesh where the movements put it, and what it is worth.
     follow() {
@@ -153,7 +181,9 @@ class App {
 
     // ---- Files
 
-    is_valid() { return this.cells.inverted === 0 && this.wall.crossing.length === 0; }
+    is_valid() {
+        return this.cells.inverted === 0 && this.wall.crossing.length === 0;
+    }
 
     save() {
         const link = document.createElement("a");
@@ -161,11 +191,16 @@ class App {
         link.download = "moves.txt";
         link.click();
         setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-        this.say(this.is_valid() ? "Saved as moves.txt, for harmorph morph --move"
-            : "Saved as moves.txt; harmorph morph will want --safe or --force");
+        this.say(
+            this.is_valid()
+                ? "Saved as moves.txt, for harmorph morph --move"
+                : "Saved as moves.txt; harmorph morph will want --safe or --force",
+        );
     }
 
-    open(file) { file.text().then((text) => this.load(text, file.name)); }
+    open(file) {
+        file.text().then((text) => this.load(text, file.name));
+    }
 
     load(text, name = "moves.txt") {
         try {
@@ -180,10 +215,14 @@ class App {
         message.textContent = text;
         message.hidden = false;
         clearTimeout(this.saying);
-        this.saying = setTimeout(() => { message.hidden = true; }, 4000);
+        this.saying = setTimeout(() => {
+            message.hidden = true;
+        }, 4000);
     }
 
-    said_hello() { element("hint").classList.add("gone"); }
+    said_hello() {
+        element("hint").classList.add("gone");
+    }
 
     // ---- View
 
@@ -191,7 +230,7 @@ class App {
         const { clientWidth: width, clientHeight: height } = element("stage");
         this.camera.resize(width, height);
         if (this.camera.is_home) this.show_home();
-        if (this.panel) this.draw();   // at once, or the old picture would be stretched for a moment
+        if (this.panel) this.draw(); // at once, or the old picture would be stretched for a moment
     }
     fit() {
         this.show_home();
@@ -206,7 +245,8 @@ class App {
         this.draw_soon();
     }
     show_limit() {
-        const { cells, model, camera } = this, cell = cells.limiting >= 0 ? cells.limiting : cells.worst;
+        const { cells, model, camera } = this,
+            cell = cells.limiting >= 0 ? cells.limiting : cells.worst;
         if (cell < 0) return;
         const corners = this.data.cell_points.subarray(4 * cell, 4 * cell + 4);
         camera.fit(box_of_points(model.x, model.y, corners), 0.35);
@@ -249,10 +289,15 @@ class App {
 
     // A body's centre in the plane; the knob to turn it, and the circle it is on, in pixels.
     body_handle(place) {
-        const { x, y } = this.data.bodies[place], its = this.shape.state.bodies[place], { camera } = this;
-        const angle = its.degrees * Math.PI / 180, radius = 64;
+        const { x, y } = this.data.bodies[place],
+            its = this.shape.state.bodies[place],
+            { camera } = this;
+        const angle = (its.degrees * Math.PI) / 180,
+            radius = 64;
         return {
-            x: x + its.x, y: y + its.y, radius,
+            x: x + its.x,
+            y: y + its.y,
+            radius,
             knob_x: camera.pixel_x(x + its.x) + radius * Math.cos(angle),
             knob_y: camera.pixel_y(y + its.y) - radius * Math.sin(angle),
         };
@@ -264,7 +309,9 @@ class App {
 
     // ---- Colours
 
-    theme_of_system() { return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light"; }
+    theme_of_system() {
+        return matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+    }
     set_theme(theme) {
         this.options.theme = theme;
         document.documentElement.classList.toggle("dark", theme === "dark");
@@ -280,58 +327,9 @@ class App {
         return Math.max(this.selected, 0);
     }
     show_function() {
-        if (this.options.colour === "function") this.picture.values = this.model.size_of_function(this.shown_function());
-    }
-
-    // A round angle, so that the scale does not change with every movement.
-    most_degrees() {
-        const most = this.wall.angle.reduce((a, b) => Math.max(a, b), 0);
-        return [1, 2, 5, 10, 20, 45, 90, 180].find((degrees) => most <= degrees) || 180;
-    }
-
-    wall_colour(i) {
-        const scale = scales[this.options.theme];
-        if (this.options.colour === "angle") return scale.good.css(1 - this.wall.angle[i] / this.most_degrees());
-        return scale.change.css(App.place_of_ratio(this.wall.height[i]));
-    }
-
-    // What the histogram shows of the present colours.
-    distribution() {
-        const { cells, wall, options } = this, scale = scales[options.theme];
-        const mean = (values) => values.reduce((sum, value) => sum + value, 0) / Math.max(values.length, 1);
-        const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);
-        const most = (values) => values.reduce((a, b) => Math.max(a, b), -Infinity);
-        switch (options.colour) {
-        case "quality": return {
-            values: cells.quality, low: 0, high: 1, low_text: "0 poor", high_text: "good 1", name: "size-skew quality",
-            colour_at: (value) => scale.good.css(value),
-            summary: `${brief(cells.min_quality)} at least, ${brief(cells.mean_quality)} on average`,
-        };
-        case "angle": {
-            const high = this.most_degrees();
-            return {
-                values: wall.angle, low: 0, high, low_text: "0°", high_text: `${high}°`,
-                name: "change of the angle at the wall", colour_at: (value) => scale.good.css(1 - value / high),
-                summary: `${brief(most(wall.angle))}° at most, ${brief(mean(wall.angle))}° on average`,
-            };
-        }
-        case "height": return {
-            values: wall.height.map(App.place_of_ratio), low: 0, high: 1, low_text: "½", high_text: "2",
-            name: "first-layer height, after over before", colour_at: (value) => scale.change.css(value),
-            summary: `${brief(least(wall.height))} to ${brief(most(wall.height))}, ${brief(mean(wall.height))} on average`,
-        };
-        default: {
-            const [low, high] = this.picture.value_range(), i = this.shown_function();
-            return {
-                values: this.picture.values, low, high, low_text: brief(low), high_text: brief(high),
-                name: i < this.data.n_control ? `function of control point ${i + 1}` : "function of the body",
-                colour_at: (value) => scale.function.css((value - low) / (high - low || 1)),
-                summary: `lines every ${brief(this.picture.level_distance())}`,
-            };
-        }
-        }
+        if (this.options.colour === "function")
+            this.picture.values = this.model.size_of_function(this.shown_function());
     }
 }
-App.place_of_ratio = (ratio) => 0.5 + 0.5 * Math.log2(Math.max(ratio, 1e-9));   // 1/2 to 2, 1 in the middle
 
 const app = new App(page_data);

@@ -1,6 +1,6 @@
 "use strict";
-// The morph itself: X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double precision, so a
-// point is within 2^-24 sum_i |F_i| |dP_i| of where `harmorph morph` puts it, but for the rounding of sums.
+// The morph itself: X = X0 + sum_i F_i dP_i. Functions are in single precision, products and sums in double precision,
+// so a point is within 2^-24 sum_i |F_i| |dP_i| of where `harmorph morph` puts it, but for the rounding of sums.
 
 class Model {
     constructor(data) {
@@ -44,7 +44,8 @@ class Model {
     }
 
     add_function(i, mx, my) {
-        const { n, dx, dy } = this, a = this.values(i, 0);
+        const { n, dx, dy } = this,
+            a = this.values(i, 0);
         if (this.numbers === 1) {
             for (let k = 0; k < n; ++k) {
                 dx[k] += a[k] * mx;
@@ -57,7 +58,9 @@ class Model {
                 dy[k] += a[k] * my + b[k] * mx;
             }
         } else {
-            const xy = this.values(i, 1), yx = this.values(i, 2), yy = this.values(i, 3);
+            const xy = this.values(i, 1),
+                yx = this.values(i, 2),
+                yy = this.values(i, 3);
             for (let k = 0; k < n; ++k) {
                 dx[k] += a[k] * mx + xy[k] * my;
                 dy[k] += yx[k] * mx + yy[k] * my;

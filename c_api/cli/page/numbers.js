@@ -7,6 +7,15 @@ function brief(value) {
     return String(Number(value.toPrecision(4))).replace("-", "−");
 }
 
-function short(value) { return String(Number(value.toPrecision(3))); }
-function fixed(value, digits) { return value.toFixed(digits).replace("-", "−").replace(/^−(0\.?0*)$/, "$1"); }
-function tidy(value) { return String(Number(value.toPrecision(8))); }
+function short(value) {
+    return String(Number(value.toPrecision(3)));
+}
+function fixed(value, digits) {
+    return value
+        .toFixed(digits)
+        .replace("-", "−")
+        .replace(/^−(0\.?0*)$/, "$1");
+}
+function tidy(value) {
+    return String(Number(value.toPrecision(8)));
+}

@@ -9,7 +9,8 @@ class Overlay {
     }
 
     draw(ratio) {
-        const { context, canvas, app } = this, { camera } = app;
+        const { context, canvas, app } = this,
+            { camera } = app;
         canvas.width = Math.round(camera.width * ratio);
         canvas.height = Math.round(camera.height * ratio);
         context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -24,8 +25,12 @@ class Overlay {
         this.draw_scale();
     }
 
-    px(x) { return this.app.camera.pixel_x(x); }
-    py(y) { return this.app.camera.pixel_y(y); }
+    px(x) {
+        return this.app.camera.pixel_x(x);
+    }
+    py(y) {
+        return this.app.camera.pixel_y(y);
+    }
 
     path_of_points(points, closed, x, y) {
         this.context.beginPath();
@@ -47,14 +52,16 @@ class Overlay {
     }
 
     draw_walls() {
-        const { app, context } = this, { model, wall } = app;
+        const { app, context } = this,
+            { model, wall } = app;
         for (const face of app.still_faces) {
             this.path_of_points([face.a, face.b], false, model.x, model.y);
             this.stroke("--wall", 1.5);
         }
         for (const chain of wall.chains) {
             this.path_of_points(chain.points, chain.closed, model.x, model.y);
-            if (chain.closed && app.is_valid()) {   // else it might hide inverted cells
+            if (chain.closed && app.is_valid()) {
+                // else it might hide inverted cells
                 context.fillStyle = style_of("--body");
                 context.fill("evenodd");
             }
@@ -67,19 +74,25 @@ class Overlay {
 
     // Along the wall, inside the body: one stripe for each face in the colour of its point.
     draw_ribbon() {
-        const { app, context } = this, { wall, model } = app, width = 9;
+        const { app, context } = this,
+            { wall, model } = app,
+            width = 9;
         context.lineCap = "butt";
         wall.layer.forEach((its, i) => {
             if (its.next < 0) return;
-            const ax = this.px(model.x[its.point]), ay = this.py(model.y[its.point]);
-            const bx = this.px(model.x[its.next]), by = this.py(model.y[its.next]), length = Math.hypot(bx - ax, by - ay);
+            const ax = this.px(model.x[its.point]),
+                ay = this.py(model.y[its.point]);
+            const bx = this.px(model.x[its.next]),
+                by = this.py(model.y[its.next]),
+                length = Math.hypot(bx - ax, by - ay);
             if (!(length > 0)) return;
-            const nx = -(by - ay) / length, ny = (bx - ax) / length;   // away from the mesh, as y runs down
+            const nx = -(by - ay) / length,
+                ny = (bx - ax) / length; // away from the mesh, as y runs down
             const shift = width / 2 + 1;
             context.beginPath();
             context.moveTo(ax + shift * nx, ay + shift * ny);
             context.lineTo(bx + shift * nx, by + shift * ny);
-            context.strokeStyle = app.wall_colour(i);
+            context.strokeStyle = app.legend.wall_colour(i);
             context.lineWidth = width;
             context.stroke();
         });
@@ -87,7 +100,8 @@ class Overlay {
     }
 
     draw_curves() {
-        const { app, context } = this, { curves } = app;
+        const { app, context } = this,
+            { curves } = app;
         for (const curve of curves.curves) {
             if (app.options.before) {
                 context.beginPath();
@@ -107,11 +121,15 @@ class Overlay {
     }
 
     draw_control_points() {
-        const { app, context } = this, { control } = app.curves, { selected, hovered } = app;
+        const { app, context } = this,
+            { control } = app.curves,
+            { selected, hovered } = app;
         const partner = app.partner_of(selected);
         for (let i = 0; i < control.length / 2; ++i) {
-            const x = this.px(control[2 * i]), y = this.py(control[2 * i + 1]);
-            const chosen = i === selected, near = i === hovered;
+            const x = this.px(control[2 * i]),
+                y = this.py(control[2 * i + 1]);
+            const chosen = i === selected,
+                near = i === hovered;
             if (chosen || near) {
                 context.beginPath();
                 context.arc(x, y, chosen ? 15 : 13, 0, 7);
@@ -140,8 +158,11 @@ class Overlay {
     }
 
     draw_body(place) {
-        const { app, context } = this, body = app.body_handle(place), chosen = app.chosen_body === place;
-        const x = this.px(body.x), y = this.py(body.y);
+        const { app, context } = this,
+            body = app.body_handle(place),
+            chosen = app.chosen_body === place;
+        const x = this.px(body.x),
+            y = this.py(body.y);
         context.beginPath();
         context.arc(x, y, body.radius, 0, 7);
         this.stroke("--accent", 1.5, [3, 5]);
@@ -149,7 +170,10 @@ class Overlay {
         context.moveTo(x, y);
         context.lineTo(body.knob_x, body.knob_y);
         this.stroke("--accent", 1.5);
-        for (const [cx, cy, radius] of [[x, y, 10], [body.knob_x, body.knob_y, 8]]) {
+        for (const [cx, cy, radius] of [
+            [x, y, 10],
+            [body.knob_x, body.knob_y, 8],
+        ]) {
             context.beginPath();
             context.arc(cx, cy, radius, 0, 7);
             context.fillStyle = style_of(chosen ? "--accent" : "--handle");
@@ -157,7 +181,10 @@ class Overlay {
             this.stroke(chosen ? "--handle" : "--accent", 2.25);
         }
         context.beginPath();
-        for (const [dx, dy] of [[5, 0], [0, 5]]) {
+        for (const [dx, dy] of [
+            [5, 0],
+            [0, 5],
+        ]) {
             context.moveTo(x - dx, y - dy);
             context.lineTo(x + dx, y + dy);
         }
@@ -166,7 +193,8 @@ class Overlay {
 
     // Cells too small to be seen are marked, and so is where the wall crosses itself.
     draw_bad_cells() {
-        const { app, context } = this, { cells, model, camera, wall } = app;
+        const { app, context } = this,
+            { cells, model, camera, wall } = app;
         if (cells.inverted > 0) {
             context.fillStyle = style_of("--bad");
             for (let cell = 0, marked = 0; cell < cells.n && marked < 400; ++cell) {
@@ -181,7 +209,13 @@ class Overlay {
         }
         for (const [face] of wall.crossing.slice(0, 20)) {
             context.beginPath();
-            context.arc(this.px((model.x[face.a] + model.x[face.b]) / 2), this.py((model.y[face.a] + model.y[face.b]) / 2), 14, 0, 7);
+            context.arc(
+                this.px((model.x[face.a] + model.x[face.b]) / 2),
+                this.py((model.y[face.a] + model.y[face.b]) / 2),
+                14,
+                0,
+                7,
+            );
             this.stroke("--bad", 3);
         }
     }
@@ -190,15 +224,21 @@ class Overlay {
     draw_limit() {
         const { cells, model } = this.app;
         if (cells.limiting < 0 || !(cells.step < 2)) return;
-        const [x, y] = cells.centre(cells.limiting, model.x, model.y), px = this.px(x), py = this.py(y);
+        const [x, y] = cells.centre(cells.limiting, model.x, model.y),
+            px = this.px(x),
+            py = this.py(y);
         this.context.beginPath();
         this.context.arc(px, py, 11, 0, 7);
         this.stroke(cells.step <= 1 ? "--bad" : "--warn", 2.5);
     }
 
     draw_scale() {
-        const { context, app } = this, { camera } = app, length = camera.round_length(140), pixels = length * camera.scale;
-        const x = 24, y = camera.height - 24;
+        const { context, app } = this,
+            { camera } = app,
+            length = camera.round_length(140),
+            pixels = length * camera.scale;
+        const x = 24,
+            y = camera.height - 24;
         context.beginPath();
         context.moveTo(x, y - 5);
         context.lineTo(x, y);

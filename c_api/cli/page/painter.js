@@ -1,10 +1,10 @@
 "use strict";
-// Lines and triangles of the mesh, given in pixels: by WebGL 2, or on a canvas where the browser has no graphics processor
-// for it, which is then the faster way.
+// Lines and triangles of the mesh, given in pixels: by WebGL 2, or on a canvas where the browser has no graphics
+// processor for it, which is then the faster way.
 
 class GlPainter {
     constructor(canvas, more = { failIfMajorPerformanceCaveat: true }) {
-        const gl = this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false, ...more });
+        const gl = (this.gl = canvas.getContext("webgl2", { antialias: true, alpha: false, ...more }));
         if (!gl || (more.failIfMajorPerformanceCaveat && GlPainter.is_software(gl))) throw new Error("no WebGL 2");
         this.canvas = canvas;
         const vertex = `#version 300 es
@@ -17,7 +17,10 @@ class GlPainter {
             precision mediump float; in vec4 shade; out vec4 to;
             void main() { to = vec4(shade.rgb * shade.a, shade.a); }`;
         const program = gl.createProgram();
-        for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+        for (const [kind, text] of [
+            [gl.VERTEX_SHADER, vertex],
+            [gl.FRAGMENT_SHADER, fragment],
+        ]) {
             const shader = gl.createShader(kind);
             gl.shaderSource(shader, text);
             gl.compileShader(shader);
@@ -40,11 +43,16 @@ class GlPainter {
 
     static is_software(gl) {
         const names = gl.getExtension("WEBGL_debug_renderer_info");
-        return names !== null && /swiftshader|llvmpipe|softpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+        return (
+            names !== null &&
+            /swiftshader|llvmpipe|softpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL))
+        );
     }
 
     begin(width, height, ratio, background) {
-        const { gl, canvas } = this, across = Math.round(width * ratio), up = Math.round(height * ratio);
+        const { gl, canvas } = this,
+            across = Math.round(width * ratio),
+            up = Math.round(height * ratio);
         if (canvas.width !== across) canvas.width = across;
         if (canvas.height !== up) canvas.height = up;
         gl.viewport(0, 0, across, up);
@@ -99,7 +107,9 @@ class GlPainter {
     }
 
     // Waits until all is drawn.
-    finish() { this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4)); }
+    finish() {
+        this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
+    }
 }
 
 class CanvasPainter {
@@ -109,7 +119,10 @@ class CanvasPainter {
     }
 
     static style(colour) {
-        return `rgba(${colour.slice(0, 3).map((part) => Math.round(255 * part)).join()},${colour[3]})`;
+        return `rgba(${colour
+            .slice(0, 3)
+            .map((part) => Math.round(255 * part))
+            .join()},${colour[3]})`;
     }
 
     begin(width, height, ratio, background) {
@@ -123,7 +136,13 @@ class CanvasPainter {
     }
 
     line(ax, ay, bx, by) {
-        if ((ax < 0 && bx < 0) || (ay < 0 && by < 0) || (ax > this.width && bx > this.width) || (ay > this.height && by > this.height)) return;
+        if (
+            (ax < 0 && bx < 0) ||
+            (ay < 0 && by < 0) ||
+            (ax > this.width && bx > this.width) ||
+            (ay > this.height && by > this.height)
+        )
+            return;
         this.context.moveTo(ax, ay);
         this.context.lineTo(bx, by);
     }
@@ -132,7 +151,8 @@ class CanvasPainter {
         const { context } = this;
         context.beginPath();
         for (let i = 0; i < pairs.length; i += 2) {
-            const a = 2 * pairs[i], b = 2 * pairs[i + 1];
+            const a = 2 * pairs[i],
+                b = 2 * pairs[i + 1];
             this.line(positions[a], positions[a + 1], positions[b], positions[b + 1]);
         }
         context.strokeStyle = CanvasPainter.style(colour);
@@ -142,7 +162,8 @@ class CanvasPainter {
     segments(positions, n, colour) {
         const { context } = this;
         context.beginPath();
-        for (let i = 0; i < 4 * n; i += 4) this.line(positions[i], positions[i + 1], positions[i + 2], positions[i + 3]);
+        for (let i = 0; i < 4 * n; i += 4)
+            this.line(positions[i], positions[i + 1], positions[i + 2], positions[i + 3]);
         context.strokeStyle = CanvasPainter.style(colour);
         context.stroke();
     }
@@ -151,18 +172,23 @@ class CanvasPainter {
     triangles(positions, colours, n) {
         const { context } = this;
         for (let i = 0; i < n; ++i) {
-            const p = 6 * i, c = 12 * i;
+            const p = 6 * i,
+                c = 12 * i;
             context.beginPath();
             context.moveTo(positions[p], positions[p + 1]);
             context.lineTo(positions[p + 2], positions[p + 3]);
             context.lineTo(positions[p + 4], positions[p + 5]);
-            const [red, green, blue] = [c, c + 1, c + 2].map((part) => (colours[part] + colours[part + 4] + colours[part + 8]) / 3);
+            const [red, green, blue] = [c, c + 1, c + 2].map(
+                (part) => (colours[part] + colours[part + 4] + colours[part + 8]) / 3,
+            );
             context.fillStyle = `rgb(${red},${green},${blue})`;
             context.fill();
         }
     }
 
-    finish() { this.context.getImageData(0, 0, 1, 1); }
+    finish() {
+        this.context.getImageData(0, 0, 1, 1);
+    }
 }
 
 function make_painter(canvas) {
@@ -170,7 +196,7 @@ function make_painter(canvas) {
         return new GlPainter(canvas);
     } catch (error) {
         if (canvas.getContext("2d")) return new CanvasPainter(canvas);
-        const another = canvas.cloneNode();   // one that WebGL has had draws in no other way
+        const another = canvas.cloneNode(); // one that WebGL has had draws in no other way
         canvas.replaceWith(another);
         return new CanvasPainter(another);
     }

@@ -48,7 +48,8 @@ class Panel {
 
     fields() {
         const set = () => {
-            const dx = Number(element("dx").value), dy = Number(element("dy").value);
+            const dx = Number(element("dx").value),
+                dy = Number(element("dy").value);
             if (Number.isFinite(dx) && Number.isFinite(dy)) this.app.move_point(this.app.selected, dx, dy);
         };
         for (const id of ["dx", "dy"]) this.number_field(element(id), set);
@@ -62,8 +63,11 @@ class Panel {
 
     // read and write: of the value in the shape.
     add_slider(label, unit, low, high, step, read, write) {
-        const row = document.createElement("label"), range = document.createElement("input"), field = document.createElement("input");
-        const name = document.createElement("span"), small = document.createElement("small");
+        const row = document.createElement("label"),
+            range = document.createElement("input"),
+            field = document.createElement("input");
+        const name = document.createElement("span"),
+            small = document.createElement("small");
         row.className = "slider";
         name.textContent = label + " ";
         small.textContent = unit;
@@ -94,16 +98,37 @@ class Panel {
         if (this.app.sections.length + this.app.data.bodies.length > 1) this.add_title(section.name);
         const values = () => this.app.shape.state.variables[place];
         for (const { name, label, unit, most, step } of Section.variables) {
-            this.add_slider(label, unit, -most, most, step, () => values()[name], (value) => { values()[name] = value; });
+            this.add_slider(
+                label,
+                unit,
+                -most,
+                most,
+                step,
+                () => values()[name],
+                (value) => {
+                    values()[name] = value;
+                },
+            );
         }
     }
 
     add_body(body, place) {
         this.add_title(body.marker);
-        const extent = this.app.extent, digits = 10 ** Math.floor(Math.log10(extent / 100));
+        const extent = this.app.extent,
+            digits = 10 ** Math.floor(Math.log10(extent / 100));
         const values = () => this.app.shape.state.bodies[place];
         const add = (name, label, unit, low, high, step) =>
-            this.add_slider(label, unit, low, high, step, () => values()[name], (value) => { values()[name] = value; });
+            this.add_slider(
+                label,
+                unit,
+                low,
+                high,
+                step,
+                () => values()[name],
+                (value) => {
+                    values()[name] = value;
+                },
+            );
         add("x", "Move x", "", -extent, extent, digits);
         add("y", "Move y", "", -extent, extent, digits);
         add("degrees", "Turn", "°", -90, 90, 0.5);
@@ -121,33 +146,51 @@ class Panel {
     }
 
     update_verdict() {
-        const { cells, wall, still } = this.app, { inverted, step } = cells, crosses = wall.crossing.length > 0;
-        const words = inverted > 0 ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
-            : crosses ? "Wall crosses itself" : cells.n < this.app.data.all_cells ? "Valid near the body" : "Valid mesh";
+        const { cells, wall, still } = this.app,
+            { inverted, step } = cells,
+            crosses = wall.crossing.length > 0;
+        const words =
+            inverted > 0
+                ? `${inverted} inverted ${inverted === 1 ? "cell" : "cells"}`
+                : crosses
+                  ? "Wall crosses itself"
+                  : cells.n < this.app.data.all_cells
+                    ? "Valid near the body"
+                    : "Valid mesh";
         element("verdict_word").textContent = words;
-        element("verdict_detail").textContent = inverted > 0 && crosses ? "and the wall crosses itself"
-            : inverted > 0 ? `${short(Math.min(1, step) * 100)} % of this movement is possible`
-                : still ? "Nothing has moved yet" : `quality ${short(cells.min_quality)} at least, ${short(cells.mean_quality)} mean`;
+        element("verdict_detail").textContent =
+            inverted > 0 && crosses
+                ? "and the wall crosses itself"
+                : inverted > 0
+                  ? `${short(Math.min(1, step) * 100)} % of this movement is possible`
+                  : still
+                    ? "Nothing has moved yet"
+                    : `quality ${short(cells.min_quality)} at least, ${short(cells.mean_quality)} mean`;
         const used = step === Infinity ? 0 : Math.min(1, 1 / step);
-        element("verdict").className = "verdict " + (inverted > 0 || crosses ? "bad" : used > 0.5 ? "warn good" : "good");
+        element("verdict").className =
+            "verdict " + (inverted > 0 || crosses ? "bad" : used > 0.5 ? "warn good" : "good");
         element("gauge_fill").style.width = `${100 * used}%`;
         element("step").textContent = still ? "–" : step === Infinity ? "unlimited" : `${short(step)} × this movement`;
     }
 
     update_section() {
-        const { app } = this, section = app.current_section();
+        const { app } = this,
+            section = app.current_section();
         if (!section) return;
-        const { start, now } = section, rows = [
-            [`Thickness at ${(100 * now.thickest).toFixed(0)} %`, now.thickness * 100, start.thickness * 100, "%"],
-            ["Camber", now.camber * 100, start.camber * 100, "%"],
-            ["Chord", now.chord, start.chord, ""],
-            ["Twist", now.twist, start.twist, "°"],
-            ["Area", now.area, start.area, ""],
-        ];
+        const { start, now } = section,
+            rows = [
+                [`Thickness at ${(100 * now.thickest).toFixed(0)} %`, now.thickness * 100, start.thickness * 100, "%"],
+                ["Camber", now.camber * 100, start.camber * 100, "%"],
+                ["Chord", now.chord, start.chord, ""],
+                ["Twist", now.twist, start.twist, "°"],
+                ["Area", now.area, start.area, ""],
+            ];
         const body = element("section").tBodies[0];
         while (body.rows.length < rows.length) for (let i = 0, row = body.insertRow(); i < 3; ++i) row.insertCell();
         rows.forEach(([name, value, before, unit], i) => {
-            const cells = body.rows[i].cells, change = value - before, digits = unit === "" ? 4 : 2;
+            const cells = body.rows[i].cells,
+                change = value - before,
+                digits = unit === "" ? 4 : 2;
             const shown = Math.abs(change) >= 0.5 * 10 ** -digits;
             cells[0].textContent = name;
             cells[1].textContent = `${fixed(value, digits)} ${unit}`;
@@ -157,8 +200,12 @@ class Panel {
     }
 
     update_fields() {
-        const { app } = this, { selected } = app, moves = app.moves;
-        const show = (input, value) => { if (document.activeElement !== input) input.value = value; };
+        const { app } = this,
+            { selected } = app,
+            moves = app.moves;
+        const show = (input, value) => {
+            if (document.activeElement !== input) input.value = value;
+        };
         element("point_name").textContent = selected < 0 ? "Control points" : `Control point ${selected + 1}`;
         for (const id of ["dx", "dy"]) element(id).disabled = selected < 0;
         show(element("dx"), selected < 0 ? "" : tidy(moves[2 * selected]));
@@ -170,10 +217,11 @@ class Panel {
     }
 
     update_colours() {
-        const { app } = this, { colour } = app.options;
+        const { app } = this,
+            { colour } = app.options;
         element("histogram_box").hidden = colour === "none";
         if (colour === "none") return;
-        const shown = app.distribution();
+        const shown = app.legend.distribution();
         for (const end of ["low", "high"]) element("scale_" + end).textContent = shown[end + "_text"];
         element("scale_name").textContent = shown.name;
         element("colour_summary").textContent = shown.summary;
@@ -182,21 +230,29 @@ class Panel {
 
     // values: from low to high; the bars have the colours of the picture.
     draw_histogram({ values, low, high, colour_at }) {
-        const canvas = element("histogram"), ratio = devicePixelRatio, width = canvas.clientWidth, height = canvas.clientHeight;
+        const canvas = element("histogram"),
+            ratio = devicePixelRatio,
+            width = canvas.clientWidth,
+            height = canvas.clientHeight;
         canvas.width = width * ratio;
         canvas.height = height * ratio;
-        const context = canvas.getContext("2d"), n = 40, counts = new Array(n).fill(0), strip = 8;
+        const context = canvas.getContext("2d"),
+            n = 40,
+            counts = new Array(n).fill(0),
+            strip = 8;
         context.scale(ratio, ratio);
         for (const value of values) {
-            const bin = Math.floor((value - low) / (high - low) * n);
+            const bin = Math.floor(((value - low) / (high - low)) * n);
             ++counts[Math.min(Math.max(bin, 0), n - 1)];
         }
-        const most = Math.max(1, ...counts), tall = height - strip - 4;
+        const most = Math.max(1, ...counts),
+            tall = height - strip - 4;
         counts.forEach((count, bin) => {
-            const left = bin * width / n, up = count === 0 ? 0 : Math.max(2, tall * Math.sqrt(count / most));
+            const left = (bin * width) / n,
+                up = count === 0 ? 0 : Math.max(2, tall * Math.sqrt(count / most));
             context.fillStyle = style_of("--quiet");
             context.fillRect(left + 0.5, tall - up, width / n - 1, up);
-            context.fillStyle = colour_at(low + (bin + 0.5) / n * (high - low));
+            context.fillStyle = colour_at(low + ((bin + 0.5) / n) * (high - low));
             context.fillRect(left, height - strip, width / n + 0.5, strip);
         });
     }

@@ -12,14 +12,19 @@ class Picture {
         this.positions = new Float32Array(6 * most);
         this.colours = new Uint8Array(12 * most);
         this.contours = new Contours();
-        this.values = null;   // of the function shown
+        this.values = null; // of the function shown
     }
 
     // Each edge once.
     static edges_of(data) {
-        const seen = new Set(), pairs = [], p = data.cell_points, n = data.x.length;
+        const seen = new Set(),
+            pairs = [],
+            p = data.cell_points,
+            n = data.x.length;
         for (let i = 0; i < p.length; ++i) {
-            const a = p[i], b = i % 4 === 3 ? p[i - 3] : p[i + 1], key = Math.min(a, b) * n + Math.max(a, b);
+            const a = p[i],
+                b = i % 4 === 3 ? p[i - 3] : p[i + 1],
+                key = Math.min(a, b) * n + Math.max(a, b);
             if (a === b || seen.has(key)) continue;
             seen.add(key);
             pairs.push(a, b);
@@ -29,13 +34,19 @@ class Picture {
 
     // options: colour ("none", "quality", "function", ...), before, theme; values: of the function, at the points.
     draw(camera, ratio, options) {
-        const { painter, model, screen } = this, scale = scales[options.theme];
+        const { painter, model, screen } = this,
+            scale = scales[options.theme];
         painter.begin(camera.width, camera.height, ratio, colour_of("--canvas"));
         camera.project(model.x, model.y, screen);
-        const n = options.colour === "quality" ? this.colour_cells(scale.good)
-            : options.colour === "function" && this.values ? this.colour_points(scale.function) : 0;
+        const n =
+            options.colour === "quality"
+                ? this.colour_cells(scale.good)
+                : options.colour === "function" && this.values
+                  ? this.colour_points(scale.function)
+                  : 0;
         painter.triangles(this.positions, this.colours, n);
-        const line = colour_of("--mesh"), strong = n > 0 || options.before ? 0.35 : 0.75;
+        const line = colour_of("--mesh"),
+            strong = n > 0 || options.before ? 0.35 : 0.75;
         painter.lines(screen, this.thin_edges, [...line, strong / 2]);
         painter.lines(screen, this.edges, [...line, strong]);
         if (options.before) this.draw_before_and_after(camera);
@@ -45,7 +56,8 @@ class Picture {
 
     // Only edges that have visibly moved: elsewhere blue under red would be neither.
     draw_before_and_after(camera) {
-        const { edges, screen, screen_before, model, painter } = this, least = 0.6;   // [pixels]
+        const { edges, screen, screen_before, model, painter } = this,
+            least = 0.6; // [pixels]
         camera.project(model.x0, model.y0, screen_before);
         this.before = this.before || new Float32Array(2 * edges.length);
         this.after = this.after || new Float32Array(2 * edges.length);
@@ -54,7 +66,8 @@ class Picture {
         for (let i = 0; i < edges.length; i += 2) {
             if (!moved(edges[i]) && !moved(edges[i + 1])) continue;
             for (let end = 0; end < 2; ++end) {
-                const from = 2 * edges[i + end], to = 4 * n + 2 * end;
+                const from = 2 * edges[i + end],
+                    to = 4 * n + 2 * end;
                 this.before[to] = screen_before[from];
                 this.before[to + 1] = screen_before[from + 1];
                 this.after[to] = screen[from];
@@ -72,7 +85,8 @@ class Picture {
     }
 
     value_range() {
-        let low = 0, high = 0;
+        let low = 0,
+            high = 0;
         for (const value of this.values) {
             low = Math.min(low, value);
             high = Math.max(high, value);
@@ -86,7 +100,8 @@ class Picture {
     }
 
     put_triangle(n, a, b, c) {
-        const { positions, screen } = this, at = 6 * n;
+        const { positions, screen } = this,
+            at = 6 * n;
         positions[at] = screen[2 * a];
         positions[at + 1] = screen[2 * a + 1];
         positions[at + 2] = screen[2 * b];
@@ -109,7 +124,9 @@ class Picture {
         let n = 0;
         for (let cell = 0; cell < this.cells.n; ++cell) {
             if (!is_wanted(cell)) continue;
-            const [red, green, blue] = bytes_of(cell), k = 4 * cell, first = n;
+            const [red, green, blue] = bytes_of(cell),
+                k = 4 * cell,
+                first = n;
             this.put_triangle(n++, p[k], p[k + 1], p[k + 2]);
             if (p[k + 3] !== p[k + 2]) this.put_triangle(n++, p[k], p[k + 2], p[k + 3]);
             for (let corner = 3 * first; corner < 3 * n; ++corner) this.put_colour(corner, red, green, blue);
@@ -119,16 +136,28 @@ class Picture {
 
     colour_cells(scale) {
         const { quality } = this.cells;
-        return this.fill(() => true, (cell) => scale.at(quality[cell]));
+        return this.fill(
+            () => true,
+            (cell) => scale.at(quality[cell]),
+        );
     }
 
     colour_inverted() {
-        const red = colour_of("--bad").map((part) => 255 * part), { quality } = this.cells;
-        return this.fill((cell) => quality[cell] === 0, () => red);
+        const red = colour_of("--bad").map((part) => 255 * part),
+            { quality } = this.cells;
+        return this.fill(
+            (cell) => quality[cell] === 0,
+            () => red,
+        );
     }
 
     colour_points(scale) {
-        const p = this.data.cell_points, [low, high] = this.value_range(), n = this.fill(() => true, () => [0, 0, 0]);
+        const p = this.data.cell_points,
+            [low, high] = this.value_range(),
+            n = this.fill(
+                () => true,
+                () => [0, 0, 0],
+            );
         let corner = 0;
         const put = (k) => {
             const [red, green, blue] = scale.at((this.values[k] - low) / (high - low || 1));

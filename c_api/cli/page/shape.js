@@ -6,7 +6,7 @@ class Shape {
         this.data = data;
         this.sections = sections;
         this.state = {
-            points: new Array(2 * data.n_control).fill(0),   // dx, dy of each, besides what the variables do
+            points: new Array(2 * data.n_control).fill(0), // dx, dy of each, besides what the variables do
             variables: sections.map(() => Object.fromEntries(Section.variables.map((variable) => [variable.name, 0]))),
             bodies: data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 })),
         };
@@ -24,8 +24,12 @@ class Shape {
         this.last = now;
         return true;
     }
-    undo() { this.exchange(this.done, this.undone); }
-    redo() { this.exchange(this.undone, this.done); }
+    undo() {
+        this.exchange(this.done, this.undone);
+    }
+    redo() {
+        this.exchange(this.undone, this.done);
+    }
     exchange(from, to) {
         if (from.length === 0) return;
         to.push(this.last);
@@ -42,7 +46,8 @@ class Shape {
 
     // dx,dy of control points, then each body's translation and s - 1: what hm_morph takes.
     moves() {
-        const moves = new Float64Array(2 * this.data.n_functions), { state, data } = this;
+        const moves = new Float64Array(2 * this.data.n_functions),
+            { state, data } = this;
         moves.set(state.points);
         this.sections.forEach((section, place) => {
             for (const [name, value] of Object.entries(state.variables[place])) {
@@ -55,7 +60,8 @@ class Shape {
             }
         });
         state.bodies.forEach((body, place) => {
-            const angle = body.degrees * Math.PI / 180, at = 2 * data.n_control + 4 * place;
+            const angle = (body.degrees * Math.PI) / 180,
+                at = 2 * data.n_control + 4 * place;
             moves.set([body.x, body.y, body.scale * Math.cos(angle) - 1, body.scale * Math.sin(angle)], at);
         });
         return moves;
@@ -63,16 +69,19 @@ class Shape {
 
     // The movement of one control point, of all reasons, becomes this.
     set_point(index, dx, dy) {
-        const moves = this.moves(), { points } = this.state;
+        const moves = this.moves(),
+            { points } = this.state;
         points[2 * index] = dx - (moves[2 * index] - points[2 * index]);
         points[2 * index + 1] = dy - (moves[2 * index + 1] - points[2 * index + 1]);
     }
 
     // moves.txt: numbers with all their digits, so that `harmorph morph` reads the same.
     text() {
-        const moves = this.moves(), lines = ["# control point, dx, dy"];
+        const moves = this.moves(),
+            lines = ["# control point, dx, dy"];
         for (let i = 0; i < this.data.n_control; ++i) {
-            if (moves[2 * i] !== 0 || moves[2 * i + 1] !== 0) lines.push(`${i + 1} ${moves[2 * i]} ${moves[2 * i + 1]}`);
+            if (moves[2 * i] !== 0 || moves[2 * i + 1] !== 0)
+                lines.push(`${i + 1} ${moves[2 * i]} ${moves[2 * i + 1]}`);
         }
         this.state.bodies.forEach((body, place) => {
             lines.push(`rigid ${this.data.bodies[place].marker} ${body.x} ${body.y} ${body.degrees} ${body.scale}`);
@@ -86,10 +95,17 @@ class Shape {
         const bodies = this.data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 }));
         const seen = new Set();
         text.split("\n").forEach((line, number) => {
-            const words = line.replace(/#.*/, "").trim().split(/\s+/).filter((word) => word !== "");
+            const words = line
+                .replace(/#.*/, "")
+                .trim()
+                .split(/\s+/)
+                .filter((word) => word !== "");
             if (words.length === 0) return;
-            const fail = (reason) => { throw new Error(`line ${number + 1}: ${reason}`); };
-            const rigid = words[0] === "rigid", values = words.slice(rigid ? 2 : 1).map(Number);
+            const fail = (reason) => {
+                throw new Error(`line ${number + 1}: ${reason}`);
+            };
+            const rigid = words[0] === "rigid",
+                values = words.slice(rigid ? 2 : 1).map(Number);
             if (!values.every(Number.isFinite)) fail("a finite number is expected");
             const name = rigid ? `rigid ${words[1]}` : words[0];
             if (seen.has(name)) fail(`${name} is moved a second time`);
@@ -98,7 +114,12 @@ class Shape {
                 const place = this.data.bodies.findIndex((body) => body.marker === words[1]);
                 if (place < 0) fail(`there is no rigid body ${words[1]}`);
                 if (values.length < 3 || values.length > 4) fail("rigid MARKER dx dy degrees [scale] is expected");
-                bodies[place] = { x: values[0], y: values[1], degrees: values[2], scale: values.length > 3 ? values[3] : 1 };
+                bodies[place] = {
+                    x: values[0],
+                    y: values[1],
+                    degrees: values[2],
+                    scale: values.length > 3 ? values[3] : 1,
+                };
             } else {
                 const index = Number(words[0]);
                 if (!(Number.isInteger(index) && index >= 1 && index <= this.data.n_control)) {
