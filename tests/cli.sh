@@ -95,7 +95,7 @@ awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
 runs "--version" 0 --version
-for command in fit solve morph export check transfer demo; do
+for command in fit solve morph export check transfer explore demo; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
 done
@@ -617,7 +617,7 @@ leaves_nothing "refused commands leave no file" "$tmp/x"
 
 runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
 for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg function.svg \
-    far.txt far.su2 fine.su2 fine.basis; do
+    far.txt far.su2 fine.su2 fine.basis report.html page.html; do
     check "demo leaves $file" test -s "$tmp/demo/$file"
 done
 check "demo: the mesh as it is shipped" cmp "$tmp/demo/mesh.su2" "$meshes/naca0012.su2"

@@ -129,13 +129,15 @@ void run(const Arguments& arguments) {
     write_admissible_moves(mesh, curve, basis, moves);
     step("airfoil and mesh move together",
          {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
-          "--svg", in_folder("morph.svg")});
+          "--svg", in_folder("morph.svg"), "--report", in_folder("report.html")});
     write_far_moves(mesh, curve, basis, far_moves);
     step("farther than one step can go",
          {"morph", mesh, basis, "--move", far_moves, "--safe", "-o", in_folder("far.su2"), "--svg", in_folder("far.svg")});
     write_fine_mesh(mesh, curve, fine);
     step("the same functions for a finer mesh", {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
-    std::printf("\n# look at %s and %s\n", in_folder("morph.svg").c_str(), in_folder("function.svg").c_str());
+    step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
+    std::printf("\n# look at %s and %s, and open %s and %s in a browser\n", in_folder("morph.svg").c_str(),
+                in_folder("function.svg").c_str(), in_folder("report.html").c_str(), in_folder("page.html").c_str());
 }
 
 } // namespace

@@ -6,6 +6,8 @@
 #include "moves_file.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "page_data.hpp"
+#include "page_text.hpp"
 #include "pictures.hpp"
 #include "su2.hpp"
 #include "vtu.hpp"
@@ -45,6 +47,14 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
     return names;
 }
 
+void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph, bool safe) {
+    const hm_basis_info& info = basis.info();
+    const PageSelection selection = select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
+    out << report_page.before_data << "<script>\nconst page_data = ";
+    write_report_data(out, mesh, basis, selection, morph, safe);
+    out << ";\n</script>\n" << report_page.after_data;
+}
+
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph,
                  const Companions& companions) {
     OutputFiles files;
@@ -63,6 +73,13 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     if (arguments.has("--boundary-svg")) {
         files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
+    files.commit();
+}
+
+// Also of a mesh that is not valid: it shows why.
+void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+    OutputFiles files;
+    write_report(files.add(arguments.text("--report")), mesh, basis, morph, arguments.has("--safe"));
     files.commit();
 }
 
@@ -166,6 +183,7 @@ void run(const Arguments& arguments) {
         written = companions_of(arguments, basis, morph);
         write_files(arguments, mesh, basis, morph, written);
     }
+    if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
         print_json(morph, safe, written);
     } else {
@@ -193,6 +211,8 @@ const Command morph_command = {
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+     {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
+                          "along the wall; written even if the morphed mesh is not valid"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},

@@ -12,7 +12,8 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
-                                   &export_command, &check_command, &transfer_command, &demo_command};
+                                   &export_command, &check_command, &transfer_command, &explore_command,
+                                   &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
