@@ -35,3 +35,10 @@
 ! Threads       hm_openmp(n), where this file is compiled with OpenMP; or your own procedure in an hm_executor.
 ! Parts         Codes on several processes: share_of, init_share, extract, pack, unpack, adjoint_scale, _sums, _finish,
 !               see harmorph.h.
+module harmorph
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, &
+        c_funloc, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, &
+        c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    private

@@ -1,11 +1,6 @@
-! How calls end: a status and C's error for each, told by stat and err or by stopping the program.
-module harmorph_outcome
-    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int32_t, c_null_char, c_ptr
-    use harmorph_constants
-    use harmorph_structs, only: hm_c_error
-    use harmorph_calls, only: hm_c_abi_version, hm_c_status_name, hm_c_version
-    implicit none
-    private
+
+! ---- How calls end: a status and C's error for each, told by stat and err or by stopping the program -----------------
+
     public :: hm_abi_version, hm_version, hm_status_name, hm_finish
 
     type, public :: hm_error
@@ -16,7 +11,7 @@ module harmorph_outcome
     end type
 
     ! Each call has one, passes its parts to C, and ends with finish.
-    type, public :: outcome
+    type :: outcome
         integer(c_int32_t) :: status = hm_ok
         type(hm_c_error) :: error
     contains
@@ -64,25 +59,26 @@ contains
     end subroutine
 
     ! The end of every call: tells the caller, or stops the program.
-    subroutine finish(self, stat, err)
+    subroutine finish(self, call, stat, err)
         class(outcome), intent(in) :: self
+        character(len=*), intent(in) :: call
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        call hm_finish(self%status, self%error, stat, err)
+        call hm_finish(call, self%status, self%error, stat, err)
     end subroutine
 
-    subroutine hm_finish(status, e, stat, err)
+    subroutine hm_finish(call, status, e, stat, err)
+        character(len=*), intent(in) :: call                    ! its name, for the program's last words
         integer(c_int32_t), intent(in) :: status
         type(hm_c_error), intent(in) :: e
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        character(len=:), allocatable :: text
         if (present(err)) err = hm_error(int(status), int(e%item), e%value, sentence(e))
         if (present(stat)) then
             stat = int(status)
         else if (status < 0) then
-            text = "harmorph: " // hm_status_name(int(status)) // ": " // trim(sentence(e))
-            error stop text
+            write(error_unit, "(7a)") "harmorph: ", call, ": ", hm_status_name(int(status)), ": ", trim(sentence(e))
+            error stop "harmorph: refused"
         end if
     end subroutine
 
@@ -127,4 +123,3 @@ contains
             text(k:k) = letters(k)
         end do
     end function
-end module
