@@ -21,7 +21,7 @@ program places
     use use_meshes
     use nodes
     implicit none
-    integer(c_int32_t) :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
+    integer :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
     real(dp), target :: x(n_points), y(n_points)
     real(dp) :: values(n_points)                                ! of a function solved on x, y
     integer :: stat
@@ -29,7 +29,7 @@ program places
     character(len=32) :: mode
 
     call make_points(x, y)
-    call make_cells(cells, faces, markers)
+    call make_all_cells()
     call get_command_argument(1, mode)
     if (mode == "refused") call stop_without_stat()
     call plain()
@@ -48,6 +48,14 @@ program places
     if (failed > 0) error stop
 
 contains
+
+    subroutine make_all_cells()
+        integer(c_int32_t) :: cells4(4, n_cells), faces4(2, 2 * around), markers4(2 * around)
+        call make_cells(cells4, faces4, markers4)
+        cells = cells4
+        faces = faces4
+        markers = markers4
+    end subroutine
 
     subroutine complete(mesh)
         type(hm_mesh), intent(inout) :: mesh
@@ -314,8 +322,8 @@ contains
     ! Triangles from some quads, then the other quads: cell numbers run on.
     subroutine cells_of_two_kinds()
         integer, parameter :: split = 100
-        integer(c_int32_t) :: triangles(3, 2 * split), rows(6 * split + 4 * (n_cells - split))
-        integer(c_int32_t) :: start(n_cells + split + 1)
+        integer :: triangles(3, 2 * split), rows(6 * split + 4 * (n_cells - split))
+        integer :: start(n_cells + split + 1)
         type(hm_mesh) :: mesh, as_rows
         type(hm_plan) :: plan
         type(hm_mesh_report) :: report
@@ -351,7 +359,7 @@ contains
         ! Rows after quads; a wrong point is named by the cell's number in all of them.
         call mesh%points(x, y)
         call mesh%cells(cells(:, :n_cells - 2))
-        call mesh%cells([int(cells(:, n_cells - 1)), int(cells(:3, n_cells)), n_points + 5], [1, 5, 9])
+        call mesh%cells([cells(:, n_cells - 1), cells(:3, n_cells), n_points + 5], [1, 5, 9])
         call mesh%faces(faces, markers)
         call plan%analyse(mesh, stat=stat, err=err)
         call check(stat == hm_bad_mesh, "a point that does not exist: " // err%text)
@@ -396,7 +404,7 @@ contains
         types = 0
         types(:around) = body
         types(n_points - around + 1:) = far_field
-        call hm_faces_of_types(cells, int(types, c_int32_t), its_faces, its_markers)
+        call hm_faces_of_types(int(cells, c_int32_t), int(types, c_int32_t), its_faces, its_markers)
         call check(size(its_markers) == 2 * around, "each boundary edge is a face")
         wrong = 0
         do k = 1, 2 * around
