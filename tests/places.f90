@@ -292,12 +292,12 @@ contains
         integer, allocatable :: bodies(:), far(:)
         type(hm_mesh) :: mesh
         integer :: k
-        allocate(wide(6, n_cells))
+        allocate(wide(6, n_cells), bodies(around + 1), far(around + 1))
         wide(2:5, :) = cells
         call mesh%points(x, y)
         call mesh%cells(wide(2:5, :))
-        bodies = [[(k, k = 1, around)], 1]
-        far = [[(k, k = n_points - around + 1, n_points)], n_points - around + 1]
+        bodies(:) = [[(k, k = 1, around)], 1]
+        far(:) = [[(k, k = n_points - around + 1, n_points)], n_points - around + 1]
         call mesh%lists([bodies, far], [1, around + 2, 2 * around + 3], [body, far_field])
         wide = 0
         deallocate(wide, bodies, far)
@@ -322,7 +322,7 @@ contains
     ! Triangles from some quads, then the other quads: cell numbers run on.
     subroutine cells_of_two_kinds()
         integer, parameter :: split = 100
-        integer :: triangles(3, 2 * split), rows(6 * split + 4 * (n_cells - split))
+        integer, save :: triangles(3, 2 * split), rows(6 * split + 4 * (n_cells - split))
         integer :: start(n_cells + split + 1)
         type(hm_mesh) :: mesh, as_rows
         type(hm_plan) :: plan
