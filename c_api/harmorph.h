@@ -21,7 +21,7 @@
  * Numbers          Coordinates in any one length unit. Angles do not occur. All lengths of arrays stand in [brackets].
  * Numbering        Points and cells count from mesh.index_base (also in reports, unless said otherwise), control points
  *                  from curves.index_base. Curves, conditions and functions count from 0; function i belongs to control
- *                  point i + curves.index_base.
+ *                  point i + curves.index_base. In texts of errors "(from 0)" follows each number that counts from 0.
  * Orientation      Free: cells may run clockwise, counter-clockwise or mixed. Neighbours traverse a shared edge in
  *                  opposite directions; that settles which cells agree, and the sign of the larger total area wins.
  *                  Cells against it are the inverted ones.

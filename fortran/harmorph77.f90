@@ -47,11 +47,11 @@
 ! HMSAFE wants HMSOLV before it in the same W, and X, Y as they were then.
 module harmorph77_state
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, &
-        c_intptr_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+        c_intptr_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use harmorph
     implicit none
     public
-    private :: c_intptr_t, c_null_char
+    private :: c_intptr_t
 
     integer, parameter :: most_curves = 16, most_conditions = 64
 
@@ -104,13 +104,10 @@ contains
         type(hm_c_error), intent(in) :: e
         integer, intent(out) :: ierr
         character(len=*), intent(inout) :: msg
-        integer :: k
-        ierr = int(status)
-        msg = ""
-        do k = 1, min(len(msg), size(e%text))
-            if (e%text(k) == c_null_char) exit
-            msg(k:k) = e%text(k)
-        end do
+        type(hm_error) :: reason
+        reason = hm_error_of(status, e)
+        ierr = reason%code
+        msg = reason%text
     end subroutine
 
     ! Are there so many words between `used` and `top`, the last free one?

@@ -44,6 +44,7 @@ program use
     call transfers()
     call meshes_in_parts()
     call single_precision()
+    call numbers_in_errors()
     call refusals()
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
@@ -1339,6 +1340,48 @@ contains
             "sums in default reals")
     end subroutine
 
+    ! Numbers in texts and items count from 1, whatever C says.
+    subroutine numbers_in_errors()
+        type(hm_curves) :: curves, copy
+        real(dp) :: move(2, n_control), its_x(around), its_y(around), nan
+        nan = transfer(9221120237041090560_c_int64_t, nan)
+        its_x = x(:around)
+        its_y = y(:around)
+        its_x(1) = nan
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%item == 1, "the first point of a fit")
+        call check(err%text == "point 1 is not finite", "in words: " // err%text)
+        its_x = x(:around)
+        its_x(11) = its_x(10)
+        its_y(11) = its_y(10)
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%text == "points 10 and 11 follow each other and coincide", "two points of a fit: " // err%text)
+        call check(err%item == 10, "the first of them")
+        call curves%set(reshape([0, 0, 1, 0, 2, 1, 3, 0] * 1._dp, [2, 4]))
+        call curves%add(1, [0, 0, 1, 1] * 1._dp, [1_c_int32_t, 2_c_int32_t])
+        call curves%add(2, [0, 0, 0, 2, 1, 1, 1] * 1._dp)
+        call curves%check(stat, err)
+        call check(err%text == "knot 5 of curve 2 is smaller than the one before it", "a knot: " // err%text)
+        call check(err%item == 5, "its number")
+        copy = curves
+        copy%curve(2)%knots = [0, 0, 0, 1, 2, 2, 2] * 1._dp
+        copy%control(1, 2) = nan
+        call copy%check(stat, err)
+        call check(err%text == "control point 2 of curve 1 is not finite", "a control point: " // err%text)
+        call check(err%item == 2, "control points count from 1 in C, too")
+        copy = curves
+        copy%curve(2)%degree = 0
+        copy%curve(2)%knots = [0, 0, 1, 1, 1] * 1._dp
+        call copy%check(stat, err)
+        call check(err%text == "curve 2 has degree 0; 1 to 5 are possible", "a degree: " // err%text)
+        call check(err%item == 2, "of the second curve")
+        move = 0
+        move(2, n_control) = nan
+        call basis%displacement(move, x, y, stat=stat, err=err)
+        call check(index(err%text, "movement of function 14 ") > 0, "a movement: " // err%text)
+        call check(err%item == n_control, "of the last function")
+    end subroutine
+
     subroutine refusals()
         type(hm_basis) :: empty
         type(hm_plan) :: plan
@@ -1391,8 +1434,13 @@ contains
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(1234)], stat=stat, err=err)
         call check(stat == hm_bad_condition, "a marker that no face has: " // err%text)
-        call plan%analyse(mesh, curves, [hm_condition(body, first_curve=2)], stat=stat, err=err)
+        call check(index(err%text, "condition 1 ") > 0, "it is of the first condition: " // err%text)
+        call check(err%item == 1234, "the item is the marker")
+        call plan%analyse(mesh, curves, [hm_condition(far_field, hm_fixed), hm_condition(body, first_curve=2)], &
+            stat=stat, err=err)
         call check(stat == hm_bad_condition, "a curve that does not exist: " // err%text)
+        call check(index(err%text, "condition 2 ") > 0, "the text counts conditions from 1: " // err%text)
+        call check(err%item == 2, "and so does the item")
         call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, body=2)], &
             stat=stat, err=err)
         call check(stat == hm_bad_condition .and. index(err%text, "body") > 0, "of another kind: " // err%text)
