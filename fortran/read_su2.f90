@@ -1,4 +1,4 @@
-! Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the library; MIT licence.
+! Reads two-dimensional meshes in SU2's format. Source to compile with your code. MIT licence.
 !
 !     use read_su2
 !     type(su2_mesh), target :: file                  TARGET: harmorph uses file%x and file%y as they lie
@@ -44,7 +44,8 @@ contains
         open(newunit=from%unit, file=file, status="old", action="read", iostat=failed, iomsg=from%message)
         if (failed == 0) then
             from%message = ""
-            allocate(mesh%x(0), mesh%y(0), mesh%cells(0), mesh%start(1), mesh%faces(2, 0), mesh%markers(0), mesh%names(0))
+            allocate(mesh%x(0), mesh%y(0), mesh%cells(0), mesh%start(1), mesh%faces(2, 0), mesh%markers(0), &
+                mesh%names(0))
             mesh%start = 1
             call read_sections(from, mesh)
             if (from%message == "") call check_points(from, mesh)

@@ -385,7 +385,8 @@ contains
         call mesh%points(x, y)
         call mesh%cells(cells)
         call mesh%lists([[(k, k = 1, around)], 1], [1, around + 2], [body])
-        call mesh%lists([[(k, k = n_points - around + 1, n_points)], n_points - around + 1], [1, around + 2], [far_field])
+        call mesh%lists([[(k, k = n_points - around + 1, n_points)], n_points - around + 1], [1, around + 2], &
+            [far_field])
         call check_values(mesh, "lists in two calls")
         call mesh%lists([1, 2], [1, 4], [body], stat, err)
         call check(stat == hm_bad_argument, "a list shorter than start says: " // err%text)

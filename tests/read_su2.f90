@@ -1,4 +1,4 @@
-! usage: read_su2 FILE   What the Fortran reader finds in an SU2 file, in the words of read_su2.c, which must find the same.
+! usage: read_su2 FILE   What the Fortran reader finds in an SU2 file, in the words of read_su2.c.
 program show
     use, intrinsic :: iso_fortran_env, only: int64
     use read_su2
@@ -26,7 +26,8 @@ program show
     do k = 1, size(mesh%markers)
         faces = faces + mesh%markers(k) * (mesh%faces(1, k) + 7_int64 * mesh%faces(2, k))
     end do
-    print "(a, i0, a, i0, a, i0)", "points ", size(mesh%x), " cells ", size(mesh%start) - 1, " faces ", size(mesh%markers)
+    print "(a, i0, a, i0, a, i0)", "points ", size(mesh%x), " cells ", size(mesh%start) - 1, " faces ", &
+        size(mesh%markers)
     write(sum_of_points, "(f0.5)") sum(mesh%x - 3 * mesh%y)
     print "(2a, 2(1x, i0))", "sums ", with_zero(trim(sum_of_points)), cells, faces
     do k = 1, size(mesh%names)

@@ -1220,7 +1220,8 @@ contains
             2 * info%bytes < whole%bytes + whole%bytes / 2, "a basis in single precision is smaller")
         call narrow%displacement(move, its_dx, its_dy)
         call check(same(its_dx(info%curve_point), dx(info%curve_point)), "the wall moves bit by bit as before")
-        call check(maxval(abs(its_dx - dx)) > 0 .and. maxval(abs(its_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
+        call check(maxval(abs(its_dx - dx)) > 0 .and. &
+            maxval(abs(its_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
             "the rest nearly so")
         call narrow%adjoint(its_dx, its_dy, gradient)
         call check(abs(sum(gradient * move) / (sum(its_dx**2) + sum(its_dy**2)) - 1) < 1e-13_dp, "and its transpose")

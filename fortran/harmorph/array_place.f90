@@ -21,7 +21,7 @@
         procedure :: place_of_v8, place_of_v4, place_of_b8, place_of_b4
     end interface
 
-    character(len=*), parameter :: not_in_place = "this compiler does not pass components where they lie: call points_at"
+    character(len=*), parameter :: not_in_place = "this compiler does not pass components in place: call points_at"
 
 contains
     ! ---- Places of arrays
@@ -99,7 +99,8 @@ contains
         if (place%wrong /= "") return
         if (contiguous .and. any(place%step /= bytes * [1, merge(place%extents(1), 0, place%block)])) &
             place%wrong = not_in_place
-        if (bytes_between(place%x, place%y) == 0) place%wrong = "x and y are the same array; of a derived type: call points_at"
+        if (bytes_between(place%x, place%y) == 0) &
+            place%wrong = "x and y are the same array; of a derived type: call points_at"
     end subroutine
 
     pure integer(c_intptr_t) function bytes_between(from, to)

@@ -1,6 +1,6 @@
 
-! ---- What a basis does with coordinates: it moves points, takes gradients by points to those by control points, and judges
-! meshes before and after
+! ---- What a basis does with coordinates: it moves points, takes gradients by points to those by control points, and
+! judges meshes before and after
 
 contains
 !@each form
@@ -268,8 +268,8 @@ contains
     end subroutine
 
 !@end
-    ! morph_at(move, c_loc(node(1)%x), c_loc(node(1)%y), bytes, n): in place, by addresses as points_at has them, bytes a
-    ! multiple of 8.
+    ! morph_at(move, c_loc(node(1)%x), c_loc(node(1)%y), bytes, n): in place, by addresses as points_at has them, bytes
+    ! a multiple of 8.
     subroutine basis_morph_at(self, move, x, y, bytes, n, executor, stat, err)
         class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)

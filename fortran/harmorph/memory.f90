@@ -33,8 +33,8 @@ contains
                 return
             end if
             self%bytes = 8 * size(work, kind=c_size_t)
-            if (size(work) > 1) call done%refuse_if(bytes_between(c_loc(work(1)), c_loc(work(min(2, size(work))))) /= 8, &
-                "work is not contiguous")
+            if (size(work) > 1) call done%refuse_if( &
+                bytes_between(c_loc(work(1)), c_loc(work(min(2, size(work))))) /= 8, "work is not contiguous")
             if (done%status < 0) then
                 self%bytes = 0
             else if (self%bytes < bytes .or. size(work) == 0) then

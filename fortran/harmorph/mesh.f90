@@ -37,8 +37,8 @@ contains
     ! ---- Mesh: points
 
 !@each form
-    ! points(x, y [, first]): begins a mesh; what the variable had before is forgotten. first: 1, or 0 where the caller's
-    ! points and cells count from 0, in arrays and reports.
+    ! points(x, y [, first]): begins a mesh; what the variable had before is forgotten. first: 1, or 0 where the
+    ! caller's points and cells count from 0, in arrays and reports.
     subroutine points_@FORM@(self, x, y, first, stat, err)
         class(hm_mesh), intent(inout) :: self
         real(@KIND@), pointer, intent(in) :: x@SHAPE@, y@SHAPE@
@@ -87,7 +87,8 @@ contains
             if (place%stride() == 0) allocate(fresh%copy(place%n(), 2), stat=failed)
             if (failed /= 0) then
                 deallocate(fresh)
-                call done%refuse("no memory for a copy of the coordinates", hm_block_too_small, 16._c_double * place%n())
+                call done%refuse("no memory for a copy of the coordinates", hm_block_too_small, &
+                    16._c_double * place%n())
             else
                 call release(self%arrays)
                 self%arrays => fresh
@@ -211,6 +212,7 @@ contains
     subroutine mesh_assign(to, from)
         class(hm_mesh), intent(inout) :: to
         type(hm_mesh), intent(in) :: from
-        if (associated(to%arrays) .or. associated(from%arrays) .or. .true.) error stop "harmorph: a mesh cannot be assigned"
+        if (associated(to%arrays) .or. associated(from%arrays) .or. .true.) &
+            error stop "harmorph: a mesh cannot be assigned"
     end subroutine
 

@@ -1,5 +1,5 @@
 
-! ---- A plan: an analysed mesh, matrix and factor; the type, and what is common to the parts that follow ---------------
+! ---- A plan: an analysed mesh, matrix and factor; the type, and what is common to the parts that follow --------------
 
     type, public :: hm_safe_options                             ! of morph_safe; 0 are the defaults
         integer :: max_resolves = 0

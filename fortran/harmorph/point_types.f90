@@ -7,9 +7,9 @@ contains
     ! ---- Mesh: boundary by types of points
 
 !@each integer
-    ! types(n): 0 for inner points, for others a marker. A boundary edge (an edge of one cell) whose points have types gets
-    ! theirs; between two types the larger one: give the walls on curves the smallest numbers. Edges with a point of type 0
-    ! get no marker: the library takes them for a cut, or refuses them. After cells.
+    ! types(n): 0 for inner points, for others a marker. A boundary edge (an edge of one cell) whose points have types
+    ! gets theirs; between two types the larger one: give the walls on curves the smallest numbers. Edges with a point
+    ! of type 0 get no marker: the library takes them for a cut, or refuses them. After cells.
     subroutine point_types_@FORM@(self, types, stat, err)
         class(hm_mesh), intent(inout) :: self
         integer(@KIND@), intent(in) :: types(:)

@@ -121,7 +121,8 @@ contains
             list(k)%first_curve = int(conditions(k)%first_curve - 1, c_int32_t)
             list(k)%n_curves = int(conditions(k)%n_curves, c_int32_t)
             ! What a condition of another kind has of itself is not asked for.
-            if (conditions(k)%kind /= hm_on_curve .and. conditions(k)%first_curve == 1 .and. conditions(k)%n_curves == 1) &
+            if (conditions(k)%kind /= hm_on_curve .and. conditions(k)%first_curve == 1 .and. &
+                conditions(k)%n_curves == 1) &
                 list(k)%n_curves = 0
             list(k)%body = int(conditions(k)%body - 1, c_int32_t)
             list(k)%partner = int(conditions(k)%partner, c_int32_t)

@@ -1,5 +1,5 @@
 
-! ---- The structs of harmorph.h; users have the reports as they are, and hm_c_* only where they call C themselves ------
+! ---- The structs of harmorph.h; users have the reports as they are, and hm_c_* only where they call C themselves -----
 
     type, bind(c), public :: hm_c_error
         integer(c_int32_t) :: code = 0, item = -1

@@ -1,5 +1,5 @@
 
-! ---- Threads and progress: Fortran's procedures, and the C structs and functions that call them -----------------------
+! ---- Threads and progress: Fortran's procedures, and the C structs and functions that call them ----------------------
 
     public :: hm_run, hm_progress, hm_openmp
 

@@ -9,7 +9,7 @@
         type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
         integer(c_int64_t) :: stride = 1, n = 0
         integer :: ni = 0, nj = 0                               ! of a block
-        real(c_double), pointer :: copy(:, :, :) => null()      ! (n,1,2) or (ni,nj,2), where they cannot be used as they lie
+        real(c_double), pointer :: copy(:, :, :) => null()      ! (n,1,2) or (ni,nj,2), where there must be one
         character(len=112) :: wrong = ""
     contains
         procedure :: drop
