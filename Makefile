@@ -123,7 +123,8 @@ demo: all
 INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
-	share/harmorph/harmorph_mpi.c share/harmorph/naca0012.su2
+	share/harmorph/harmorph_mpi.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
+	share/harmorph/naca0012.su2
 
 install: all
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
@@ -135,7 +136,8 @@ install: all
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/read_su2.c c_api/read_su2.h \
+	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 uninstall:

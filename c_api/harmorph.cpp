@@ -138,8 +138,8 @@ Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* blo
 Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
     BasisCounts const all = analysis.basis_counts();
     if (first < 0 || n < 0 || n > all.functions() - first) {
-        return fault.refuse(Status::bad_argument, "there are no # functions from function @ (from 0) on", Counts::from_zero, n,
-                            first);
+        return fault.refuse(Status::bad_argument, "from function # (from 0) on there are no @ functions", Counts::from_zero, first,
+                            n);
     }
     counts = all.share(first, n);
     return Status::ok;
@@ -249,7 +249,7 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, c
     auto const close = [&](Index its_piece, bool loop) { closed = its_piece == piece ? loop : closed; };
     Index const n_pieces = a.boundary.for_each_piece(is_on, visit, close);
     if (piece < 0 || piece >= n_pieces) {
-        fault.refuse(Status::bad_condition, "these markers have # pieces of boundary, there is no piece @", Counts::from_zero,
+        fault.refuse(Status::bad_condition, "these markers have # pieces of boundary, there is no piece @ (from 0)", Counts::from_zero,
                      n_pieces, piece);
         return tell(err, fault);
     }

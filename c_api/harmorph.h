@@ -8,7 +8,7 @@
  * CONVENTIONS: they hold for every function below.
  *
  * Languages        This header is valid C99 and C++11. The library is written in C++17 and needs no C++ run-time
- *                  library. The Fortran module needs Fortran 2018. Tested with gcc, g++ and gfortran 12.2.
+ *                  library. The Fortran module needs Fortran 2008. Tested with gcc, g++ and gfortran 12.2.
  * Order of calls   hm_analysis_size > hm_analysis_init   checks mesh, curves, conditions; ordering; symbolic pass
  *                  hm_plan_size > hm_plan_init           memory for the matrix and the factor, in a block of the caller
  *                  hm_basis_size > hm_basis_init         memory for the functions F_i, in another block of the caller
@@ -24,7 +24,8 @@
  *                  reported, and given by their cosine and sine where bodies turn. Array lengths stand in [brackets].
  * Numbering        Points and cells are counted from mesh.index_base (also in reports, unless stated otherwise),
  *                  control points from curves.index_base. Curves, conditions and functions are counted from 0. Function
- *                  i belongs to control point i + curves.index_base.
+ *                  i belongs to control point i + curves.index_base. In the texts of errors, "(from 0)" follows every
+ *                  number that is counted from 0.
  * Orientation      Cells may be numbered clockwise, counter-clockwise or mixed. Two neighbours of equal orientation
  *                  traverse their common edge in opposite directions; this finds the cells of equal orientation, and
  *                  the orientation with the larger total area is taken as positive.

@@ -111,7 +111,7 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
         Index const next = k + 1 == n ? 0 : k + 1;
         if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # and @ (from 0) follow each other and coincide",
+            return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide",
                                 Counts::from_zero, k, next);
     }
     outline_.points = scaled_;

@@ -187,8 +187,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
     }
     Agglomeration const& levels = method.engine == Engine::fas ? fas.levels : multigrid.levels;
     if (level < 0 || level >= levels.count) {
-        return fault.refuse(Status::bad_argument, "there is no level #: levels 0 to @ there are", Counts::from_zero, level,
-                            levels.count - 1);
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero, level,
+                            levels.count);
     }
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index cell = matrix.place[point] >= 0 ? matrix.place[point] : none;
