@@ -64,7 +64,10 @@ first_lines() {
 }
 check "the first two commands" first_lines
 # No other block holds commands: those of the program stand in blocks that are run.
-no_other_commands() { ! awk '/^```/ { inside = !inside && $0 != "```sh"; next } inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .; }
+no_other_commands() {
+    ! awk '/^```/ { inside = !inside && $0 != "```sh"; next }
+        inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .
+}
 check "commands stand in blocks that are run" no_other_commands
 
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
