@@ -148,31 +148,35 @@ bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
 
 Status SafeMorph::substeps(Work& work) noexcept {
     SafeReport& report = work.report;
-    Basis scratch = work.basis;
-    Basis const* by = &work.basis;
+    Basis const here = unsolved_copy(work.basis);
+    // A solution that failed may have left anything in `here`; the functions of the start always serve.
+    auto const functions = [&]() -> Basis const& { return here.header->solved == 1 ? here : work.basis; };
     while (work.options.tries(Rung::substeps)) {
-        Real const length = find_step(work, *by, report.fraction);
+        Real const length = find_step(work, functions(), report.fraction);
         if (length < least_step) break;
         report.rung = Rung::substeps;
-        take_step(work, *by, report.fraction, smaller(report.fraction + length, 1.0));
+        take_step(work, functions(), report.fraction, smaller(report.fraction + length, 1.0));
         if (report.fraction >= 1) return Status::ok;
         if (report.resolves == work.options.most_resolves) break;
-        if (by == &work.basis) {  // all but the values stays as it is
-            Size const bytes = static_cast<Size>(reinterpret_cast<unsigned char*>(work.basis.value.data()) -
-                                                 reinterpret_cast<unsigned char*>(work.basis.header));
-            std::memcpy(block.data(), work.basis.header, bytes);
-            scratch = Basis::view(static_cast<void*>(block.data()));
-            by = &scratch;
-        }
         Fault why;
-        Status const status = solve_here(work, scratch, why);
+        Status const status = solve_at_present(work, here, why);
         if (failed(status) && status != Status::cancelled) break;  // a scheme that cannot, or a mesh too poor
         if (status != Status::ok) work.fault = why;                // not converged: a warning, and on
         HARMORPH_TRY(status);
         ++report.resolves;
     }
     if (!work.options.tries(Rung::untangled)) return Status::ok;
-    return untangle(work, *by);
+    return untangle(work, functions());
+}
+
+// All but the values stays as it is.
+Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
+    auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
+    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    std::memcpy(block.data(), begin, static_cast<Size>(end - begin));
+    Basis const copy = Basis::view(static_cast<void*>(block.data()));
+    copy.unseal();
+    return copy;
 }
 
 // The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible.
@@ -217,10 +221,10 @@ void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept 
     }
 }
 
-Status SafeMorph::solve_here(Work& work, Basis const& scratch, Fault& why) noexcept {
+Status SafeMorph::solve_at_present(Work& work, Basis const& basis, Fault& why) noexcept {
     SolveReport solved;
     HARMORPH_TRY(work.plan.factor(now(), why));
-    return work.plan.solve(scratch, solved, why);
+    return work.plan.solve(basis, solved, why);
 }
 
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.

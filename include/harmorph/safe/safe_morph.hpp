@@ -69,7 +69,8 @@ private:
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
-    Status solve_here(Work& work, Basis const& scratch, Fault& why) noexcept;
+    Basis unsolved_copy(Basis const& basis) const noexcept;
+    Status solve_at_present(Work& work, Basis const& basis, Fault& why) noexcept;
     void mark_held(Work const& work) const noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_first_layer(Work& work) noexcept;
