@@ -1,5 +1,5 @@
 // What lay in a block before decides nothing: every call of the C interface gives the same bits, whatever bytes its block
-// and its outputs held.
+// and its outputs held; and no call that succeeds raises a floating-point exception that a debugging build would trap.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -7,6 +7,7 @@
 #include <fixtures/single.hpp>
 #include <fixtures/transferred.hpp>
 
+#include <cfenv>
 #include <functional>
 
 using namespace fixtures;
@@ -67,12 +68,17 @@ void check_fills(std::function<void(Record&)> const& calls) {
     for (int const fill : {0x00, 0xFF, 0x5A}) {
         Guarded::fill = static_cast<unsigned char>(fill);
         Record record;
+        std::feclearexcept(FE_ALL_EXCEPT);
         calls(record);
+        int const raised = std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
         Guarded::fill = Guarded::mark;
         REQUIRE(!record.bytes().empty());
         if (expected.empty()) expected = record.bytes();
         INFO("blocks of bytes " << fill);
         CHECK(record.bytes() == expected);
+        CHECK((raised & FE_INVALID) == 0);
+        CHECK((raised & FE_DIVBYZERO) == 0);
+        CHECK((raised & FE_OVERFLOW) == 0);
     }
 }
 
