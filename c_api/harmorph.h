@@ -269,7 +269,9 @@ typedef struct hm_condition {
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
-                                      first_curve+n_curves-1 */
+                                      first_curve+n_curves-1. A point that is farther from its curve
+                                      than the control polygon is wide or high is refused: the
+                                      marker is another one's */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
