@@ -98,7 +98,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     }
     fill(reached, 0.0);
     aim(1);
-    bool const fits = is_admissible(work, basis);
+    bool const fits = is_admissible(work, basis) && !crosses(work);
     report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step(), Overlaps::ignored);
     if (report.crossing.found) {
         return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
@@ -114,7 +114,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Rung::other); ++i) {
             Basis const& other = options.others[i];
             if (derivative != nullptr && other.kind() != basis.kind()) continue;
-            if (!is_admissible(work, other)) continue;
+            if (!is_admissible(work, other) || crosses(work)) continue;
             report.rung = Rung::other;
             report.other = i;
             take_step(work, other, 0, 1);
@@ -144,6 +144,11 @@ bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
     morph(by, difference.data(), {}, {dx.data(), dy.data(), 1}, work.executor());
     work.report.limit = admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor());
     return work.report.limit.step > 1;
+}
+
+// No mesh at the end of a step is valid whose boundary crosses itself.
+bool SafeMorph::crosses(Work const& work) const noexcept {
+    return find_crossing(work.basis.boundary_point, work.basis.loop_start, now(), step()).found;
 }
 
 Status SafeMorph::substeps(Work& work) noexcept {
@@ -187,8 +192,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
         aim(end);
         is_admissible(work, by);
         Real const share = work.report.limit.step * share_of_admissible;
-        if (share >= 1) return length;
-        length *= clamp(0.99 * share, 0.05, 0.9);
+        if (share >= 1 && !crosses(work)) return length;
+        length *= clamp(0.99 * share, 0.05, share >= 1 ? 0.5 : 0.9);
     }
     return 0;
 }
@@ -242,6 +247,7 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
         dx[k] -= x[k];
         dy[k] -= y[k];
     }
+    if (crosses(work)) return Status::ok;  // points that slide have passed others
     take_step(work, by, from, 1);
     work.report.rung = Rung::untangled;
     return Status::ok;

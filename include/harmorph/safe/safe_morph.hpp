@@ -66,6 +66,7 @@ private:
     Points step() const noexcept { return {dx.data(), dy.data(), 1}; }
     void aim(Real time) noexcept;
     bool is_admissible(Work& work, Basis const& by) noexcept;
+    bool crosses(Work const& work) const noexcept;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
