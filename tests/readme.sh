@@ -32,7 +32,9 @@ cat >"$dir/tools" <<'END'
 HOME=$dir/home
 make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }
 cc() { command $CC "$@"; }
-gfortran() { command $FC "$@"; }
+# As debugging builds of solvers do: what traps these must not die in the library.
+traps=; if $FC --version 2>/dev/null | grep -q '^GNU'; then traps=-ffpe-trap=invalid,zero,overflow; fi
+gfortran() { command $FC $traps "$@"; }
 set -e
 cd "$dir"
 END

@@ -16,14 +16,14 @@ Index residual_width(Analysis const& analysis, Matrix const& matrix, Index colum
     auto const bytes = [](Precision precision) {
         return static_cast<Offset>(precision == Precision::in_single ? sizeof(float) : sizeof(double));
     };
-    Offset const planes = matrix.is_complex() ? 2 : 1, n = larger(matrix.n, 1);
+    Offset const planes = matrix.is_complex() ? 2 : 1, n = larger(matrix.n, Index{1});
     Offset const stack = analysis.is_direct() ? planes * analysis.subtrees.top_stack_entries * bytes(method.precision) : 0;
     Offset const lists = 2 * n * static_cast<Offset>(sizeof(Index));
     Precision const its_precision = residual_precision(method, matrix);
     Offset const room = larger(stack - lists, Offset{0}) / (n * planes * bytes(its_precision));
     Offset const least = its_precision == Precision::in_single ? 12 : 5;
     Offset const its = room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
-    return static_cast<Index>(smaller(its, Offset{smaller(larger(columns, 2), Residual::widest)}));
+    return static_cast<Index>(smaller(its, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
 }
 
 }  // namespace
