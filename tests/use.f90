@@ -275,6 +275,7 @@ contains
         real(dp), dimension(n_points) :: x_new, y_new, dx, dy, gx, gy
         type(hm_step_report) :: step
         type(hm_quality_report) :: quality
+        type(hm_curves) :: curves, moved
         integer :: point, k
         move = 0
         call basis%morph_to(move, x, y, x_new, y_new)
@@ -286,6 +287,12 @@ contains
             "somewhere a cell sets the limit")
         move = min(1._dp, 0.5_dp * step%admissible) * move
         call basis%morph_to(move, x, y, x_new, y_new)
+        call basis%curves(curves)
+        call basis%moved_curves(move, moved)
+        call check(maxval(abs(moved%control - curves%control - move)) < 1e-15_dp, "control points of the moved curves")
+        call check(all(moved%curve(1)%indices == curves%curve(1)%indices), "the rest of them as before")
+        call basis%moved_curves(move(:, 2:), moved, stat, err)
+        call check(stat == hm_bad_argument, "a movement of one control point too few")
         call basis%boundary_error(move, x, y, x_new, y_new, error, point)
         call check(error < 1e-12_dp .and. point >= 1 .and. point <= n_points, "the wall moves as the B-spline does")
         call basis%quality(mesh, x_new, y_new, quality, x, y)

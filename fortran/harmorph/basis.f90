@@ -49,6 +49,7 @@
         ! What it was solved with
         procedure :: info => basis_info
         procedure :: curves => basis_curves
+        procedure :: moved_curves => basis_moved_curves
         procedure :: conditions => basis_conditions
         ! Parts, for several processes
         procedure :: init_share => basis_init_share

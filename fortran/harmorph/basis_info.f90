@@ -75,6 +75,30 @@ contains
         call done%finish("basis%curves", stat, err)
     end subroutine
 
+    ! The same curves after a movement: their control points plus move.
+    subroutine basis_moved_curves(self, move, curves, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in) :: move(:, :)
+        type(hm_curves), intent(inout) :: curves
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(hm_c_curves) :: set
+        type(hm_c_curve), allocatable :: list(:)
+        type(hm_basis_info) :: info
+        real(c_double), allocatable, target :: control(:, :)
+        call check_pairs(self, move, done)
+        if (done%ok()) then
+            call self%info(info)
+            allocate(list(info%curves), control(2, max(info%functions, 1)))
+            set%struct_size = int(c_sizeof(set), c_int64_t)
+            done%status = hm_c_moved_curves(self%address(), move, c_loc(control), set, list, &
+                int(info%curves, c_int32_t), done%error)
+        end if
+        if (done%status >= 0) call copy_curves(set, list, curves)
+        call done%finish("basis%moved_curves", stat, err)
+    end subroutine
+
     ! The conditions the basis was solved with.
     subroutine basis_conditions(self, conditions, stat, err)
         class(hm_basis), intent(in) :: self

@@ -5,7 +5,7 @@
         hm_c_curve_point, hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, &
         hm_c_analysis_report, hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, &
         hm_c_basis_init, hm_c_plan_factor, hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, &
-        hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_conditions, hm_c_basis_values, hm_c_single_size, &
+        hm_c_basis_info_get, hm_c_basis_curves, hm_c_moved_curves, hm_c_basis_conditions, hm_c_basis_values, hm_c_single_size, &
         hm_c_single_init, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, hm_c_boundary_error, &
         hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
         hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
@@ -166,6 +166,16 @@
         integer(c_int32_t) function hm_c_basis_curves(basis, out, curve, capacity, err) bind(c, name="hm_basis_curves")
             import
             type(c_ptr), value, intent(in) :: basis
+            type(hm_c_curves), intent(inout) :: out
+            type(hm_c_curve), intent(inout) :: curve(*)
+            integer(c_int32_t), value, intent(in) :: capacity
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_moved_curves(basis, move, control, out, curve, capacity, err) &
+            bind(c, name="hm_moved_curves")
+            import
+            type(c_ptr), value, intent(in) :: basis, control     ! control [2*n_control]
+            real(c_double), intent(in) :: move(*)
             type(hm_c_curves), intent(inout) :: out
             type(hm_c_curve), intent(inout) :: curve(*)
             integer(c_int32_t), value, intent(in) :: capacity
