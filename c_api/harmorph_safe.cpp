@@ -58,7 +58,7 @@ Status check_target(Basis const& basis, const double* move, Fault& fault) noexce
 
 hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Basis const& basis, Points before, Points after) noexcept {
     Index const base = plan.mesh.index_base;
-    Quality const quality = measure_quality(plan.mesh, after, before, basis.reversed, plan.engine.executor);
+    Quality const quality = measure_quality(plan.mesh, after, before, basis.reversed, plan.executor);
     hm_safe_report filled = {};
     filled.rung = static_cast<std::int32_t>(safe.rung);
     filled.other = safe.other;

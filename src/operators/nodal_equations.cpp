@@ -38,7 +38,7 @@ void NodalEquations::init(Mesh const& mesh, Edges const& edges, Matrix const& ma
     scheme.init(mesh, edges, reversed, corrected);
 }
 
-void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns, Index width) const noexcept {
+void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
         Index const count = smaller(width, columns - first);
         for (Index i = 0; i < n; ++i) fill(Span<Real>(lines.at(i) + first, static_cast<Size>(count)), 0.0);
@@ -70,7 +70,7 @@ Residual::Norms NodalEquations::compute(Residual const& residual, Lines const& l
     return norms;
 }
 
-void NodalEquations::apply(const Real* from, Index width, Real* to) const noexcept {
+void NodalEquations::apply(const Real* from, Real* to) const noexcept {
     Span<Real> const all{to, static_cast<Size>(n) * static_cast<Size>(width)};
     fill(all, 0.0);
     add_balances(

@@ -28,7 +28,7 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     graph.lay_out(arena, bounded ? triangulation.mesh : mesh, components);
     arena.take(order, most_unknowns);
     layer_work.lay_out(arena, most_unknowns);
-    if (its_problem.method.engine != Engine::direct) return arena.take(border.position, most_unknowns);
+    if (!its_problem.method.traits().factors) return arena.take(border.position, most_unknowns);
     tree.lay_out(arena, most_unknowns);
     border.lay_out(arena, most_unknowns);
     arena.take(border_start, most_unknowns / 2 + 2);
@@ -118,14 +118,14 @@ Status Analysis::check_parts(Fault& fault) noexcept {
 Status Analysis::analyse_order(Fault& fault) noexcept {
     Progress const& progress = problem.progress;
     HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
-    if (is_direct()) {
+    if (problem.method.traits().factors) {
         dissect(graph, problem.mesh.points, dissection_work, problem.executor, order, tree);
     } else {
         order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
     }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
-    if (is_direct()) {
+    if (problem.method.traits().factors) {
         fronts = count_borders(graph, order, tree, border, problem.executor, border_start);
         subtrees.choose(tree, border_start);
     } else {

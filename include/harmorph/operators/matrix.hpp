@@ -61,6 +61,7 @@ struct Matrix {
 
     Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
+    Index planes() const noexcept { return is_complex() ? 2 : 1; }
 
     static constexpr Index short_row = 8;  // entries: columns that may be read from any row's first on
 

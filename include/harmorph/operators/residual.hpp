@@ -5,6 +5,7 @@
 #include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
 #include "harmorph/base/cpu.hpp"
+#include "harmorph/base/row_view.hpp"
 
 namespace harmorph {
 
@@ -20,6 +21,10 @@ struct Lines {
     Real* line(Index number) const noexcept { return basis.value.data() + Offset{number} * length(); }
     Real* at(Index position) const noexcept { return line(of[position]); }
     Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? basis.n_functions() : length(); }
+    // The unknowns' lines, as engines see them.
+    Rows rows(Matrix const& matrix) const noexcept {
+        return {basis.value.data(), of.data(), length(), columns(matrix), columns(matrix)};
+    }
     // Of a line of the wall: its slot's point.
     Real* wall(Index number) const noexcept {
         return line(components * basis.wall_point[number / components] + number % components);

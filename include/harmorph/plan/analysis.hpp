@@ -63,7 +63,6 @@ struct Analysis {
     void lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept;
     Status run(Problem const& its_problem, Fault& fault) noexcept;
 
-    bool is_direct() const noexcept { return problem.method.engine == Engine::direct; }
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.
     Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }
