@@ -167,12 +167,12 @@ void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     projection.lay_out(arena, static_cast<Index>(n));
 }
 
-Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
-                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
+                   Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept {
     wall.count = 0;
     fill(work.slot, none);
-    Parametriser parametriser(mesh, boundary, conditions, curves, work, wall);
+    Parametriser parametriser(topology.mesh, boundary, conditions, curves, work, wall);
     for (Index i = 0; i < conditions.count(); ++i) {
         if (conditions[i].kind != ConditionKind::on_curve) continue;
         bool is_first = true;
@@ -185,7 +185,7 @@ Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condit
     for (Condition const& condition : conditions) {
         if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
     }
-    return apply_given(given, curves, representative, work, wall, fault);
+    return apply_given(given, curves, topology.representative, work, wall, fault);
 }
 
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {

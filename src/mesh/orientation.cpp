@@ -56,8 +56,10 @@ Sense common_sense(Mesh const& mesh) noexcept {
     return clockwise ? Sense::clockwise : Sense::counter_clockwise;
 }
 
-Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork const& work, Span<std::uint8_t> reversed,
-              Index& inverted, Fault& fault) noexcept {
+Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept {
+    Mesh const& mesh = topology.mesh;
+    Edges const& edges = topology.edges;
+    Span<std::uint8_t> const reversed = topology.reversed;
     inverted = none;
     if (edges.agree && sense != Sense::mixed) {  // the case of nearly all files
         fill(reversed, static_cast<std::uint8_t>(sense == Sense::clockwise ? 1 : 0));

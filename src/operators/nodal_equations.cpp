@@ -22,20 +22,20 @@ struct BasisRows {
 
 }  // namespace
 
-void NodalEquations::init(Mesh const& mesh, Edges const& edges, Matrix const& matrix, Span<const Index> representative,
-                          Span<const std::uint8_t> reversed, bool corrected) noexcept {
+void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept {
+    Span<const Index> const representative = topology.representative;
     n = matrix.n;
     n_wall = matrix.coupling_start.count() - 1;
     Span<Index> const row_of = scheme.row_of;
     Index rows = n + n_wall;
-    for (Index point = 0; point < mesh.n_points; ++point) {
+    for (Index point = 0; point < representative.count(); ++point) {
         Index const place = matrix.place[point];
         if (place >= 0) row_of[point] = place;
         if (Matrix::is_wall(place)) row_of[point] = n + Matrix::wall(place);
         if (place == none && representative[point] == point) row_of[point] = rows++;
     }
-    for (Index point = 0; point < mesh.n_points; ++point) row_of[point] = row_of[representative[point]];
-    scheme.init(mesh, edges, reversed, corrected);
+    for (Index point = 0; point < representative.count(); ++point) row_of[point] = row_of[representative[point]];
+    scheme.init(topology, topology.edges, corrected);
 }
 
 void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns) const noexcept {

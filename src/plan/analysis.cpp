@@ -11,9 +11,7 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     Executor const& executor = its_problem.executor;
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
-    arena.take(representative, mesh.n_points);
-    arena.take(reversed, mesh.n_cells);
-    edges.lay_out(arena, mesh);
+    topology.lay_out(arena, mesh);
     boundary.lay_out(arena, mesh);
     orientation_work.lay_out(arena, mesh);
     arena.take(kinds, mesh.n_points);
@@ -52,29 +50,31 @@ Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
 Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
     HARMORPH_TRY(check_mesh(mesh, fault));
-    for (Index k = 0; k < mesh.n_points; ++k) representative[k] = k;
+    topology.mesh = mesh;
+    Edges& edges = topology.edges;
+    for (Index k = 0; k < mesh.n_points; ++k) topology.representative[k] = k;
     Sense sense = Sense::mixed;
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) topology = topology_print(mesh);
+        if (part == 2 && has_conditions()) topology_fingerprint = topology_print(mesh);
     });
     HARMORPH_TRY(fault.status);
-    HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    HARMORPH_TRY(boundary.mark(topology, fault));
     bool const all_marked = boundary.count == edges.n_boundary;
-    if (!all_marked && join_cuts(mesh, edges, boundary.head, representative) > 0) {
-        HARMORPH_TRY(edges.build(mesh, representative, fault));
-        HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    if (!all_marked && join_cuts(topology, boundary.head) > 0) {
+        HARMORPH_TRY(edges.build(mesh, topology.representative, fault));
+        HARMORPH_TRY(boundary.mark(topology, fault));
     }
-    HARMORPH_TRY(orient(mesh, edges, sense, orientation_work, reversed, inverted, fault));
-    HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
+    HARMORPH_TRY(orient(topology, sense, orientation_work, inverted, fault));
+    HARMORPH_TRY(boundary.order(topology, fault));
     classify(edges, boundary, conditions, kinds);
     return Status::ok;
 }
 
 Index Analysis::count_used_points() const noexcept {
     Index used = 0;
-    for (Index const its : representative) used += kinds[its] != PointKind::unused ? 1 : 0;
+    for (Index const point : topology.representative) used += kinds[point] != PointKind::unused ? 1 : 0;
     return used;
 }
 
@@ -83,21 +83,20 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
-        CellCorners const corners(CellShape(mesh.cell(inverted), mesh.points, reversed[inverted] != 0));
+        CellCorners const corners(CellShape(topology.cell(inverted), mesh.points, false));
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
                             inverted, none, 0.5 * corners.smallest());
     }
-    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(mesh, representative, reversed, fault));
-    HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
+    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
+    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
     find_levers(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     if (!tangent.empty()) {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
     }
     if (problem.demands.periodic) {
-        HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, translations,
-                                  fault));
+        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault));
     }
-    graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
+    graph.build(stencil(), kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind());
@@ -108,8 +107,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 Status Analysis::check_parts(Fault& fault) noexcept {
     Demands const& demands = problem.demands;
     if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
-    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds, order,
-                                                layer_work.reached);
+    Index const floating = graph.first_floating(stencil(), kinds, order, layer_work.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
@@ -121,7 +119,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
     if (problem.method.traits().factors) {
         dissect(graph, problem.mesh.points, dissection_work, problem.executor, order, tree);
     } else {
-        order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
+        order_by_layers(topology, kinds, graph, layer_work, order);
     }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));

@@ -11,34 +11,36 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Index const n_delaunay = problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
     bool const weighted = problem.method.quarters > 0;
     arena.take(line_of, n);
-    arena.take(reversed, n_cells);
+    arena.take(cells.reversed, n_cells);
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
     arena.take(delaunay_edges, n_delaunay);
     arena.take(conductivity, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
     matrix.lay_out(arena, n_points, n, analysis.wall.count, analysis.matrix);
-    if (problem.method.nodal_gradients()) nodal.lay_out(arena, problem.mesh, analysis.edges.count());
+    if (problem.method.nodal_gradients()) nodal.lay_out(arena, problem.mesh, analysis.topology.edges.count());
 }
 
 void Equations::init(Analysis const& analysis) noexcept {
-    mesh = analysis.problem.mesh;
+    cells.mesh = analysis.problem.mesh;
     method = analysis.problem.method;
     if (method.kernel == Kernel::automatic) method.kernel = best_kernel();
     for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
-    copy(reversed, Span<const std::uint8_t>(analysis.reversed));
+    copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
     wall.kernel = method.kernel;
     wall.translations = analysis.translations;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     if (!method.bounded()) return;
     Index n = 0;
     analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
-    analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
+    analysed_coordinates = coordinates_print(cells.mesh.points, cells.mesh.n_points);
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
-    matrix.build(analysis.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
                  analysis.tangent);
     if (!method.nodal_gradients()) return;
-    nodal.init(mesh, analysis.edges, matrix, analysis.representative, reversed, method.scheme == Scheme::nodal_gradient);
+    Topology topology = analysis.topology;
+    topology.reversed = cells.reversed;  // which stays
+    nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
 }
 
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
@@ -50,15 +52,15 @@ Status Equations::assemble(Points points, Executor const& executor, Fault& fault
 Status Equations::assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept {
     if (!conductivity.empty()) {
         wall.build(points);
-        weigh_cells(wall, mesh, points, method.quarters, conductivity, executor);
+        weigh_cells(wall, cells.mesh, points, method.quarters, conductivity, executor);
     }
-    Index const inverted = assemble_stiffness(mesh, points, reversed, conductivity, method.conformal(), matrix, executor);
+    Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
-    if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
+    if (coordinates_print(points, cells.mesh.n_points) != analysed_coordinates) {
         return fault.refuse(Status::unsupported,
                             "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }

@@ -18,7 +18,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     executor = analysis.problem.executor;
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
-    topology = analysis.topology;
+    topology = analysis.topology_fingerprint;
     conditions = analysis.conditions_print();
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
@@ -27,7 +27,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) equations.build(analysis);
         if (part == 1) engine.init(analysis);
-        if (part == 2) region_counts = RegionCounts::of(mesh, analysis.edges);
+        if (part == 2) region_counts = RegionCounts::of(analysis.topology);
     });
     engine.take_pattern(analysis, equations.matrix);
 }
@@ -136,7 +136,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     header.format = BasisHeader::current_format;
     header.byte_order = BasisHeader::native_order;
     header.bytes = Basis::bytes(counts);
-    header.topology = analysis.topology;
+    header.topology = analysis.topology_fingerprint;
     header.conditions = analysis.conditions_print();
     header.index_base = analysis.problem.mesh.index_base;
     header.counts = counts;
@@ -169,7 +169,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     });
     copy(basis.boundary_point, Span<const Index>(analysis.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(analysis.boundary.loop_start.first(counts.loops + 1)));
-    copy(basis.reversed, Span<const std::uint8_t>(analysis.reversed));
+    copy(basis.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
 }
 
 }  // namespace harmorph

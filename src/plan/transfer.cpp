@@ -89,7 +89,7 @@ public:
     void copy_joined_points() const noexcept {
         Size const length = static_cast<Size>(row_length_);
         for (Index point = 0; point < fine_.n_points(); ++point) {
-            Index const its = analysis_.representative[point];
+            Index const its = analysis_.topology.representative[point];
             if (its != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(its), length));
         }
     }
@@ -166,7 +166,7 @@ private:
         for (Index k = 0; k < row_length_; ++k) row[k] += share * ((1 - t) * correction(a)[k] + t * correction(b)[k]);
     }
 
-    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.representative[point]]; }
+    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.topology.representative[point]]; }
 
     // The lines of a row of matrices: what its functions move the point along x, then along y.
     void keep_on_line(Vec2 tangent, Real* row) const noexcept {
@@ -204,7 +204,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     HARMORPH_TRY(check_alike(coarse, fine, fault));
     fine.unseal();
     Points const points = analysis.problem.mesh.points;
-    locator.build(coarse_mesh, coarse.reversed);
+    locator.build({coarse_mesh, coarse.reversed});
     list_wall_faces(analysis, wall_faces);
     wall_tree.build([&](Index face) {
         Box box;

@@ -44,8 +44,8 @@ struct GivenParameters {
 // Finds curve and parameter of every point on a marker that is on curves, and the points of rigid bodies. Curves meet, begin and end at break points of
 // the boundary: the points nearest to the ends of curves that are not periodic. Each segment between breaks belongs to
 // the curve it is closest to.
-Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
-                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
+                   Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;
 
 // wall.lever of all points.

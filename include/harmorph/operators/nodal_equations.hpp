@@ -19,9 +19,8 @@ struct NodalEquations {
         width = its_width;
         arena.take(gradient, Offset{n_points} * 2 * width);
     }
-    // matrix: the places of all points, once it is built.
-    void init(Mesh const& mesh, Edges const& edges, Matrix const& matrix, Span<const Index> representative,
-              Span<const std::uint8_t> reversed, bool corrected) noexcept;
+    // matrix: the places of all points, once it is built. `reversed` of the topology is kept as a view, the rest is copied.
+    void init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept;
 
     // In the unknowns' lines; those of the wall hold its values.
     void set_right_hand_sides(Lines const& lines, Index columns) const noexcept;

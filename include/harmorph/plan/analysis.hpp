@@ -33,13 +33,11 @@ struct Analysis {
     Problem problem;
     Span<Curve> curves;           // set by the caller before run()
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
-    Span<Index> representative;   // [n_points] joined points: the smallest of them
-    Span<std::uint8_t> reversed;  // [n_cells]
+    Topology topology;            // of problem.mesh
     Index inverted = none;        // the first inverted cell
-    Edges edges;
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
-    std::uint64_t topology = 0;   // fingerprint of the mesh
+    std::uint64_t topology_fingerprint = 0;
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     Translations translations;    // of periodic pairs
@@ -65,12 +63,12 @@ struct Analysis {
 
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.
-    Mesh const& stencil_mesh() const noexcept { return problem.method.bounded() ? triangulation.mesh : problem.mesh; }
-    Edges const& stencil_edges() const noexcept { return problem.method.bounded() ? triangulation.edges : edges; }
+    Topology const& stencil() const noexcept { return problem.method.bounded() ? triangulation : topology; }
     BasisCounts basis_counts() const noexcept;
     // body(point, slot) for points that are not in the wall's list but at the place of one that is: beyond a cut.
     template <class Body>
     void for_each_joined(Body const& body) const noexcept {
+        Span<const Index> const representative = topology.representative;
         for (Index point = 0; point < problem.mesh.n_points; ++point) {
             if (representative[point] == point || wall_work.slot[point] != none) continue;
             Index const slot = wall_work.slot[representative[point]];

@@ -8,10 +8,9 @@
 namespace harmorph {
 
 struct Equations {
-    Mesh mesh;
+    OrientedMesh cells;           // with orientations of their own: the analysis may be gone
     Method method;                // its kernel is never automatic here
     Span<Index> line_of;          // [n] line of values of each position
-    Span<std::uint8_t> reversed;  // [n_cells]
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
     std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to

@@ -26,7 +26,7 @@ struct LevelEngine {
         arena.release(shared);
     }
     void init(Analysis const&) const noexcept {}
-    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept { matrix.mark_faces(analysis.edges, faces); }
+    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept { matrix.mark_faces(analysis.topology.edges, faces); }
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
     template <class Number>
     Status correct(RowsOf<Number> const&, Fault&) const noexcept { return Status::ok; }
