@@ -4,7 +4,7 @@
 
 #include "fault_text.hpp"
 #include "harmorph/plan/plan.hpp"
-#include "harmorph/morph/morph.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/quality.hpp"
 #include "views.hpp"
 
@@ -130,7 +130,7 @@ Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* blo
     Basis made;
     made.lay_out(arena, counts);
     HARMORPH_TRY(arena.verify(bytes, fault));
-    init_basis(made, counts, analysis);
+    init_basis(made, counts, analysis.basis_source());
     *out = reinterpret_cast<hm_basis*>(made.header);
     return Status::ok;
 }

@@ -1,5 +1,6 @@
 // The C interface, part 3: everything that needs only a solved basis and the mesh.
 #include "fault_text.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/adjoint.hpp"
 #include "harmorph/morph/assessment.hpp"
 #include "harmorph/morph/crossing.hpp"

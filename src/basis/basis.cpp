@@ -158,7 +158,7 @@ void Basis::unseal() const noexcept {
     header->checksum = 0;
 }
 
-std::uint64_t topology_print(Mesh const& mesh) noexcept {
+std::uint64_t topology_fingerprint(Mesh const& mesh) noexcept {
     auto const pair = [](Index a, Index b) { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); };
     Hash front, back;
     front.add(pair(mesh.n_points, mesh.n_cells));
@@ -170,7 +170,7 @@ std::uint64_t topology_print(Mesh const& mesh) noexcept {
     return front.value();
 }
 
-std::uint64_t coordinates_print(Points points, Index n_points) noexcept {
+std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept {
     Hash x, y;
     for (Index k = 0; k < n_points; ++k) {
         x.add(bits_of(points[k].x));

@@ -7,7 +7,6 @@
 namespace harmorph {
 namespace {
 
-constexpr char magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 constexpr Index most = Mesh::max_points;  // of anything: products of two such counts are far from any overflow
 
 bool is_within(Index number, Index begin, Index end) noexcept { return begin <= number && number < end; }
@@ -121,7 +120,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
     };
-    if (bytes == 0 || std::memcmp(block, magic, smaller(bytes, sizeof magic)) != 0) return refuse("this is not a harmorph basis");
+    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic, smaller(bytes, sizeof BasisHeader::expected_magic)) != 0) return refuse("this is not a harmorph basis");
     if (bytes < sizeof(BasisHeader)) {
         return refuse("the basis is truncated: at least ~ bytes are missing", static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
@@ -148,8 +147,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);
     }
-    if (header.topology != topology_print(*mesh)) return refuse("the basis belongs to another mesh: the cells differ");
-    if (header.coordinates == coordinates_print(mesh->points, mesh->n_points)) return Status::ok;
+    if (header.topology != topology_fingerprint(*mesh)) return refuse("the basis belongs to another mesh: the cells differ");
+    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points)) return Status::ok;
     fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
     return Status::moved;
 }

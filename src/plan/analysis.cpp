@@ -57,7 +57,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) topology_fingerprint = topology_print(mesh);
+        if (part == 2 && has_conditions()) topology_fingerprint = harmorph::topology_fingerprint(mesh);
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary.mark(topology, fault));
@@ -100,6 +100,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind());
+    conditions_fingerprint = hash_of_conditions();
     return Status::ok;
 }
 
@@ -133,7 +134,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 // Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
-std::uint64_t Analysis::conditions_print() const noexcept {
+std::uint64_t Analysis::hash_of_conditions() const noexcept {
     Hash hash;
     for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
     for (Index slot = 0; slot < wall.count; ++slot) {
@@ -146,25 +147,9 @@ std::uint64_t Analysis::conditions_print() const noexcept {
     return hash.value();
 }
 
-BasisCounts Analysis::basis_counts() const noexcept {
-    BasisCounts counts;
-    counts.points = problem.mesh.n_points;
-    counts.cells = problem.mesh.n_cells;
-    counts.control = curves.empty() ? 0 : curves[0].n_control;
-    counts.bodies = problem.demands.bodies;
-    counts.kind = problem.method.value_kind(problem.demands);
-    counts.curves = curves.count();
-    for (Curve const& curve : curves) {
-        counts.indices += curve.n_indices;
-        counts.knots += curve.n_indices + curve.degree + 1;
-    }
-    counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
-    counts.wall = wall.count;
-    for_each_joined([&](Index, Index) { ++counts.joined; });
-    counts.boundary = boundary.count;
-    counts.loops = boundary.n_loops;
-    counts.conditions = conditions.count();
-    return counts.share(0, counts.functions());
+BasisSource Analysis::basis_source() const noexcept {
+    return {topology, topology_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
+            boundary, wall, wall_work.slot};
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {

@@ -31,7 +31,7 @@ void Equations::init(Analysis const& analysis) noexcept {
     if (!method.bounded()) return;
     Index n = 0;
     analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
-    analysed_coordinates = coordinates_print(cells.mesh.points, cells.mesh.n_points);
+    analysed_coordinates = coordinates_fingerprint(cells.mesh.points, cells.mesh.n_points);
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
@@ -60,7 +60,7 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
-    if (coordinates_print(points, cells.mesh.n_points) != analysed_coordinates) {
+    if (coordinates_fingerprint(points, cells.mesh.n_points) != analysed_coordinates) {
         return fault.refuse(Status::unsupported,
                             "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }

@@ -19,7 +19,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
     topology = analysis.topology_fingerprint;
-    conditions = analysis.conditions_print();
+    conditions = analysis.conditions_fingerprint;
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
     equations.init(analysis);
@@ -42,7 +42,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     if (status == Status::not_positive && fault.item != none) fault.item = equations.point_of(fault.item);
     HARMORPH_TRY(status);
     HARMORPH_TRY(engine.examine(equations, refinement.residual.value.first(equations.matrix.n), fault));
-    coordinates = coordinates_print(points, mesh.n_points);
+    coordinates = coordinates_fingerprint(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
@@ -127,49 +127,6 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
         Index const its = Matrix::is_wall(place) ? basis.wall_point[Matrix::wall(place) / components] : equations.point_of(place);
         if (its != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(its), length));
     }
-}
-
-void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& analysis) noexcept {
-    BasisHeader& header = *basis.header;
-    std::memset(static_cast<void*>(&header), 0, Basis::bytes(counts));
-    std::memcpy(header.magic, "harmorph", sizeof header.magic);
-    header.format = BasisHeader::current_format;
-    header.byte_order = BasisHeader::native_order;
-    header.bytes = Basis::bytes(counts);
-    header.topology = analysis.topology_fingerprint;
-    header.conditions = analysis.conditions_print();
-    header.index_base = analysis.problem.mesh.index_base;
-    header.counts = counts;
-    header.method = analysis.problem.method;
-
-    Index first_index = 0, first_knot = 0;
-    for (Index number = 0; number < analysis.curves.count(); ++number) {
-        Curve const& curve = analysis.curves[number];
-        Index const n_knots = curve.n_indices + curve.degree + 1;
-        basis.shape[number] = {curve.degree, curve.n_indices, first_index, first_knot};
-        for (Index k = 0; k < curve.n_indices; ++k) basis.indices[first_index + k] = curve.control_point(k);
-        for (Index k = 0; k < n_knots; ++k) basis.knots[first_knot + k] = curve.knots[k];
-        first_index += curve.n_indices;
-        first_knot += n_knots;
-    }
-    if (counts.curves > 0) {
-        Curve const& any = analysis.curves[0];
-        copy(basis.control, Span<const Real>(any.control, basis.control.size()));
-        if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
-    }
-    copy(basis.conditions, Span<const Condition>(analysis.conditions));
-    copy(basis.wall_point, Span<const Index>(analysis.wall.point.first(counts.wall)));
-    copy(basis.wall_curve, Span<const Index>(analysis.wall.curve.first(counts.wall)));
-    copy(basis.wall_u, Span<const Real>(analysis.wall.u.first(counts.wall)));
-    copy(basis.wall_lever, Span<const Vec2>(analysis.wall.lever.first(counts.wall)));
-    Index joined = 0;
-    analysis.for_each_joined([&](Index point, Index slot) {
-        basis.joined_point[joined] = point;
-        basis.joined_slot[joined++] = slot;
-    });
-    copy(basis.boundary_point, Span<const Index>(analysis.boundary.point.first(counts.boundary)));
-    copy(basis.loop_start, Span<const Index>(analysis.boundary.loop_start.first(counts.loops + 1)));
-    copy(basis.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
 }
 
 }  // namespace harmorph

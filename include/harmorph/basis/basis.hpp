@@ -40,8 +40,9 @@ struct BoundaryFunctions {
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
     static constexpr std::uint32_t current_format = 3, native_order = 0x01020304;
+    static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
-    char magic[8];                // "harmorph"
+    char magic[8];
     std::uint32_t format;
     std::uint32_t byte_order;     // native_order where it was written
     std::uint64_t bytes;          // of the whole block
@@ -111,8 +112,8 @@ struct Basis {
 };
 
 std::uint64_t checksum_of(BasisHeader const& header) noexcept;
-std::uint64_t topology_print(Mesh const& mesh) noexcept;
-std::uint64_t coordinates_print(Points points, Index n_points) noexcept;
+std::uint64_t topology_fingerprint(Mesh const& mesh) noexcept;
+std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.
 // Whatever is in a block that is accepted, nothing outside it is ever read. Of a truncated one fault.value are the bytes

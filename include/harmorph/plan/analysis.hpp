@@ -1,7 +1,7 @@
 // Everything that depends on the mesh's structure and not on the size of numbers: checks, boundary, unknowns, ordering.
 #pragma once
 
-#include "harmorph/basis/basis.hpp"
+#include "harmorph/basis/basis_source.hpp"
 #include "harmorph/mesh/boundary.hpp"
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
@@ -37,7 +37,7 @@ struct Analysis {
     Index inverted = none;        // the first inverted cell
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
-    std::uint64_t topology_fingerprint = 0;
+    std::uint64_t topology_fingerprint = 0, conditions_fingerprint = 0;
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     Translations translations;    // of periodic pairs
@@ -64,24 +64,15 @@ struct Analysis {
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.
     Topology const& stencil() const noexcept { return problem.method.bounded() ? triangulation : topology; }
-    BasisCounts basis_counts() const noexcept;
-    // body(point, slot) for points that are not in the wall's list but at the place of one that is: beyond a cut.
-    template <class Body>
-    void for_each_joined(Body const& body) const noexcept {
-        Span<const Index> const representative = topology.representative;
-        for (Index point = 0; point < problem.mesh.n_points; ++point) {
-            if (representative[point] == point || wall_work.slot[point] != none) continue;
-            Index const slot = wall_work.slot[representative[point]];
-            if (slot != none) body(point, slot);
-        }
-    }
+    BasisSource basis_source() const noexcept;
+    BasisCounts basis_counts() const noexcept { return basis_source().counts(); }
     bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
     Index count_wall_faces() const noexcept;
     Index count_used_points() const noexcept;
-    std::uint64_t conditions_print() const noexcept;
 
 private:
     MatrixKind matrix_kind() const noexcept;
+    std::uint64_t hash_of_conditions() const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_parts(Fault& fault) noexcept;

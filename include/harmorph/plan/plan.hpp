@@ -37,7 +37,4 @@ private:
     void copy_joined_points(Basis const& basis) const noexcept;
 };
 
-// Makes an unsolved basis in a block that has been laid out for the analysis's counts.
-void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& analysis) noexcept;
-
 }  // namespace harmorph
