@@ -45,7 +45,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(held_row, sizes.held);
     arena.take(held_value, sizes.held);
     arena.take(held_imaginary, kind != MatrixKind::real ? sizes.held : 0);
-    arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
+    arena.take(frame, kind == MatrixKind::coupled_xy ? n_points : 0);
 }
 
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
@@ -113,7 +113,7 @@ bool Matrix::holds(Index line, Index other_line) const noexcept {
 bool Matrix::is_held_by(Index point, Index other) const noexcept {
     if (place[components() * point] < 0 || place[components() * point] == place[components() * other]) return false;
     if (place[components() * other] == none) return true;
-    return kind == MatrixKind::two_lines && slips(point) && slips(other) && turns(point, other);
+    return kind == MatrixKind::coupled_xy && slips(point) && slips(other) && turns(point, other);
 }
 
 void Matrix::clear() const noexcept {

@@ -220,7 +220,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kin
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
     arena.take(value, precision == Precision::in_double ? numbers : 0);
     arena.take(single, precision == Precision::in_single ? numbers : 0);
-    bool const waits = kind != MatrixKind::two_lines;
+    bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + walls : 0);
 }
@@ -230,7 +230,7 @@ Real Residual::Norms::relative(Index k) const noexcept {
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    if (matrix.kind == MatrixKind::two_lines) return TurnedBalances(matrix, lines, first, n, width, value).run();
+    if (matrix.kind == MatrixKind::coupled_xy) return TurnedBalances(matrix, lines, first, n, width, value).run();
     Norms norms;
     if (single.empty()) {
         find_balances(*this, matrix, lines, first, n, value.data(), norms);

@@ -39,7 +39,7 @@ inline CellConductances quad_conductances(CellShape const& shape, CellCorners co
 
 template <MatrixKind kind, Index corners>
 void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& its, Real circulation) noexcept {
-    if constexpr (kind == MatrixKind::two_lines) {
+    if constexpr (kind == MatrixKind::coupled_xy) {
         for (Index k = 0; k < corners; ++k) {
             matrix.add_lines(rows, cell.point[k], cell.point[(k + 1) % corners], its.side[k], circulation);
         }
@@ -81,7 +81,7 @@ Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Re
     Real const half = conformal ? 0.5 : 0;
     auto const add = matrix.kind == MatrixKind::real      ? add_cells<MatrixKind::real>
                      : matrix.kind == MatrixKind::complex ? add_cells<MatrixKind::complex>
-                                                          : add_cells<MatrixKind::two_lines>;
+                                                          : add_cells<MatrixKind::coupled_xy>;
     Index bad_cell[Executor::most_threads];
     Index const n_ranges = matrix.for_row_ranges(executor, [&](Index range, RowRange rows) {
         bad_cell[range] = add(cells, points, conductivity, half, matrix, rows);

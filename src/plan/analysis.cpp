@@ -153,7 +153,7 @@ BasisSource Analysis::basis_source() const noexcept {
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {
-    if (problem.demands.slip) return MatrixKind::two_lines;
+    if (problem.demands.slip) return MatrixKind::coupled_xy;
     return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
 }
 

@@ -9,7 +9,7 @@ constexpr Real uncancelled_above = 1e-3;
 // Of a diagonal, what is left of it when its turn comes: on even cells a fifth, beside thin ones thousandths. Circulations
 // are no conductances, so that something cancels; so it does where cells' angles make conductances negative; and turned
 // lines have no sums to rely on.
-constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::two_lines ? 1.0 / 30 : 1e-5; }
+constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5; }
 
 // Conductances that are negative, as angles of cells make them, may cancel others between the same two points, which no pivot
 // shows: what is left is rounding, and flows as a conductance does. So functions are off by about as many roundings as

@@ -64,7 +64,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
     HARMORPH_TRY(refinement.run(equations, engine, lines, progress, report, fault));
-    if (matrix.kind == MatrixKind::two_lines) turn_slipping_lines(basis);
+    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_lines(basis);
     copy_joined_points(basis);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;

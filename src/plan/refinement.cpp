@@ -23,7 +23,7 @@ constexpr Index most_iterations = 200;
 
 // Residuals are stored as the engine solves for them.
 Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
-    bool const in_rows = !method.nodal_gradients() && kind != MatrixKind::two_lines;
+    bool const in_rows = !method.nodal_gradients() && kind != MatrixKind::coupled_xy;
     return in_rows ? method.precision : Precision::in_double;
 }
 
@@ -95,7 +95,7 @@ private:
 
     // Most often all is well, which is seen of many columns at once as nothing is stored.
     bool need_nothing(Index first, Index n, Refined& refined) const noexcept {
-        if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::two_lines) return false;
+        if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::coupled_xy) return false;
         refined.norms = residual_.measure(matrix_, lines_, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);

@@ -11,8 +11,8 @@ namespace harmorph {
 // What the unknowns are, and so what an entry is.
 //   real       one real number for a point: operators that move x and y alike
 //   complex    one complex number for a point: the conformal operator
-//   two_lines  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
-enum class MatrixKind : std::int32_t { real, complex, two_lines };
+//   coupled_xy  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
+enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
 // Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner k to k + 2.
 struct CellConductances {
@@ -31,7 +31,7 @@ struct RowRange {
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
 // entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
 // unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
-// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings. Of two lines a
+// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings. Where x and y are coupled, a
 // point that is so before points that slip are turned to their lines; a complex number of `held` stands for both lines.
 struct Matrix {
     struct Sizes {
@@ -54,12 +54,12 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated; of two lines the first
+    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated; of coupled x and y the first
     Span<Real> held_value;
     Span<Real> held_imaginary;
-    Span<Vec2> frame;            // [n_points] two lines only: direction of a point's first line; its second is normal to it
+    Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first line; its second is normal to it
 
-    Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
+    Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
     Index planes() const noexcept { return is_complex() ? 2 : 1; }
 
@@ -73,7 +73,7 @@ struct Matrix {
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
-    // lines, two lines only.
+    // lines, coupled x and y only.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order, Span<const Index> position,
                Span<const Index> slot, Span<const Vec2> tangent) noexcept;
 

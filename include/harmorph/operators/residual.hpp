@@ -43,7 +43,7 @@ struct Residual {
     // [n x planes x width] rows by position: b - A F, real and then imaginary parts; of these one, as the engine solves.
     Span<Real> value;
     Span<float> single;  // differences are rounded to single precision last, so that corrections are none the worse
-    Span<Index> latest;  // [n] not of two lines: the row that began to wait last, and
+    Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last, and
     Span<Index> next;    // [n + lines of the wall] for each the one before it
 
     void lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width = 6,
@@ -55,7 +55,7 @@ struct Residual {
         Real relative(Index k) const noexcept;
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // The norms alone, n <= widest; not of two lines.
+    // The norms alone, n <= widest; not where x and y are coupled.
     Norms measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
     // Of one column, in all rows: the largest number of b - A F beside the row's entries times the largest of F. Rounding of F
     // alone leaves an epsilon of that. 2 <= width. Infinite where a number is none.
