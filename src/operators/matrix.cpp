@@ -32,8 +32,8 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     kind = sizes.kind;
     arena.take(place, Offset{components()} * n_points);
     arena.take(diagonal, n);
-    arena.take(excess, n);
-    arena.take(excess_imaginary, is_complex() ? n : 0);
+    arena.take(row_sum, n);
+    arena.take(row_sum_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries + short_row);  // a row is written and searched beyond its end
     arena.take(value, sizes.entries);
@@ -118,8 +118,8 @@ bool Matrix::is_held_by(Index point, Index other) const noexcept {
 
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
-    fill(excess, 0.0);
-    fill(excess_imaginary, 0.0);
+    fill(row_sum, 0.0);
+    fill(row_sum_imaginary, 0.0);
     fill(value, 0.0);
     fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
@@ -162,12 +162,12 @@ template <bool with_circulation>
 void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept {
     if (i == j) return;
     if (j < 0 && rows.holds(i)) {
-        excess[i] += conductance;
-        if (with_circulation) excess_imaginary[i] -= circulation;
+        row_sum[i] += conductance;
+        if (with_circulation) row_sum_imaginary[i] -= circulation;
     }
     if (i < 0 && rows.holds(j)) {
-        excess[j] += conductance;
-        if (with_circulation) excess_imaginary[j] += circulation;
+        row_sum[j] += conductance;
+        if (with_circulation) row_sum_imaginary[j] += circulation;
     }
     Entry const its = entry(rows, i, j);
     if (its.value == nullptr) return;
@@ -203,7 +203,7 @@ void Matrix::add_lines(RowRange rows, Index point, Index other, Real conductance
         Index const own[] = {i, own_j};
         for (Index const row : own) {
             add_to(diagonal, row, conductance);
-            add_to(excess, row, conductance);
+            add_to(row_sum, row, conductance);
         }
         for (Index q = 0; q < 2; ++q) {
             Index const j = place[2 * other + q];
@@ -211,8 +211,8 @@ void Matrix::add_lines(RowRange rows, Index point, Index other, Real conductance
             Entry const at = entry(rows, i, j);
             if (at.value != nullptr) *at.value += block[p][q];
             if (i < 0 || j < 0) continue;
-            add_to(excess, i, block[p][q]);
-            add_to(excess, j, block[p][q]);
+            add_to(row_sum, i, block[p][q]);
+            add_to(row_sum, j, block[p][q]);
         }
     }
     if (is_held_by(point, other)) hold(rows, point, conductance, circulation);

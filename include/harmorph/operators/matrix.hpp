@@ -44,8 +44,8 @@ struct Matrix {
     MatrixKind kind = MatrixKind::real;
     Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
     Span<Real> diagonal;         // [n]
-    Span<Real> excess;           // [n] what each row's entries sum to
-    Span<Real> excess_imaginary; // complex only
+    Span<Real> row_sum;          // [n] of all entries, the diagonal among them
+    Span<Real> row_sum_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -111,7 +111,7 @@ struct Matrix {
     // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
-        return {n, diagonal, excess, start, column, value, faces};
+        return {n, diagonal, row_sum, start, column, value, faces};
     }
 
 private:
