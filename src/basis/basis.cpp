@@ -38,7 +38,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(wall_point, counts.wall);
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);
-    arena.take(wall_lever, counts.wall);
+    arena.take(wall_offset, counts.wall);
     arena.take(joined_point, counts.joined);
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
@@ -83,20 +83,20 @@ Curve Basis::curve(Index number) const noexcept {
 // On a curve N_i, and where the point's offset e turns with the curve N_i + e N_i' / C'.
 BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     BoundaryFunctions out;
-    Vec2 const lever = wall_lever[slot];
+    Vec2 const offset = wall_offset[slot];
     if (!is_on_curve(slot)) {
         Index const translation = header->counts.control + 2 * (wall_curve[slot] - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};
         out.function[1] = translation + 1;
-        out.value[1] = lever;
+        out.value[1] = offset;
         return out;
     }
-    bool const turns = lever.x != 0 || lever.y != 0;
+    bool const turns = offset.x != 0 || offset.y != 0;
     Curve const its = curve(wall_curve[slot]);
     CurveBasis const functions = curve_basis(its, wall_u[slot], 1);
-    Vec2 const per_derivative = turns ? quotient(lever, derivative_of(its, functions)) : Vec2{};
+    Vec2 const per_derivative = turns ? quotient(offset, derivative_of(its, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < max_order; ++k) {  // those behind the order are 0
         out.function[k] = functions.control[k];

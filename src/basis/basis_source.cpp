@@ -57,7 +57,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.wall_point, Span<const Index>(source.wall.point.first(counts.wall)));
     copy(basis.wall_curve, Span<const Index>(source.wall.curve.first(counts.wall)));
     copy(basis.wall_u, Span<const Real>(source.wall.u.first(counts.wall)));
-    copy(basis.wall_lever, Span<const Vec2>(source.wall.lever.first(counts.wall)));
+    copy(basis.wall_offset, Span<const Vec2>(source.wall.offset.first(counts.wall)));
     Index joined = 0;
     source.for_each_joined([&](Index point, Index slot) {
         basis.joined_point[joined] = point;

@@ -116,7 +116,7 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
         basis.wall_point[slot[its]] = position[its];
         basis.wall_curve[slot[its]] = whole.wall_curve[its];
         basis.wall_u[slot[its]] = whole.wall_u[its];
-        basis.wall_lever[slot[its]] = whole.wall_lever[its];
+        basis.wall_offset[slot[its]] = whole.wall_offset[its];
     }
     Index n = 0;
     for_each_joined(list, [&](Index k, Index its) {

@@ -151,7 +151,7 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(point, n);
     arena.take(curve, n);
     arena.take(u, n);
-    arena.take(lever, n);
+    arena.take(offset, n);
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -202,19 +202,19 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     return length(offset) * slopes < length(at[1]) ? offset : Vec2{};
 }
 
-void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
                  Wall& wall) noexcept {
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const curve = wall.curve[slot];
         Vec2 const point = points[wall.point[slot]];
-        wall.lever[slot] = {};
+        wall.offset[slot] = {};
         if (curve < curves.count()) {
-            if (offset_correction) wall.lever[slot] = offset_from(curves[curve], wall.u[slot], point);
+            if (offset_correction) wall.offset[slot] = offset_from(curves[curve], wall.u[slot], point);
             continue;
         }
         for (Condition const& condition : conditions) {
             bool const its = condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
-            if (its) wall.lever[slot] = point - condition.centre;
+            if (its) wall.offset[slot] = point - condition.centre;
         }
     }
 }

@@ -89,7 +89,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
-    find_levers(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
+    find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     if (!tangent.empty()) {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
     }
@@ -141,8 +141,8 @@ std::uint64_t Analysis::hash_of_conditions() const noexcept {
         hash.add(static_cast<std::uint64_t>(wall.point[slot]));
         hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
         hash.add(bits_of(wall.u[slot]));
-        hash.add(bits_of(wall.lever[slot].x));
-        hash.add(bits_of(wall.lever[slot].y));
+        hash.add(bits_of(wall.offset[slot].x));
+        hash.add(bits_of(wall.offset[slot].y));
     }
     return hash.value();
 }

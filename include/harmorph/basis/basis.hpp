@@ -73,7 +73,7 @@ struct Basis {
     Span<Condition> conditions;
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
-    Span<Vec2> wall_lever;
+    Span<Vec2> wall_offset;
     Span<Index> joined_point, joined_slot;  // [joined] other points at the place of a slot of the wall: a cut's other side
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]

@@ -12,7 +12,7 @@ struct Wall {
     Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
     Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body
     Span<Real> u;       // on a curve
-    Span<Vec2> lever;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
+    Span<Vec2> offset;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
@@ -48,8 +48,8 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
                    Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;
 
-// wall.lever of all points.
-void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+// wall.offset of all points.
+void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
                  Wall& wall) noexcept;
 
 }  // namespace harmorph
