@@ -29,10 +29,10 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
     Span<Index> const row_of = scheme.row_of;
     Index rows = n + n_wall;
     for (Index point = 0; point < representative.count(); ++point) {
-        Index const place = matrix.place[point];
-        if (place >= 0) row_of[point] = place;
-        if (Matrix::is_wall(place)) row_of[point] = n + Matrix::wall(place);
-        if (place == none && representative[point] == point) row_of[point] = rows++;
+        Index const row = matrix.row_of[point];
+        if (row >= 0) row_of[point] = row;
+        if (Matrix::is_wall(row)) row_of[point] = n + Matrix::wall(row);
+        if (row == none && representative[point] == point) row_of[point] = rows++;
     }
     for (Index point = 0; point < representative.count(); ++point) row_of[point] = row_of[representative[point]];
     scheme.init(topology, topology.edges, corrected);

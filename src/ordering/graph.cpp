@@ -64,13 +64,13 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
-    couplings = held = 0;
+    couplings = fixed = 0;
     Size known_begin = neighbour.size();  // two places are there for every pair
     auto const couple = [&](Index u, Index its_line) {
         Index const point = representative[its_line / n_components], other = n_components * point + its_line % n_components;
         bool const on_wall = kinds[point] == PointKind::on_wall;
         if (on_wall) beside_curve[u] = 1;
-        ++(on_wall ? couplings : held);
+        ++(on_wall ? couplings : fixed);
         neighbour[--known_begin] = other;
         neighbour[--known_begin] = u;
     };

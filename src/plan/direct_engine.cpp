@@ -25,7 +25,7 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
         }
     }
     for (Index c = 0; c < matrix.coupling_row.count(); ++c) add(matrix.coupling_row[c], matrix.coupling_value[c]);
-    for (Index h = 0; h < matrix.held_row.count(); ++h) add(matrix.held_row[h], matrix.held_value[h]);
+    for (Index h = 0; h < matrix.fixed_row.count(); ++h) add(matrix.fixed_row[h], matrix.fixed_value[h]);
     HARMORPH_TRY(factor.solve(Rows{source.data(), nullptr, 1, 1, 1}, Progress{}, fault));
     rise = 0;
     for (Real const value : source) rise = larger(rise, absolute(value));

@@ -83,7 +83,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
     }
     Matrix const& matrix = equations.matrix;
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index cell = matrix.place[point] >= 0 ? matrix.place[point] : none;
+        Index cell = matrix.row_of[point] >= 0 ? matrix.row_of[point] : none;
         for (Index l = 0; l < level && cell != none; ++l) cell = levels->cell_of[l][cell];
         cell_of[point] = cell;
     }
@@ -105,8 +105,8 @@ void Plan::turn_slipping_lines(Basis const& basis) const noexcept {
     Matrix const& matrix = equations.matrix;
     Lines const all = equations.lines(basis);
     for (Index point = 0; point < mesh.n_points; ++point) {
-        bool const slips = matrix.place[2 * point] >= 0 && matrix.place[2 * point + 1] == none;
-        if (!slips || all.of[matrix.place[2 * point]] != 2 * point) continue;
+        bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
+        if (!slips || all.of[matrix.row_of[2 * point]] != 2 * point) continue;
         Vec2 const along = matrix.frame[point];
         Real* const x = all.line(2 * point);
         Real* const y = all.line(2 * point + 1);
@@ -122,9 +122,9 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
     Matrix const& matrix = equations.matrix;
     Index const components = matrix.components();
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const place = matrix.place[components * point];
-        if (place == none) continue;
-        Index const its = Matrix::is_wall(place) ? basis.wall_point[Matrix::wall(place) / components] : equations.point_of(place);
+        Index const row = matrix.row_of[components * point];
+        if (row == none) continue;
+        Index const its = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components] : equations.point_of(row);
         if (its != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(its), length));
     }
 }

@@ -71,7 +71,7 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
 void SafeMorph::mark_held(Work const& work) const noexcept {
     Matrix const& matrix = work.plan.equations.matrix;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.place[matrix.components() * k];
+        Index const place = matrix.row_of[matrix.components() * k];
         held[k] = static_cast<std::uint8_t>(place < 0 ? 1 : 0);
         representative[k] = place < 0 ? k : work.plan.equations.point_of(place);
     }
@@ -209,7 +209,7 @@ void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) 
 void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept {
     Matrix const& matrix = work.plan.equations.matrix;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.place[matrix.components() * k];
+        Index const place = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(place)) continue;
         BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
         Vec2 const moved = functions.moved(aimed.data()), start = work.mesh().points[k];

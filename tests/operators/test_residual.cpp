@@ -212,7 +212,7 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
         harmorph::Lines const lines{basis, plan.equations.line_of, 1};
         std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
-        for (Index const row : matrix.held_row) beside_known[static_cast<std::size_t>(row)] = true;
+        for (Index const row : matrix.fixed_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index const row : matrix.coupling_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index i = 0; i < matrix.n; ++i) {
             for (Index k = 0; k < lines.length(); ++k) lines.at(i)[k] = 1;

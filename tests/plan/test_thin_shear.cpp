@@ -69,16 +69,16 @@ double largest_error(Attempt const& solved) {
             at(i, i) -= matrix.value[e];
             at(j, j) -= matrix.value[e];
         }
-    for (Index h = 0; h < matrix.held_row.count(); ++h) at(matrix.held_row[h], matrix.held_row[h]) -= matrix.held_value[h];
+    for (Index h = 0; h < matrix.fixed_row.count(); ++h) at(matrix.fixed_row[h], matrix.fixed_row[h]) -= matrix.fixed_value[h];
     std::vector<std::vector<double>> values;
     for (std::int32_t f = 0; f < solved.report.functions; ++f) {
-        values.emplace_back(plan.equations.matrix.place.size());
+        values.emplace_back(plan.equations.matrix.row_of.size());
         REQUIRE(hm_basis_values(solved.basis, f, 0, values.back().data(), nullptr) == HM_OK);
     }
     std::vector<std::vector<DoubleDouble>> sides(values.size(), std::vector<DoubleDouble>(n, 0));
-    for (Index point = 0; point < matrix.place.count(); ++point) {
-        if (!harmorph::Matrix::is_wall(matrix.place[point])) continue;
-        Index const wall = harmorph::Matrix::wall(matrix.place[point]);
+    for (Index point = 0; point < matrix.row_of.count(); ++point) {
+        if (!harmorph::Matrix::is_wall(matrix.row_of[point])) continue;
+        Index const wall = harmorph::Matrix::wall(matrix.row_of[point]);
         for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
             Index const i = matrix.coupling_row[c];
             DoubleDouble const entry = matrix.coupling_value[c];

@@ -19,7 +19,7 @@ struct NodalEquations {
         width = its_width;
         arena.take(gradient, Offset{n_points} * 2 * width);
     }
-    // matrix: the places of all points, once it is built. `reversed` of the topology is kept as a view, the rest is copied.
+    // matrix: once its pattern is built. `reversed` of the topology is kept as a view, the rest is copied.
     void init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept;
 
     // In the unknowns' lines; those of the wall hold its values.

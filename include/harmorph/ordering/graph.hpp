@@ -25,11 +25,11 @@ struct Graph {
     Index n = 0;             // unknowns
     Index components = 1;    // lines of a point
     Index couplings = 0;     // pairs of an unknown and a line of a point on the wall
-    Index held = 0;          // pairs of an unknown and a line whose value is 0
+    Index fixed = 0;          // pairs of an unknown and a line whose value is 0
     Span<Index> line;        // [n] of each unknown, increasing
     Span<Index> unknown;     // [components * n_points] unknown of each line, or none; of joined points too
     Span<Offset> start;      // [n + 1]
-    Span<Index> neighbour;   // both directions; at the array's end couplings and held pairs: unknown, line
+    Span<Index> neighbour;   // both directions; at the array's end couplings and fixed pairs: unknown, line
     Span<std::uint8_t> beside_curve;  // [n] 1: shares a cell with a point on the wall
 
     Index point(Index u) const noexcept { return components == 1 ? line[u] : line[u] / components; }
@@ -40,10 +40,10 @@ struct Graph {
     // boundaries leave such parts. queue, reached [n]: working space.
     Index first_floating(Topology const& topology, Span<const PointKind> kinds, Span<Index> queue,
                          Span<std::uint8_t> reached) const noexcept;
-    // visit(unknown, line) for every coupling and every held pair.
+    // visit(unknown, line) for every coupling and every fixed pair.
     template <class Visit>
     void for_each_known(Visit visit) const noexcept {
-        Size const n_known = static_cast<Size>(Offset{couplings} + held);
+        Size const n_known = static_cast<Size>(Offset{couplings} + fixed);
         Span<const Index> const pairs = neighbour.from(neighbour.size() - 2 * n_known, 2 * n_known);
         for (Size k = 0; k < n_known; ++k) visit(pairs[2 * k], pairs[2 * k + 1]);
     }

@@ -15,7 +15,7 @@ struct FasEngine : LevelEngine<FullApproximation> {
         LevelEngine::lay_out(arena, analysis, columns);
     }
     Status set_up(Equations const& equations, Points points, Progress const&, Fault& fault) noexcept {
-        iteration.volumes.measure(equations.cells, points, equations.matrix.place);
+        iteration.volumes.measure(equations.cells, points, equations.matrix.row_of);
         return iteration.set_up(equations.matrix.rows(faces), fault);
     }
     Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
