@@ -169,15 +169,15 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     Basis b;
     if (values == nullptr) fault.refuse(Status::bad_argument, "values is NULL");
     if (!failed(fault.status) && !failed(open_solved(basis, b, fault))) {
-        Index const held = function - b.header->counts.first_held;
-        if (function < 0 || held < 0 || held >= b.n_functions()) {
+        Index const stored = function - b.header->counts.first_stored;
+        if (function < 0 || stored < 0 || stored >= b.n_functions()) {
             fault.refuse(Status::bad_argument, "there is no function #; the basis has @", Counts::from_zero, function,
                          b.n_functions());
         } else if (number < 0 || number >= numbers_of(b.kind())) {
             fault.refuse(Status::bad_argument, "values have no number #; they have @", Counts::from_zero, number,
                          numbers_of(b.kind()));
         } else {
-            b.column(number * b.n_functions() + held, values);
+            b.column(number * b.n_functions() + stored, values);
         }
     }
     return tell(err, fault);

@@ -45,7 +45,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(loop_start, Offset{counts.loops} + 1);
     arena.take(reversed, counts.cells);
     bool const in_single = counts.storage == Precision::in_single;
-    Offset const length = Offset{numbers_of(counts.kind)} * counts.held;
+    Offset const length = Offset{numbers_of(counts.kind)} * counts.stored;
     arena.take(value, (in_single ? counts.wall : counts.points) * length);
     arena.take(single, (in_single ? counts.points : 0) * length);
 }
@@ -106,13 +106,13 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     return out;
 }
 
-BoundaryFunctions Basis::held_boundary_functions(Index slot) const noexcept {
+BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
     BasisCounts const& counts = header->counts;
     BoundaryFunctions const all = boundary_functions(slot);
     BoundaryFunctions out;
     for (Index k = 0; k < all.order; ++k) {
-        Index const place = all.function[k] - counts.first_held;
-        if (place < 0 || place >= counts.held) continue;
+        Index const place = all.function[k] - counts.first_stored;
+        if (place < 0 || place >= counts.stored) continue;
         out.function[out.order] = place;
         out.value[out.order++] = all.value[k];
     }

@@ -14,12 +14,12 @@ bool is_within(Index number, Index begin, Index end) noexcept { return begin <= 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
     Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
                          counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
-                         counts.boundary, counts.loops, counts.conditions, counts.first_held, counts.held};
+                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
     Offset const functions = counts.control + 2 * Offset{counts.bodies};
-    if (functions > most || counts.held > functions - counts.first_held) return false;
+    if (functions > most || counts.stored > functions - counts.first_stored) return false;
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
     return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
@@ -44,7 +44,7 @@ private:
     bool method_is_one() const noexcept {
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
-        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.held + 1) &&
+        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.stored + 1) &&
                is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
                is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0, 3) &&
                is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&

@@ -16,11 +16,11 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     BasisMeasures measures;
     BasisCounts const& counts = basis.header->counts;
     Index const n_functions = basis.n_functions();
-    Index const n_control = clamp(counts.control - counts.first_held, Index{0}, n_functions);  // of those held
+    Index const n_control = clamp(counts.control - counts.first_stored, Index{0}, n_functions);  // of those stored
     ValueKind const kind = basis.kind();
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
-        BoundaryFunctions const functions = basis.held_boundary_functions(slot);
+        BoundaryFunctions const functions = basis.stored_boundary_functions(slot);
         const Real* const values = basis.row(point);
         for (Index plane = 0; plane < numbers_of(kind); ++plane) {
             Real sum = 0;

@@ -93,7 +93,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     HARMORPH_TRY(basis.require_double(fault));
-    BasisCounts const whole = basis.header->counts.share(0, basis_counts.held);
+    BasisCounts const whole = basis.header->counts.share(0, basis_counts.stored);
     bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
     if (same_counts && same_mesh && basis.header->method.agrees_with(equations.method)) return Status::ok;

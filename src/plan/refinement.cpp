@@ -79,7 +79,7 @@ private:
         report.refinements = larger(report.refinements, refined.steps);
         report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
         for (Index k = 0; k < n; ++k) {
-            Index const function = counts.first_held + (first + k) % lines_.basis.n_functions();
+            Index const function = counts.first_stored + (first + k) % lines_.basis.n_functions();
             take_worst(refined.error[k], function, report.error, report.error_function);
             Real const left = refined.norms.relative(k);
             take_worst(left, function, report.residual, report.residual_function);

@@ -11,18 +11,18 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
-    Index first_held = 0, held = 0;  // functions that have a place: all of them, or the share of one process
+    Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or the share of one process
     ValueKind kind = ValueKind::real;
-    Precision storage = Precision::in_double;  // of the values; see single.hpp
+    Precision storage = Precision::in_double;  // of the values; see single_precision.hpp
 
     // One of each control point, and two of each rigid body: its translation, and its turn.
     Index functions() const noexcept { return control + 2 * bodies; }
-    bool complete() const noexcept { return held == functions(); }
+    bool complete() const noexcept { return stored == functions(); }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
         BasisCounts its = *this;
-        its.first_held = first;
-        its.held = n;
+        its.first_stored = first;
+        its.stored = n;
         return its;
     }
 };
@@ -55,7 +55,7 @@ struct BasisHeader {
     BasisCounts counts;
     Method method;
     Real largest;                 // no value is larger in magnitude: what the adjoint's sums are scaled by
-    Index filled;                 // functions whose values are there, from the first one on; see parcel.hpp
+    Index filled;                 // functions whose values are there, from the first one on; see packed_rows.hpp
 };
 
 // Views into the block.
@@ -88,7 +88,7 @@ struct Basis {
     static const Basis view(const void* block) noexcept;
 
     Index n_points() const noexcept { return header->counts.points; }
-    Index n_functions() const noexcept { return header->counts.held; }
+    Index n_functions() const noexcept { return header->counts.stored; }
     ValueKind kind() const noexcept { return header->counts.kind; }
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
     bool in_single() const noexcept { return header->counts.storage == Precision::in_single; }
@@ -103,8 +103,8 @@ struct Basis {
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
     // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;
-    // Those that have a place here, numbered from the first one held.
-    BoundaryFunctions held_boundary_functions(Index slot) const noexcept;
+    // Those of functions whose values are here, numbered from the first of these.
+    BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;
 
     // Solved, with largest value and checksum. Of a part of a larger basis: that has values up to at_least.
     void seal(Real at_least = 0) const noexcept;

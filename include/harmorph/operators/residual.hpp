@@ -32,7 +32,7 @@ struct Lines {
 };
 
 // Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
-// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
+// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_matrix.hpp); of two
 // lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
 // A row is summed at once: it finds its earlier entries in lists, where each row waits for the next that it is coupled to.
 struct Residual {
