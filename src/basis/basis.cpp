@@ -11,8 +11,8 @@ namespace {
 Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {
-        const Real* const its = curve.control + 2 * functions.control[k];
-        sum = sum + functions.value[1][k] * Vec2{its[0], its[1]};
+        const Real* const point = curve.control + 2 * functions.control[k];
+        sum = sum + functions.value[1][k] * Vec2{point[0], point[1]};
     }
     return sum;
 }
@@ -68,13 +68,13 @@ Basis Basis::view(void* block) noexcept {
 const Basis Basis::view(const void* block) noexcept { return view(const_cast<void*>(block)); }
 
 Curve Basis::curve(Index number) const noexcept {
-    CurveShape const& its = shape[number];
+    CurveShape const& kept = shape[number];
     Curve curve;
-    curve.degree = its.degree;
-    curve.n_indices = its.n_indices;
+    curve.degree = kept.degree;
+    curve.n_indices = kept.n_indices;
     curve.n_control = header->counts.control;
-    curve.indices = indices.data() + its.first_index;
-    curve.knots = knots.data() + its.first_knot;
+    curve.indices = indices.data() + kept.first_index;
+    curve.knots = knots.data() + kept.first_knot;
     curve.control = control.data();
     curve.weights = weights.empty() ? nullptr : weights.data();
     return curve;
@@ -94,9 +94,9 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
         return out;
     }
     bool const turns = offset.x != 0 || offset.y != 0;
-    Curve const its = curve(wall_curve[slot]);
-    CurveBasis const functions = curve_basis(its, wall_u[slot], 1);
-    Vec2 const per_derivative = turns ? quotient(offset, derivative_of(its, functions)) : Vec2{};
+    Curve const spline = curve(wall_curve[slot]);
+    CurveBasis const functions = curve_basis(spline, wall_u[slot], 1);
+    Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < max_order; ++k) {  // those behind the order are 0
         out.function[k] = functions.control[k];
@@ -122,8 +122,8 @@ BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
 Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     Vec2 sum;
     for (Index k = 0; k < order; ++k) {
-        const Real* const its = move + 2 * function[k];
-        sum = sum + product(value[k], {its[0], its[1]});
+        const Real* const by = move + 2 * function[k];
+        sum = sum + product(value[k], {by[0], by[1]});
     }
     return sum;
 }

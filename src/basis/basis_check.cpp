@@ -54,25 +54,25 @@ private:
     bool curves_fit() const noexcept {
         Index indices = 0, knots = 0;
         for (Index number = 0; number < counts_.curves; ++number) {
-            Basis::CurveShape const& its = basis_.shape[number];
-            if (!is_within(its.degree, 1, max_degree + 1) || its.first_index != indices || its.first_knot != knots) return false;
-            if (!is_within(its.n_indices, its.degree + 1, counts_.indices - indices + 1)) return false;
-            if (its.n_indices + its.degree + 1 > counts_.knots - knots) return false;
+            Basis::CurveShape const& curve = basis_.shape[number];
+            if (!is_within(curve.degree, 1, max_degree + 1) || curve.first_index != indices || curve.first_knot != knots) return false;
+            if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1)) return false;
+            if (curve.n_indices + curve.degree + 1 > counts_.knots - knots) return false;
             Fault unheard;
             if (failed(check_curve(basis_.curve(number), number, unheard))) return false;
-            indices += its.n_indices;
-            knots += its.n_indices + its.degree + 1;
+            indices += curve.n_indices;
+            knots += curve.n_indices + curve.degree + 1;
         }
         return indices == counts_.indices && knots == counts_.knots;
     }
 
     bool conditions_fit() const noexcept {
-        for (Condition const& its : basis_.conditions) {
-            if (!is_within(static_cast<Index>(its.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
-            bool const on_curve = its.kind == ConditionKind::on_curve;
-            if (on_curve && !is_within(its.first_curve, 0, counts_.curves)) return false;
-            if (on_curve && !is_within(its.n_curves, 1, counts_.curves - its.first_curve + 1)) return false;
-            if (its.kind == ConditionKind::rigid && !is_within(its.body, 0, counts_.bodies)) return false;
+        for (Condition const& condition : basis_.conditions) {
+            if (!is_within(static_cast<Index>(condition.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
+            bool const on_curve = condition.kind == ConditionKind::on_curve;
+            if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
+            if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;
+            if (condition.kind == ConditionKind::rigid && !is_within(condition.body, 0, counts_.bodies)) return false;
         }
         return true;
     }

@@ -5,10 +5,10 @@
 
 namespace harmorph {
 
-void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept {
-    Mesh const& mesh = its_problem.mesh;
-    Demands const& demands = its_problem.demands;
-    Executor const& executor = its_problem.executor;
+void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept {
+    Mesh const& mesh = asked.mesh;
+    Demands const& demands = asked.demands;
+    Executor const& executor = asked.executor;
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
     topology.lay_out(arena, mesh);
@@ -16,9 +16,9 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     orientation_work.lay_out(arena, mesh);
     arena.take(kinds, mesh.n_points);
     if (n_conditions == 0) return;
-    Index const components = its_problem.method.components(demands);
+    Index const components = asked.method.components(demands);
     arena.take(tangent, components == 2 ? mesh.n_points : 0);
-    bool const bounded = its_problem.method.bounded();
+    bool const bounded = asked.method.bounded();
     if (bounded) triangulation.lay_out(arena, mesh);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
@@ -26,7 +26,7 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     graph.lay_out(arena, bounded ? triangulation.mesh : mesh, components);
     arena.take(order, most_unknowns);
     layer_work.lay_out(arena, most_unknowns);
-    if (!its_problem.method.traits().factors) return arena.take(border.position, most_unknowns);
+    if (!asked.method.traits().factors) return arena.take(border.position, most_unknowns);
     tree.lay_out(arena, most_unknowns);
     border.lay_out(arena, most_unknowns);
     arena.take(border_start, most_unknowns / 2 + 2);
@@ -37,8 +37,8 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     border.lay_out_passed(arena, most_unknowns);
 }
 
-Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
-    problem = its_problem;
+Status Analysis::run(Problem const& asked, Fault& fault) noexcept {
+    problem = asked;
     HARMORPH_TRY(problem.progress.report(Phase::structure, 0, fault));
     HARMORPH_TRY(analyse_mesh(fault));
     if (!has_conditions()) return problem.progress.report(Phase::structure, 1, fault);

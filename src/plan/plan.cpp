@@ -124,8 +124,8 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index const row = matrix.row_of[components * point];
         if (row == none) continue;
-        Index const its = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components] : equations.point_of(row);
-        if (its != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(its), length));
+        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components] : equations.point_of(row);
+        if (same != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(same), length));
     }
 }
 

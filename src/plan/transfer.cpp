@@ -75,8 +75,8 @@ public:
     void copy_joined_points() const noexcept {
         Size const length = static_cast<Size>(row_length_);
         for (Index point = 0; point < fine_.n_points(); ++point) {
-            Index const its = analysis_.topology.representative[point];
-            if (its != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(its), length));
+            Index const same = analysis_.topology.representative[point];
+            if (same != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(same), length));
         }
     }
 

@@ -20,10 +20,10 @@ struct BasisCounts {
     bool complete() const noexcept { return stored == functions(); }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
-        BasisCounts its = *this;
-        its.first_stored = first;
-        its.stored = n;
-        return its;
+        BasisCounts part = *this;
+        part.first_stored = first;
+        part.stored = n;
+        return part;
     }
 };
 
@@ -101,7 +101,7 @@ struct Basis {
     Status require_double(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
-    // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.
+    // The boundary functions at a point of the wall: evaluated from the parameter, or the movements of the rigid body.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;
     // Those of functions whose values are here, numbered from the first of these.
     BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;

@@ -9,8 +9,8 @@ struct BoundaryError {
     Real error = 0;
     Index point = none;
 
-    void include(Real its_error, Index its_point) noexcept {
-        if (point == none || exceeds(its_error, error)) *this = {its_error, its_point};
+    void include(Real found, Index at) noexcept {
+        if (point == none || exceeds(found, error)) *this = {found, at};
     }
 };
 // What the points of the wall moved against what the B-spline did.

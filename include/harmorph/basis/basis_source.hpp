@@ -26,8 +26,8 @@ struct BasisSource {
         Span<const Index> const representative = topology.representative;
         for (Index point = 0; point < representative.count(); ++point) {
             if (representative[point] == point || slot[point] != none) continue;
-            Index const its_slot = slot[representative[point]];
-            if (its_slot != none) body(point, its_slot);
+            Index const on_wall = slot[representative[point]];
+            if (on_wall != none) body(point, on_wall);
         }
     }
 };

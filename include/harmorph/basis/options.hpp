@@ -15,7 +15,7 @@ enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
 // What an analysis and a refinement must know of an engine: a row for each. The engines themselves: plan/engine.hpp.
 struct EngineTraits {
-    // It factors its matrix: unknowns are in the order of a nested dissection, and solutions are refined. Otherwise they are
+    // It factors the matrix: unknowns are in the order of a nested dissection, and solutions are refined. Otherwise they are
     // in the order of an advancing front, and the engine itself iterates to a tolerance.
     bool factors;
 };

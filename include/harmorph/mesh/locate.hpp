@@ -8,8 +8,8 @@
 namespace harmorph {
 
 // A linear field's value at the point is sum_k weight_k times its value at point_k, inside the cell and outside (there it is
-// extrapolated). The weights add up to 1; at a point of the mesh its own is exactly 1. A quad's are the mean of those of
-// its two splits into triangles, as its equations are.
+// extrapolated). The weights add up to 1; at a point of the mesh the weight of that point is exactly 1. A quad's are the mean of those of
+// the two splits into triangles, as in the equations.
 struct CellWeights {
     Index n = 0;
     Index point[4] = {};

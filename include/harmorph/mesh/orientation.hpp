@@ -8,7 +8,7 @@ namespace harmorph {
 
 struct OrientationWork {
     Span<Index> parent;  // [n_cells] 2 * cell it agrees with, + 1 if in the opposite sense
-    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with its root
+    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with the root
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 

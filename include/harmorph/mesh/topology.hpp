@@ -25,10 +25,10 @@ struct Topology : OrientedMesh {
     Edges edges;
     Span<Index> representative;  // [n_points] of points that are joined: the smallest
 
-    void lay_out(Arena& arena, Mesh const& its_mesh) noexcept {
-        arena.take(reversed, its_mesh.n_cells);
-        edges.lay_out(arena, its_mesh);
-        arena.take(representative, its_mesh.n_points);
+    void lay_out(Arena& arena, Mesh const& counts) noexcept {
+        arena.take(reversed, counts.n_cells);
+        edges.lay_out(arena, counts);
+        arena.take(representative, counts.n_points);
     }
 };
 

@@ -58,8 +58,8 @@ struct Analysis {
     LayerWork layer_work;
 
     // Sizes from the counts alone.
-    void lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept;
-    Status run(Problem const& its_problem, Fault& fault) noexcept;
+    void lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept;
+    Status run(Problem const& asked, Fault& fault) noexcept;
 
     bool has_conditions() const noexcept { return !conditions.empty(); }
     // Whose edges, and diagonals of quads, join the points that share an equation.

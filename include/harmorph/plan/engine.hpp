@@ -9,7 +9,7 @@
 
 namespace harmorph {
 
-// A new engine is a type with these members in a header of its own, a line of the union and of visit(), and a row of
+// A new engine is a type with these members in a header, a line of the union and of visit(), and a row of
 // engine_traits.
 struct AnyEngine {
     Engine kind = Engine::direct;
@@ -30,8 +30,8 @@ struct AnyEngine {
     }
 
     AnyEngine() noexcept : direct() {}
-    void choose(Engine its_kind) noexcept {
-        kind = its_kind;
+    void choose(Engine chosen) noexcept {
+        kind = chosen;
         visit(*this, [](auto& engine) { ::new (&engine) std::decay_t<decltype(engine)>(); });
     }
 
@@ -40,7 +40,7 @@ struct AnyEngine {
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         visit(*this, [&](auto& engine) { engine.lay_out(arena, analysis, columns); });
     }
-    // Once for an analysis: what needs no matrix, and then what its pattern says.
+    // Once for an analysis: what needs no matrix, and then what the pattern of the matrix says.
     void init(Analysis const& analysis) noexcept {
         visit(*this, [&](auto& engine) { engine.init(analysis); });
     }

@@ -9,7 +9,7 @@ namespace harmorph {
 
 struct Equations {
     OrientedMesh cells;           // with orientations of their own: the analysis may be gone
-    Method method;                // its kernel is never automatic here
+    Method method;                // the kernel is never automatic here
     Span<Index> line_of;          // [n] line of values of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
