@@ -206,7 +206,7 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     if (failed(fault.status) || failed(check_report(report, fault))) return tell(err, fault);
     Analysis const& a = opened(analysis);
     Mesh const& mesh = a.problem.mesh;
-    Quality const quality = measure_quality(mesh, mesh.points, {}, a.topology.reversed, a.problem.executor);
+    Quality const quality = measure_quality(a.topology, mesh.points, {}, a.problem.executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = a.count_used_points();

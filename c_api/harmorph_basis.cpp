@@ -49,7 +49,7 @@ hm_step_report report_of(AdmissibleStep const& limit, Mesh const& mesh, Basis co
     hm_step_report filled = {};
     filled.admissible = limit.step;
     filled.cell = numbered(limit.cell, mesh.index_base);
-    filled.point = numbered(limiting_point(mesh, limit, basis.reversed), mesh.index_base);
+    filled.point = numbered(limiting_point({mesh, basis.reversed}, limit), mesh.index_base);
     return filled;
 }
 
@@ -239,7 +239,7 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const h
         !failed(view_coordinates(from, "from", view, start, fault)) &&
         !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        AdmissibleStep const limit = admissible_step(view, start, change, b.reversed, threads);
+        AdmissibleStep const limit = admissible_step({view, b.reversed}, start, change, threads);
         hm_step_report const filled = report_of(limit, view, b);
         write_struct(filled, report);
     }
@@ -256,7 +256,7 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points
     if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
         !failed(view_coordinates(at, "at", view, points, fault)) &&
         !failed(view_points_if(reference, "reference", undeformed, fault)) && !failed(view_executor(executor, threads, fault))) {
-        Quality const quality = measure_quality(view, points, undeformed, b.reversed, threads);
+        Quality const quality = measure_quality({view, b.reversed}, points, undeformed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
         hm_quality_report const filled = report_of(quality, crossing, view);
         write_struct(filled, report);
@@ -276,7 +276,7 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         !failed(view_coordinates(from, "from", view, start, fault)) &&
         !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        Assessment const assessment = assess(view, start, change, b.reversed, threads);
+        Assessment const assessment = assess({view, b.reversed}, start, change, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
         write_struct(report_of(assessment.limit, view, b), step);
         write_struct(report_of(assessment.quality, crossing, view), quality);

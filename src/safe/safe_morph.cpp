@@ -44,6 +44,7 @@ struct SafeMorph::Work {
     Fault& fault;
 
     Mesh const& mesh() const noexcept { return plan.mesh; }
+    OrientedMesh const& cells() const noexcept { return plan.equations.cells; }
     Executor const& executor() const noexcept { return plan.executor; }
 };
 
@@ -142,7 +143,7 @@ void SafeMorph::aim(Real time) noexcept {
 // The step by `difference`, and whether no cell inverts before its end.
 bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
     morph(by, difference.data(), {}, {dx.data(), dy.data(), 1}, work.executor());
-    work.report.limit = admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor());
+    work.report.limit = admissible_step(work.cells(), now(), step(), work.executor());
     return work.report.limit.step > 1;
 }
 
@@ -259,7 +260,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
             dx[k] -= x[k];
             dy[k] -= y[k];
         }
-        if (!(admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor()).step > 1)) continue;
+        if (!(admissible_step(work.cells(), now(), step(), work.executor()).step > 1)) continue;
         for (Index k = 0; k < x.count(); ++k) {
             if (dx[k] != 0) x[k] += dx[k];
             if (dy[k] != 0) y[k] += dy[k];
