@@ -51,7 +51,7 @@ for directory in tests/*/; do
 done
 
 # The program is a client of the C header alone.
-for file in c_api/cli/*; do
+for file in c_api/cli/*.[ch]pp; do
     verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^sys/')"
 done
 echo "$passed passed, $failed failed"

@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include "harmorph.h"
+#include "marker_names.hpp"
 #include "su2.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
-                                   &export_command, &check_command, &transfer_command, &demo_command};
+                                   &export_command, &check_command, &transfer_command, &explore_command,
+                                   &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
@@ -64,6 +66,7 @@ void run_command(const std::vector<std::string>& words) {
 
 Mesh read_mesh(const std::string& path) {
     Mesh mesh = read_su2(path);
+    number_by_name(mesh);
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;
 }

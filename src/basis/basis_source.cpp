@@ -32,7 +32,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     header.format = BasisHeader::current_format;
     header.byte_order = BasisHeader::native_order;
     header.bytes = Basis::bytes(counts);
-    header.topology = source.topology_fingerprint;
+    header.topology = source.mesh_fingerprint;
     header.conditions = source.conditions_fingerprint;
     header.index_base = source.topology.mesh.index_base;
     header.counts = counts;

@@ -57,7 +57,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) topology_fingerprint = harmorph::topology_fingerprint(mesh);
+        if (part == 2 && has_conditions()) mesh_fingerprint = fingerprint_of(mesh);
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary.mark(topology, fault));
@@ -148,7 +148,7 @@ std::uint64_t Analysis::hash_of_conditions() const noexcept {
 }
 
 BasisSource Analysis::basis_source() const noexcept {
-    return {topology, topology_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
+    return {topology, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
             boundary, wall, wall_work.slot};
 }
 

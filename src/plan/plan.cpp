@@ -18,7 +18,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     executor = analysis.problem.executor;
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
-    topology = analysis.topology_fingerprint;
+    topology = analysis.mesh_fingerprint;
     conditions = analysis.conditions_fingerprint;
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
@@ -78,8 +78,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
         return fault.refuse(Status::bad_argument, "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level #: levels 0 to @ there are", Counts::from_zero, level,
-                            levels->count - 1);
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero, level,
+                            levels->count);
     }
     Matrix const& matrix = equations.matrix;
     for (Index point = 0; point < mesh.n_points; ++point) {

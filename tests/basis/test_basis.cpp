@@ -121,6 +121,45 @@ TEST_CASE("it gives back the curves, the points and the parameters it was solved
     }
 }
 
+TEST_CASE("moved curves: control points plus their movement, all else as it was") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    auto const n = static_cast<std::size_t>(solved.info().functions);
+    std::vector<double> move = some_move(static_cast<std::int32_t>(n), 0.1, 5), control(2 * n, 7);
+    hm_curves before{}, after{};
+    before.struct_size = after.struct_size = sizeof before;
+    hm_curve shape[2], moved[2];
+    REQUIRE(hm_basis_curves(solved.basis, &before, shape, 2, nullptr) == HM_OK);
+    REQUIRE(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_OK);
+    CHECK(hm_curves_check(&after, nullptr) == HM_OK);
+    CHECK(after.control == control.data());
+    CHECK(after.weights == before.weights);
+    CHECK(after.n_curves == before.n_curves);
+    for (std::size_t k = 0; k < 2 * n; ++k) CHECK(control[k] == before.control[k] + move[k]);
+    for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
+    // The wall is where it was, plus what hm_morph moves it by.
+    std::vector<double> x(its.mesh.x), y(its.mesh.y);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    hm_basis_info const info = solved.info();
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        double from[2], to[2];
+        REQUIRE(hm_curve_point(&before, info.point_curve[k], info.point_u[k], 0, from, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) == HM_OK);
+        auto const point = static_cast<std::size_t>(info.curve_point[k]);
+        CHECK(std::abs(x[point] - its.mesh.x[point] - (to[0] - from[0])) < 1e-13);
+        CHECK(std::abs(y[point] - its.mesh.y[point] - (to[1] - from[1])) < 1e-13);
+    }
+    // Refused, with outputs as they were.
+    std::vector<double> const kept = control;
+    move[3] = std::nan("");
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    move[3] = 0;
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, nullptr, control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, move.data(), nullptr, &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(same_bits(control, kept));
+}
+
 TEST_CASE("truncated at any length: refused, and the reason is given") {
     Case its = tiny_case();
     Solved const solved(its);
@@ -285,6 +324,17 @@ TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
     CHECK(copy.attach(&view) == HM_BAD_BASIS);
     CHECK(copy.says("the cells differ"));
     other = its;
+    std::swap(other.mesh.face_markers.front(), other.mesh.face_markers.back());   // a face each on the other's marker
+    REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
+    for (std::int32_t& marker : other.mesh.face_markers) marker += 7;   // the same points on markers of other numbers
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
     other.mesh.x[20] += 1e-12;
     view = other.mesh.view();
     CHECK(copy.attach(&view) == HM_MOVED);
@@ -292,7 +342,12 @@ TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
     other.mesh.x[20] = std::nan("");
     CHECK(copy.attach(&view) == HM_BAD_MESH);
 
-    // Numbering, layout and stride are ways of writing the same mesh.
+    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and that of their ends.
+    other = its;
+    std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
+    std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_OK);
     other = its;
     other.index_base = 1;
     CHECK(copy.attach(&other.mesh_view()) == HM_OK);

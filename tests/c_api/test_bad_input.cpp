@@ -250,7 +250,7 @@ TEST_CASE("bad curves") {
 TEST_CASE("bad conditions and parameters") {
     Spoiled const all[] = {
         {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
-        {HM_BAD_CONDITION, "no boundary face has", 77, false, [](Case& c) { c.set_free(77); }},
+        {HM_BAD_CONDITION, "on no boundary face", 77, false, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
         {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = 6; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},

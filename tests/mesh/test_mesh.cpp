@@ -34,7 +34,7 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     CHECK(different == 0);
     CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) == a.n_cells - 1);
     CHECK(a.find_cell([](Index, harmorph::Cell const&) { return false; }) == harmorph::none);
-    CHECK(topology_fingerprint(a) == topology_fingerprint(b));
+    CHECK(fingerprint_of(a) == fingerprint_of(b));
 }
 
 harmorph::Fault refusal(harmorph::Mesh const& mesh) {
@@ -117,7 +117,8 @@ TEST_CASE("coordinates with any stride, and 0 for 1") {
         CHECK(strided.points[k].x == mesh.point(k).x);
         CHECK(strided.points[k].y == mesh.point(k).y);
     }
-    CHECK(coordinates_fingerprint(strided.points, mesh.n_points()) == coordinates_fingerprint(core_mesh(mesh).points, mesh.n_points()));
+    CHECK(coordinates_fingerprint(strided.points, mesh.n_points()) ==
+          coordinates_fingerprint(core_mesh(mesh).points, mesh.n_points()));
     view = mesh.view();
     view.points.stride = 0;
     CHECK(core_mesh(view).points.stride == 1);

@@ -37,9 +37,19 @@ struct BoundaryFunctions {
     Vec2 moved(const Real* move) const noexcept;
 };
 
+// Fingerprints of what a mesh is made of, wherever its points are.
+struct MeshFingerprint {
+    std::uint64_t cells = 0;    // each one's points, in order
+    std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not matter
+};
+
+constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) noexcept {
+    return a.cells == b.cells && a.markers == b.markers;
+}
+
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 3, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 4, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -47,7 +57,7 @@ struct BasisHeader {
     std::uint32_t byte_order;     // native_order where it was written
     std::uint64_t bytes;          // of the whole block
     std::uint64_t checksum;       // of all that follows this field
-    std::uint64_t topology;       // fingerprints of the mesh
+    MeshFingerprint topology;
     std::uint64_t coordinates;
     std::uint64_t conditions;     // fingerprint of what is asked on the boundary: points on curves, kinds of points
     std::int32_t solved;
@@ -112,7 +122,7 @@ struct Basis {
 };
 
 std::uint64_t checksum_of(BasisHeader const& header) noexcept;
-std::uint64_t topology_fingerprint(Mesh const& mesh) noexcept;
+MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.

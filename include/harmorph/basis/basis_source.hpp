@@ -9,7 +9,8 @@ namespace harmorph {
 // Views; an analysis has all of it.
 struct BasisSource {
     Topology const& topology;
-    std::uint64_t topology_fingerprint, conditions_fingerprint;
+    MeshFingerprint mesh_fingerprint;
+    std::uint64_t conditions_fingerprint;
     Method const& method;
     Demands const& demands;
     Span<const Curve> curves;

@@ -37,7 +37,8 @@ struct Analysis {
     Index inverted = none;        // the first inverted cell
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
-    std::uint64_t topology_fingerprint = 0, conditions_fingerprint = 0;
+    MeshFingerprint mesh_fingerprint;
+    std::uint64_t conditions_fingerprint = 0;
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     Translations translations;    // of periodic pairs

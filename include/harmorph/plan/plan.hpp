@@ -15,7 +15,8 @@ struct Plan {
     Executor executor;
     Progress progress;
     BasisCounts basis_counts;
-    std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
+    MeshFingerprint topology;
+    std::uint64_t conditions = 0;   // fingerprint of the problem
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
     RegionCounts region_counts;     // for untangling
     Offset factor_entries = 0;
