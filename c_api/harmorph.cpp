@@ -4,7 +4,7 @@
 
 #include "fault_text.hpp"
 #include "harmorph/plan/plan.hpp"
-#include "harmorph/morph/morph.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/quality.hpp"
 #include "views.hpp"
 
@@ -130,7 +130,7 @@ Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* blo
     Basis made;
     made.lay_out(arena, counts);
     HARMORPH_TRY(arena.verify(bytes, fault));
-    init_basis(made, counts, analysis);
+    init_basis(made, counts, analysis.basis_source());
     *out = reinterpret_cast<hm_basis*>(made.header);
     return Status::ok;
 }
@@ -207,13 +207,13 @@ hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report
     if (failed(fault.status) || failed(check_report(report, fault))) return tell(err, fault);
     Analysis const& a = opened(analysis);
     Mesh const& mesh = a.problem.mesh;
-    Quality const quality = measure_quality(mesh, mesh.points, {}, a.reversed, a.problem.executor);
+    Quality const quality = measure_quality(a.topology, mesh.points, {}, a.problem.executor);
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = a.count_used_points();
     filled.cells = mesh.n_cells;
     for (Index i = 0; i < mesh.n_cells; ++i) ++(mesh.cell(i).n == 3 ? filled.triangles : filled.quads);
-    filled.edges = a.edges.count();
+    filled.edges = a.topology.edges.count();
     filled.boundary_edges = a.boundary.count;
     filled.boundary_loops = a.boundary.n_loops;
     filled.inverted = quality.inverted;

@@ -1,5 +1,6 @@
 // The C interface, part 3: everything that needs only a solved basis and the mesh.
 #include "fault_text.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/adjoint.hpp"
 #include "harmorph/morph/assessment.hpp"
 #include "harmorph/morph/crossing.hpp"
@@ -48,7 +49,7 @@ hm_step_report report_of(AdmissibleStep const& limit, Mesh const& mesh, Basis co
     hm_step_report filled = {};
     filled.admissible = limit.step;
     filled.cell = numbered(limit.cell, mesh.index_base);
-    filled.point = numbered(limiting_point(mesh, limit, basis.reversed), mesh.index_base);
+    filled.point = numbered(limiting_point({mesh, basis.reversed}, limit), mesh.index_base);
     return filled;
 }
 
@@ -190,15 +191,15 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     Basis b;
     if (values == nullptr) fault.refuse(Status::bad_argument, "values is NULL");
     if (!failed(fault.status) && !failed(open_solved(basis, b, fault))) {
-        Index const held = function - b.header->counts.first_held;
-        if (function < 0 || held < 0 || held >= b.n_functions()) {
+        Index const stored = function - b.header->counts.first_stored;
+        if (function < 0 || stored < 0 || stored >= b.n_functions()) {
             fault.refuse(Status::bad_argument, "there is no function # (from 0); the basis has @", Counts::from_zero, function,
                          b.n_functions());
         } else if (number < 0 || number >= numbers_of(b.kind())) {
             fault.refuse(Status::bad_argument, "values have no number # (from 0); they have @", Counts::from_zero, number,
                          numbers_of(b.kind()));
         } else {
-            b.column(number * b.n_functions() + held, values);
+            b.column(number * b.n_functions() + stored, values);
         }
     }
     return tell(err, fault);
@@ -260,7 +261,7 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const h
         !failed(view_coordinates(from, "from", view, start, fault)) &&
         !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        AdmissibleStep const limit = admissible_step(view, start, change, b.reversed, threads);
+        AdmissibleStep const limit = admissible_step({view, b.reversed}, start, change, threads);
         hm_step_report const filled = report_of(limit, view, b);
         write_struct(filled, report);
     }
@@ -277,7 +278,7 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points
     if (!failed(check_report(report, fault)) && !failed(open_pair(basis, mesh, b, view, fault)) &&
         !failed(view_coordinates(at, "at", view, points, fault)) &&
         !failed(view_points_if(reference, "reference", undeformed, fault)) && !failed(view_executor(executor, threads, fault))) {
-        Quality const quality = measure_quality(view, points, undeformed, b.reversed, threads);
+        Quality const quality = measure_quality({view, b.reversed}, points, undeformed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
         hm_quality_report const filled = report_of(quality, crossing, view);
         write_struct(filled, report);
@@ -297,7 +298,7 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         !failed(view_coordinates(from, "from", view, start, fault)) &&
         !failed(view_points(displacement, "displacement", change, fault)) &&
         !failed(view_executor(executor, threads, fault))) {
-        Assessment const assessment = assess(view, start, change, b.reversed, threads);
+        Assessment const assessment = assess({view, b.reversed}, start, change, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
         write_struct(report_of(assessment.limit, view, b), step);
         write_struct(report_of(assessment.quality, crossing, view), quality);

@@ -56,9 +56,9 @@ Status check_target(Basis const& basis, const double* move, Fault& fault) noexce
     return Status::ok;
 }
 
-hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Basis const& basis, Points before, Points after) noexcept {
+hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before, Points after) noexcept {
     Index const base = plan.mesh.index_base;
-    Quality const quality = measure_quality(plan.mesh, after, before, basis.reversed, plan.engine.executor);
+    Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
     hm_safe_report filled = {};
     filled.rung = static_cast<std::int32_t>(safe.rung);
     filled.other = safe.other;
@@ -67,7 +67,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Basis const& 
     filled.step_fraction = safe.fraction;
     filled.admissible = safe.limit.step;
     filled.cell = numbered(safe.limit.cell, base);
-    filled.point = numbered(limiting_point(plan.mesh, safe.limit, basis.reversed), base);
+    filled.point = numbered(limiting_point(plan.equations.cells, safe.limit), base);
     filled.untangled = safe.untangle.inverted_before;
     filled.iterations = safe.untangle.iterations;
     for (Index k = 0; k < 2; ++k) {
@@ -112,7 +112,7 @@ Status run(Plan& plan, Basis const& basis, const double* move, const hm_points_o
     SafeReport reached;
     Status const status = safe.run(plan, basis, move, options, derivative, reached, fault);
     if (failed(status) && status != Status::crossing) return status;
-    if (report != nullptr) write_struct(report_of(reached, plan, basis, plan.mesh.points, safe.result()), report);
+    if (report != nullptr) write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
     if (failed(status)) return status;
     safe.write(to);
     if (reached_movement != nullptr) {

@@ -1,6 +1,6 @@
 // The C interface, part 4: from a coarse mesh to a fine one.
 #include "fault_text.hpp"
-#include "harmorph/morph/morph.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/plan/transfer.hpp"
 #include "views.hpp"
 
@@ -32,8 +32,8 @@ Status open_target(hm_basis* basis, Analysis const& analysis, Basis& fine, Fault
     HARMORPH_TRY(fine.require_double(fault));
     BasisCounts const counts = analysis.basis_counts();
     bool const its_own = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
-                         fine.header->topology == analysis.topology &&
-                         fine.header->conditions == analysis.conditions_fingerprint();
+                         fine.header->topology == analysis.mesh_fingerprint &&
+                         fine.header->conditions == analysis.conditions_fingerprint;
     if (its_own) return Status::ok;
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }

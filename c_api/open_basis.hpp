@@ -24,7 +24,7 @@ inline Status open_complete(const hm_basis* basis, Basis& out, Fault& fault) noe
     BasisCounts const& counts = out.header->counts;
     if (counts.complete()) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions", Counts::from_zero,
-                        counts.held, counts.functions());
+                        counts.stored, counts.functions());
 }
 
 }  // namespace harmorph

@@ -11,8 +11,8 @@ namespace {
 Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {
-        const Real* const its = curve.control + 2 * functions.control[k];
-        sum = sum + functions.value[1][k] * Vec2{its[0], its[1]};
+        const Real* const point = curve.control + 2 * functions.control[k];
+        sum = sum + functions.value[1][k] * Vec2{point[0], point[1]};
     }
     return sum;
 }
@@ -40,14 +40,14 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(wall_point, counts.wall);
     arena.take(wall_curve, counts.wall);
     arena.take(wall_u, counts.wall);
-    arena.take(wall_lever, counts.wall);
+    arena.take(wall_offset, counts.wall);
     arena.take(joined_point, counts.joined);
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
     arena.take(reversed, counts.cells);
     bool const in_single = counts.storage == Precision::in_single;
-    Offset const length = Offset{numbers_of(counts.kind)} * counts.held;
+    Offset const length = Offset{numbers_of(counts.kind)} * counts.stored;
     arena.take(value, (in_single ? counts.wall : counts.points) * length);
     arena.take(single, (in_single ? counts.points : 0) * length);
 }
@@ -70,13 +70,13 @@ Basis Basis::view(void* block) noexcept {
 const Basis Basis::view(const void* block) noexcept { return view(const_cast<void*>(block)); }
 
 Curve Basis::curve(Index number) const noexcept {
-    CurveShape const& its = shape[number];
+    CurveShape const& kept = shape[number];
     Curve curve;
-    curve.degree = its.degree;
-    curve.n_indices = its.n_indices;
+    curve.degree = kept.degree;
+    curve.n_indices = kept.n_indices;
     curve.n_control = header->counts.control;
-    curve.indices = indices.data() + its.first_index;
-    curve.knots = knots.data() + its.first_knot;
+    curve.indices = indices.data() + kept.first_index;
+    curve.knots = knots.data() + kept.first_knot;
     curve.control = control.data();
     curve.weights = weights.empty() ? nullptr : weights.data();
     return curve;
@@ -85,20 +85,20 @@ Curve Basis::curve(Index number) const noexcept {
 // On a curve N_i, and where the point's offset e turns with the curve N_i + e N_i' / C'.
 BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     BoundaryFunctions out;
-    Vec2 const lever = wall_lever[slot];
+    Vec2 const offset = wall_offset[slot];
     if (!is_on_curve(slot)) {
         Index const translation = header->counts.control + 2 * (wall_curve[slot] - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};
         out.function[1] = translation + 1;
-        out.value[1] = lever;
+        out.value[1] = offset;
         return out;
     }
-    bool const turns = lever.x != 0 || lever.y != 0;
-    Curve const its = curve(wall_curve[slot]);
-    CurveBasis const functions = curve_basis(its, wall_u[slot], 1);
-    Vec2 const per_derivative = turns ? quotient(lever, derivative_of(its, functions)) : Vec2{};
+    bool const turns = offset.x != 0 || offset.y != 0;
+    Curve const spline = curve(wall_curve[slot]);
+    CurveBasis const functions = curve_basis(spline, wall_u[slot], 1);
+    Vec2 const per_derivative = turns ? quotient(offset, derivative_of(spline, functions)) : Vec2{};
     out.order = functions.order;
     for (Index k = 0; k < max_order; ++k) {  // those behind the order are 0
         out.function[k] = functions.control[k];
@@ -108,13 +108,13 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     return out;
 }
 
-BoundaryFunctions Basis::held_boundary_functions(Index slot) const noexcept {
+BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
     BasisCounts const& counts = header->counts;
     BoundaryFunctions const all = boundary_functions(slot);
     BoundaryFunctions out;
     for (Index k = 0; k < all.order; ++k) {
-        Index const place = all.function[k] - counts.first_held;
-        if (place < 0 || place >= counts.held) continue;
+        Index const place = all.function[k] - counts.first_stored;
+        if (place < 0 || place >= counts.stored) continue;
         out.function[out.order] = place;
         out.value[out.order++] = all.value[k];
     }
@@ -124,8 +124,8 @@ BoundaryFunctions Basis::held_boundary_functions(Index slot) const noexcept {
 Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     Vec2 sum;
     for (Index k = 0; k < order; ++k) {
-        const Real* const its = move + 2 * function[k];
-        sum = sum + product(value[k], {its[0], its[1]});
+        const Real* const by = move + 2 * function[k];
+        sum = sum + product(value[k], {by[0], by[1]});
     }
     return sum;
 }
@@ -160,7 +160,7 @@ void Basis::unseal() const noexcept {
     header->checksum = 0;
 }
 
-Topology topology_fingerprint(Mesh const& mesh) noexcept {
+MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
     Hash front, back;
     front.add(pair(mesh.n_points, mesh.n_cells));
     mesh.for_each_cell([&](Index, Cell const& cell) {

@@ -7,7 +7,6 @@
 namespace harmorph {
 namespace {
 
-constexpr char magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 constexpr Index most = Mesh::max_points;  // of anything: products of two such counts are far from any overflow
 
 bool is_within(Index number, Index begin, Index end) noexcept { return begin <= number && number < end; }
@@ -15,12 +14,12 @@ bool is_within(Index number, Index begin, Index end) noexcept { return begin <= 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
     Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
                          counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
-                         counts.boundary, counts.loops, counts.conditions, counts.first_held, counts.held};
+                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
     Offset const functions = counts.control + 2 * Offset{counts.bodies};
-    if (functions > most || counts.held > functions - counts.first_held) return false;
+    if (functions > most || counts.stored > functions - counts.first_stored) return false;
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
     return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;
@@ -45,7 +44,7 @@ private:
     bool method_is_one() const noexcept {
         BasisHeader const& header = *basis_.header;
         Method const& method = header.method;
-        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.held + 1) &&
+        return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.stored + 1) &&
                is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
                is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0, 3) &&
                is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
@@ -55,25 +54,25 @@ private:
     bool curves_fit() const noexcept {
         Index indices = 0, knots = 0;
         for (Index number = 0; number < counts_.curves; ++number) {
-            Basis::CurveShape const& its = basis_.shape[number];
-            if (!is_within(its.degree, 1, max_degree + 1) || its.first_index != indices || its.first_knot != knots) return false;
-            if (!is_within(its.n_indices, its.degree + 1, counts_.indices - indices + 1)) return false;
-            if (its.n_indices + its.degree + 1 > counts_.knots - knots) return false;
+            Basis::CurveShape const& curve = basis_.shape[number];
+            if (!is_within(curve.degree, 1, max_degree + 1) || curve.first_index != indices || curve.first_knot != knots) return false;
+            if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1)) return false;
+            if (curve.n_indices + curve.degree + 1 > counts_.knots - knots) return false;
             Fault unheard;
             if (failed(check_curve(basis_.curve(number), number, unheard))) return false;
-            indices += its.n_indices;
-            knots += its.n_indices + its.degree + 1;
+            indices += curve.n_indices;
+            knots += curve.n_indices + curve.degree + 1;
         }
         return indices == counts_.indices && knots == counts_.knots;
     }
 
     bool conditions_fit() const noexcept {
-        for (Condition const& its : basis_.conditions) {
-            if (!is_within(static_cast<Index>(its.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
-            bool const on_curve = its.kind == ConditionKind::on_curve;
-            if (on_curve && !is_within(its.first_curve, 0, counts_.curves)) return false;
-            if (on_curve && !is_within(its.n_curves, 1, counts_.curves - its.first_curve + 1)) return false;
-            if (its.kind == ConditionKind::rigid && !is_within(its.body, 0, counts_.bodies)) return false;
+        for (Condition const& condition : basis_.conditions) {
+            if (!is_within(static_cast<Index>(condition.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
+            bool const on_curve = condition.kind == ConditionKind::on_curve;
+            if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
+            if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;
+            if (condition.kind == ConditionKind::rigid && !is_within(condition.body, 0, counts_.bodies)) return false;
         }
         return true;
     }
@@ -121,7 +120,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
     };
-    if (bytes == 0 || std::memcmp(block, magic, smaller(bytes, sizeof magic)) != 0) return refuse("this is not a harmorph basis");
+    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic, smaller(bytes, sizeof BasisHeader::expected_magic)) != 0) return refuse("this is not a harmorph basis");
     if (bytes < sizeof(BasisHeader)) {
         return refuse("the basis is truncated: at least ~ bytes are missing", static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
@@ -148,7 +147,7 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);
     }
-    Topology const found = topology_fingerprint(*mesh);
+    MeshFingerprint const found = fingerprint_of(*mesh);
     if (header.topology.cells != found.cells) return refuse("the basis belongs to another mesh: the cells differ");
     if (header.topology.markers != found.markers) {
         return refuse("the basis belongs to another mesh: other points are on its markers, or markers have other numbers");

@@ -7,7 +7,7 @@ ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
     BasisHeader const& header = *share.header;
     BasisCounts const& counts = header.counts;
     return {ParcelLabel::mark, header.topology, header.coordinates, header.conditions, header.largest,
-            n_points, counts.first_held, counts.held, numbers_of(counts.kind)};
+            n_points, counts.first_stored, counts.stored, numbers_of(counts.kind)};
 }
 
 // Does the parcel have what the rows wait for?

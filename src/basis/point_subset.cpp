@@ -18,8 +18,8 @@ BasisCounts counts_of(Basis const& whole, Index points, Index wall) noexcept {
 Status PointList::check(Index n_points, Fault& fault) const noexcept {
     HARMORPH_TRY(check_length(count(), fault));
     for (Index k = 0; k < count(); ++k) {
-        Offset const its = Offset{point[k]} - index_base;
-        if (its >= 0 && its < n_points) continue;
+        Offset const number = Offset{point[k]} - index_base;
+        if (number >= 0 && number < n_points) continue;
         return fault.refuse(Status::bad_argument, "entry # (from 0) of the list is no point of the mesh: @",
                             Counts::from_zero, k, point[k]);
     }
@@ -54,7 +54,7 @@ void Extract::lay_out(Arena& arena, Basis const& whole, PointList const& list) n
     if (arena.overflown()) return;
     find_wall_points(whole, list);
     Index n_wall = 0, n_joined = 0;
-    for (Index const its : position) n_wall += its != none ? 1 : 0;
+    for (Index const first : position) n_wall += first != none ? 1 : 0;
     for_each_joined(list, [&](Index, Index) { ++n_joined; });
     BasisCounts counts = counts_of(whole, list.count(), n_wall);
     counts.joined = n_joined;
@@ -76,25 +76,25 @@ Index Extract::slot_of(Index point) const noexcept {
 
 void Extract::find_wall_points(Basis const& whole, PointList const& list) const noexcept {
     Index const n_wall = whole.wall_point.count();
-    for (Index its = 0; its < n_wall; ++its) wall[its] = {whole.wall_point[its], its};
+    for (Index k = 0; k < n_wall; ++k) wall[k] = {whole.wall_point[k], k};
     for (Index k = 0; k < whole.joined_point.count(); ++k) {
         wall[n_wall + k] = {whole.joined_point[k], whole.joined_slot[k]};
     }
     sort(wall, [](WallPoint const& a, WallPoint const& b) { return a.point < b.point; });
     fill(position, none);
     for (Index k = 0; k < list.count(); ++k) {
-        Index const its = slot_of(list[k]);
-        if (its != none && position[its] == none) position[its] = k;
+        Index const whole_slot = slot_of(list[k]);
+        if (whole_slot != none && position[whole_slot] == none) position[whole_slot] = k;
     }
     Index n = 0;  // in the order of the boundary
-    for (Index its = 0; its < n_wall; ++its) slot[its] = position[its] != none ? n++ : none;
+    for (Index k = 0; k < n_wall; ++k) slot[k] = position[k] != none ? n++ : none;
 }
 
 template <class Body>
 void Extract::for_each_joined(PointList const& list, Body const& body) const noexcept {
     for (Index k = 0; k < list.count(); ++k) {
-        Index const its = slot_of(list[k]);
-        if (its != none && position[its] != k) body(k, its);
+        Index const whole_slot = slot_of(list[k]);
+        if (whole_slot != none && position[whole_slot] != k) body(k, whole_slot);
     }
 }
 
@@ -111,17 +111,17 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
     copy(basis.control, Span<const Real>(whole.control));
     copy(basis.weights, Span<const Real>(whole.weights));
     copy(basis.conditions, Span<const Condition>(whole.conditions));
-    for (Index its = 0; its < slot.count(); ++its) {
-        if (slot[its] == none) continue;
-        basis.wall_point[slot[its]] = position[its];
-        basis.wall_curve[slot[its]] = whole.wall_curve[its];
-        basis.wall_u[slot[its]] = whole.wall_u[its];
-        basis.wall_lever[slot[its]] = whole.wall_lever[its];
+    for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
+        if (slot[whole_slot] == none) continue;
+        basis.wall_point[slot[whole_slot]] = position[whole_slot];
+        basis.wall_curve[slot[whole_slot]] = whole.wall_curve[whole_slot];
+        basis.wall_u[slot[whole_slot]] = whole.wall_u[whole_slot];
+        basis.wall_offset[slot[whole_slot]] = whole.wall_offset[whole_slot];
     }
     Index n = 0;
-    for_each_joined(list, [&](Index k, Index its) {
+    for_each_joined(list, [&](Index k, Index whole_slot) {
         basis.joined_point[n] = k;
-        basis.joined_slot[n++] = slot[its];
+        basis.joined_slot[n++] = slot[whole_slot];
     });
 }
 
@@ -130,8 +130,8 @@ void Extract::copy_rows(Basis const& whole, PointList const& list) const noexcep
     auto const copy_row = [&](auto* to, auto* from) { std::memcpy(to, from, length * sizeof *to); };
     if (basis.in_single()) {
         for (Index k = 0; k < list.count(); ++k) copy_row(basis.single_row(k), whole.single_row(list[k]));
-        for (Index its = 0; its < slot.count(); ++its) {
-            if (slot[its] != none) copy_row(basis.row(slot[its]), whole.row(its));
+        for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
+            if (slot[whole_slot] != none) copy_row(basis.row(slot[whole_slot]), whole.row(whole_slot));
         }
     } else {
         for (Index k = 0; k < list.count(); ++k) copy_row(basis.row(k), whole.row(list[k]));

@@ -179,7 +179,7 @@ void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(point, n);
     arena.take(curve, n);
     arena.take(u, n);
-    arena.take(lever, n);
+    arena.take(offset, n);
 }
 
 void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -195,12 +195,12 @@ void WallWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     projection.lay_out(arena, static_cast<Index>(n));
 }
 
-Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
-                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
+                   Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept {
     wall.count = 0;
     fill(work.slot, none);
-    Parametriser parametriser(mesh, boundary, conditions, curves, work, wall);
+    Parametriser parametriser(topology.mesh, boundary, conditions, curves, work, wall);
     for (Index i = 0; i < conditions.count(); ++i) {
         if (conditions[i].kind != ConditionKind::on_curve) continue;
         bool is_first = true;
@@ -213,7 +213,7 @@ Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condit
     for (Condition const& condition : conditions) {
         if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
     }
-    HARMORPH_TRY(apply_given(given, curves, representative, work, wall, fault));
+    HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
     return check_distances(mesh.points, curves, wall, fault);
 }
 
@@ -231,19 +231,19 @@ Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
     return length(offset) * slopes < length(at[1]) ? offset : Vec2{};
 }
 
-void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
                  Wall& wall) noexcept {
     for (Index slot = 0; slot < wall.count; ++slot) {
         Index const curve = wall.curve[slot];
         Vec2 const point = points[wall.point[slot]];
-        wall.lever[slot] = {};
+        wall.offset[slot] = {};
         if (curve < curves.count()) {
-            if (offset_correction) wall.lever[slot] = offset_from(curves[curve], wall.u[slot], point);
+            if (offset_correction) wall.offset[slot] = offset_from(curves[curve], wall.u[slot], point);
             continue;
         }
         for (Condition const& condition : conditions) {
             bool const its = condition.kind == ConditionKind::rigid && condition.body == curve - curves.count();
-            if (its) wall.lever[slot] = point - condition.centre;
+            if (its) wall.offset[slot] = point - condition.centre;
         }
     }
 }

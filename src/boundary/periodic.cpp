@@ -8,9 +8,8 @@ constexpr Real translated_within = 1e-6;  // of the boundary's extent: what file
 
 class Pair {
 public:
-    Pair(Mesh const& mesh, Boundary const& boundary, Span<Index> chain, Span<Index> representative, Span<PointKind> kinds,
-         Span<Vec2> tangent) noexcept
-        : mesh_(mesh), boundary_(boundary), chain_(chain), tied_(representative), kinds_(kinds), tangent_(tangent) {}
+    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent) noexcept
+        : mesh_(topology.mesh), boundary_(boundary), chain_(chain), tied_(topology.representative), kinds_(kinds), tangent_(tangent) {}
 
     Status run(Condition const& condition, Translations& translations, Fault& fault) noexcept {
         Index const n = collect(condition.marker, 0);
@@ -103,15 +102,15 @@ private:
 
 }  // namespace
 
-Status tie_periodic(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
-                    Span<Index> representative, Span<PointKind> kinds, Span<Vec2> tangent, Translations& translations,
-                    Fault& fault) noexcept {
+Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
+                    Span<PointKind> kinds, Span<Vec2> tangent, Translations& translations, Fault& fault) noexcept {
+    Span<Index> const representative = topology.representative;
     translations = Translations{};
-    Pair pair(mesh, boundary, chain, representative, kinds, tangent);
+    Pair pair(topology, boundary, chain, kinds, tangent);
     for (Condition const& condition : conditions) {
         if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(pair.run(condition, translations, fault));
     }
-    for (Index k = 0; k < mesh.n_points; ++k) {
+    for (Index k = 0; k < representative.count(); ++k) {
         while (representative[k] != representative[representative[k]]) representative[k] = representative[representative[k]];
     }
     return Status::ok;

@@ -75,8 +75,8 @@ private:
         for (Index i = first; i < behind; ++i) {
             Index const pivot = i - first;
             Number* const sum = own.at(pivot, pivot);
-            sum[0] = static_cast<Number>(matrix_.excess[i]);
-            if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.excess_imaginary[i]);
+            sum[0] = static_cast<Number>(matrix_.row_sum[i]);
+            if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.row_sum_imaginary[i]);
             for (Offset const end = start[i + 1]; k < end; ++k) {
                 Index const j = column[k];
                 Number* const entry = j < behind ? own.at(pivot, j - first) : of_border.at(pivot, place_in(border, j));

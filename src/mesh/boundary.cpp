@@ -35,9 +35,11 @@ void Boundary::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(next, n);
 }
 
-Status Boundary::mark(Mesh const& mesh, Edges& edges, Span<const Index> representative, Fault& fault) noexcept {
+Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
+    Edges& edges = topology.edges;
+    Span<const Index> const representative = topology.representative;
     count = 0;
-    mesh.for_each_face([&](BoundaryFace face, Index list, Index number) {
+    topology.mesh.for_each_face([&](BoundaryFace face, Index list, Index number) {
         Index const edge = edges.find(representative[face.begin], representative[face.end]);
         if (edge == none || !edges.is_boundary(edge)) {
             fault.refuse(Status::bad_mesh,
@@ -61,16 +63,17 @@ Status Boundary::mark(Mesh const& mesh, Edges& edges, Span<const Index> represen
     return fault.status;
 }
 
-Status Boundary::order(Mesh const& mesh, Edges const& edges, Span<const std::uint8_t> reversed, Fault& fault) noexcept {
+Status Boundary::order(Topology const& topology, Fault& fault) noexcept {
+    Edges const& edges = topology.edges;
     if (count < edges.n_boundary) return refuse_unmarked(edges, fault);
     for (Index face = 0; face < count; ++face) {
         Index const edge = given_begin[face], low = given_end[face], high = edges.first[edge].end;
         Index const code = edges.first[edge].code;
-        bool const downwards = runs_backwards(code) != (reversed[cell_of_side(code)] != 0);
+        bool const downwards = runs_backwards(code) != (topology.reversed[cell_of_side(code)] != 0);
         given_begin[face] = downwards ? high : low;
         given_end[face] = downwards ? low : high;
     }
-    fill(head.first(mesh.n_points), none);
+    fill(head.first(topology.mesh.n_points), none);
     for (Index face = count; face-- > 0;) {  // faces that begin at each point, in the given order
         next[face] = head[given_begin[face]];
         head[given_begin[face]] = face;
@@ -93,7 +96,9 @@ Status Boundary::order(Mesh const& mesh, Edges const& edges, Span<const std::uin
     return Status::ok;
 }
 
-Index join_cuts(Mesh const& mesh, Edges const& edges, Span<Index> points, Span<Index> representative) noexcept {
+Index join_cuts(Topology& topology, Span<Index> points) noexcept {
+    Mesh const& mesh = topology.mesh;
+    Edges const& edges = topology.edges;
     Size n = 0;
     fill(points, none);  // first as a set: points[k] = k if k is an end of an unmarked edge
     edges.for_each([&](Index edge, Index low, Index high) {
@@ -119,7 +124,7 @@ Index join_cuts(Mesh const& mesh, Edges const& edges, Span<Index> points, Span<I
     Index joined = 0;
     for (Size k = 1; k < n; ++k) {
         if (order_of(ends[k - 1], ends[k]) != 0) continue;
-        representative[ends[k]] = representative[ends[k - 1]];
+        topology.representative[ends[k]] = topology.representative[ends[k - 1]];
         ++joined;
     }
     return joined;

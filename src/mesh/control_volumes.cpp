@@ -7,13 +7,11 @@ void ControlVolumes::lay_out(Arena& arena, Index n) noexcept {
     arena.take(shortest_edge, n);
 }
 
-void ControlVolumes::measure(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed,
-                             Span<const Index> place) noexcept {
+void ControlVolumes::measure(OrientedMesh const& cells, Points points, Span<const Index> place) noexcept {
     fill(area, 0.0);
     fill(shortest_edge, infinity);
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell cell = mesh.cell(i);
-        if (reversed[i] != 0) cell.reverse();
+    for (Index i = 0; i < cells.mesh.n_cells; ++i) {
+        Cell const cell = cells.cell(i);
         Vec2 const origin = points[cell.point[0]];
         Vec2 at[4], sum;
         for (Index k = 0; k < cell.n; ++k) {

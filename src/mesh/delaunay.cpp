@@ -28,16 +28,16 @@ void Triangulation::lay_out(Arena& arena, Mesh const& of) noexcept {
     edges.lay_out(arena, mesh);
 }
 
-Status Triangulation::build(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
-                            Fault& fault) noexcept {
-    if (max_triangles(of) > static_cast<Size>(Mesh::max_cells)) {
+Status Triangulation::build(Topology const& of, Fault& fault) noexcept {
+    if (max_triangles(of.mesh) > static_cast<Size>(Mesh::max_cells)) {
         return fault.refuse(Status::unsupported, "the bounded scheme can split no more than 2^28 cells, the mesh has #",
-                            Counts::from_zero, of.n_cells);
+                            Counts::from_zero, of.mesh.n_cells);
     }
-    mesh.points = of.points;
+    mesh.points = of.mesh.points;
+    representative = of.representative;
     mesh.cell_points = corner_.data();
     mesh.n_cells = 0;
-    HARMORPH_TRY(split(of, representative, reversed, fault));
+    HARMORPH_TRY(split(of, fault));
     HARMORPH_TRY(edges.build(mesh, representative, fault));
     find_neighbours();
     flip_all();
@@ -52,15 +52,13 @@ void Triangulation::add(Index a, Index b, Index c) noexcept {
 }
 
 // Quads along the diagonal that is Delaunay: the fewer flips remain.
-Status Triangulation::split(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
-                            Fault& fault) noexcept {
-    for (Index i = 0; i < of.n_cells; ++i) {
+Status Triangulation::split(Topology const& of, Fault& fault) noexcept {
+    for (Index i = 0; i < of.mesh.n_cells; ++i) {
         Cell cell = of.cell(i);
-        if (reversed[i] != 0) cell.reverse();
         Vec2 at[4];
         for (Index k = 0; k < cell.n; ++k) {
             cell.point[k] = representative[cell.point[k]];
-            at[k] = of.points[cell.point[k]];
+            at[k] = of.mesh.points[cell.point[k]];
         }
         for (Index k = 0; k < (cell.n == 3 ? 1 : 4); ++k) {
             if (orientation_sign(at[k], at[(k + 1) % cell.n], at[(k + 2) % cell.n]) > 0) continue;

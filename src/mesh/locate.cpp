@@ -48,13 +48,12 @@ void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
 
 }  // namespace
 
-void Locator::build(Mesh const& its_mesh, Span<const std::uint8_t> its_reversed) noexcept {
-    mesh = its_mesh;
-    reversed = its_reversed;
+void Locator::build(OrientedMesh const& mesh) noexcept {
+    cells = mesh;
     tree.build([&](Index cell) {
-        CellShape const its = shape(cell);
+        CellShape const corners = shape(cell);
         Box box;
-        for (Index k = 0; k < its.n; ++k) box.include(its.at[k]);
+        for (Index k = 0; k < corners.n; ++k) box.include(corners.at[k]);
         return box;
     });
 }
@@ -68,12 +67,12 @@ Location Locator::locate(Vec2 point, Index hint) const noexcept {
     out.cell = found.item;
     out.distance = square_root(found.squared);
     if (out.cell == none) return out;
-    CellShape const its = shape(out.cell);
-    Cell const cell = mesh.cell(out.cell);
-    out.longest_side = longest_side(its);
+    CellShape const corners = shape(out.cell);
+    Cell const cell = cells.cell(out.cell);
+    out.longest_side = longest_side(corners);
     out.weights.n = cell.n;
-    for (Index k = 0; k < cell.n; ++k) out.weights.point[k] = cell.point[reversed[out.cell] != 0 ? cell.n - 1 - k : k];
-    weigh(its, point, out.weights.weight);
+    for (Index k = 0; k < cell.n; ++k) out.weights.point[k] = cell.point[k];
+    weigh(corners, point, out.weights.weight);
     return out;
 }
 

@@ -37,10 +37,6 @@ private:
     Span<Index> parent_;
 };
 
-bool is_inverted(Cell const& cell, Points points, bool reversed) noexcept {
-    return !(CellCorners(CellShape(cell, points, reversed)).smallest() > 0);
-}
-
 }  // namespace
 
 void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -50,14 +46,16 @@ void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
 
 Sense common_sense(Mesh const& mesh) noexcept {
     bool const clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
-    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted(cell, mesh.points, clockwise); }) != none) {
+    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted({cell, mesh.points, clockwise}); }) != none) {
         return Sense::mixed;
     }
     return clockwise ? Sense::clockwise : Sense::counter_clockwise;
 }
 
-Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork const& work, Span<std::uint8_t> reversed,
-              Index& inverted, Fault& fault) noexcept {
+Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept {
+    Mesh const& mesh = topology.mesh;
+    Edges const& edges = topology.edges;
+    Span<std::uint8_t> const reversed = topology.reversed;
     inverted = none;
     if (edges.agree && sense != Sense::mixed) {  // the case of nearly all files
         fill(reversed, static_cast<std::uint8_t>(sense == Sense::clockwise ? 1 : 0));
@@ -84,7 +82,7 @@ Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork
         bool const against_root = (root & 1) != 0;
         reversed[cell] = (work.balance[root >> 1] < 0) != against_root ? 1 : 0;
     }
-    inverted = mesh.find_cell([&](Index i, Cell const& cell) { return is_inverted(cell, mesh.points, reversed[i] != 0); });
+    inverted = mesh.find_cell([&](Index i, Cell const& cell) { return is_inverted({cell, mesh.points, reversed[i] != 0}); });
     return Status::ok;
 }
 

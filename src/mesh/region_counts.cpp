@@ -2,11 +2,12 @@
 
 namespace harmorph {
 
-RegionCounts RegionCounts::of(Mesh const& mesh, Edges const& edges) noexcept {
+RegionCounts RegionCounts::of(Topology const& topology) noexcept {
+    Mesh const& mesh = topology.mesh;
     RegionCounts counts;
     counts.points = mesh.n_points;
     counts.cells = mesh.n_cells;
-    counts.pairs = edges.count();
+    counts.pairs = topology.edges.count();
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Index const n = mesh.cell(i).n;
         counts.cell_corners += n;

@@ -16,12 +16,12 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
-AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points displacement,
                                Executor const& executor) noexcept {
-    return reduce_ranges<AdmissibleStep>(mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
+    return reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
         AdmissibleStep limit;
-        mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
-            if (reversed[i] != 0) cell.reverse();
+        cells.mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
+            if (cells.reversed[i] != 0) cell.reverse();
             CellShape const now(cell, points, false);
             limit.add(i, now, CellShape(cell, displacement, false), CellCorners(now));
         });
@@ -29,10 +29,8 @@ AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacem
     });
 }
 
-Index limiting_point(Mesh const& mesh, AdmissibleStep const& limit, Span<const std::uint8_t> reversed) noexcept {
-    if (limit.cell == none) return none;
-    Cell const cell = mesh.cell(limit.cell);
-    return cell.point[reversed[limit.cell] != 0 ? cell.n - 1 - limit.corner : limit.corner];
+Index limiting_point(OrientedMesh const& cells, AdmissibleStep const& limit) noexcept {
+    return limit.cell == none ? none : cells.cell(limit.cell).point[limit.corner];
 }
 
 }  // namespace harmorph

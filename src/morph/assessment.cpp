@@ -4,12 +4,12 @@
 
 namespace harmorph {
 
-Assessment assess(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept {
-    return reduce_ranges<Assessment>(mesh.n_cells, executor, [&](Index begin, Index end, Assessment& result) {
+    return reduce_ranges<Assessment>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Assessment& result) {
         Assessment assessment;
-        mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
-            if (reversed[i] != 0) cell.reverse();
+        cells.mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
+            if (cells.reversed[i] != 0) cell.reverse();
             CellShape const now(cell, points, false), change(cell, displacement, false);
             CellCorners const corners(now);
             assessment.limit.add(i, now, change, corners);

@@ -10,32 +10,57 @@ constexpr Index least_range = 8192;      // points that are worth a thread
 // As add_sums() does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// The movements of numbers first .. first+width-1 of a row of values.
-Movements movements_of(Basis const& basis, const Real* move, Index first, Index width) noexcept {
-    Movements by = {};
-    Index const n = basis.n_functions();
-    Index plane = first / n, function = first % n;
-    for (Index k = 0; k < width; ++k) {
-        Vec2 const moved = moved_by(basis.kind(), plane, {move[2 * function], move[2 * function + 1]});
-        by.x[k] = moved.x;
-        by.y[k] = moved.y;
-        if (++function < n) continue;
-        function = 0;
-        ++plane;
+// What each number of a row of values is multiplied with, in blocks of Movements::most numbers. The first blocks, all of most
+// bases, are made once for a morph; what the stack has no room for is made again for each use.
+class RowMovements {
+public:
+    RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
+        for (Index block = 0; block < kept && block * Movements::most < basis.row_length(); ++block) {
+            kept_[block] = made(block * Movements::most);
+        }
     }
-    return by;
-}
+
+    // body(first number, how many, movements) for each block.
+    template <class Body>
+    void for_each_block(Body const& body) const noexcept {
+        Index const row_length = basis_.row_length();
+        for (Index first = 0; first < row_length; first += Movements::most) {
+            Index const width = smaller(Movements::most, row_length - first), block = first / Movements::most;
+            if (block < kept) body(first, width, kept_[block]);
+            else body(first, width, made(first));
+        }
+    }
+
+private:
+    static constexpr Index kept = 4;
+
+    Movements made(Index first) const noexcept {
+        Movements by = {};
+        Index const n = basis_.n_functions(), width = smaller(Movements::most, basis_.row_length() - first);
+        Index plane = first / n, function = first % n;
+        for (Index k = 0; k < width; ++k) {
+            Vec2 const moved = moved_by(basis_.kind(), plane, {move_[2 * function], move_[2 * function + 1]});
+            by.x[k] = moved.x;
+            by.y[k] = moved.y;
+            if (++function < n) continue;
+            function = 0;
+            ++plane;
+        }
+        return by;
+    }
+
+    Basis const& basis_;
+    const Real* move_;
+    Movements kept_[kept];
+};
 
 // Row p of `rows`, which follow one another, times the movements, is added to point p.
 template <class Number>
-void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, const Real* move,
+void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, RowMovements const& move,
               Sums const& to) noexcept {
-    Index const row_length = basis.row_length();
-    for (Index first = 0; first < row_length; first += Movements::most) {
-        Index const width = smaller(Movements::most, row_length - first);
-        Movements const by = movements_of(basis, move, first, width);
-        multiply_rows(kernel, ValueRows<Number>{rows + first, row_length, n, width}, by, to);
-    }
+    move.for_each_block([&](Index first, Index width, Movements const& by) {
+        multiply_rows(kernel, ValueRows<Number>{rows + first, basis.row_length(), n, width}, by, to);
+    });
 }
 
 void prefetch(const Real* from, Index n) noexcept {
@@ -43,7 +68,7 @@ void prefetch(const Real* from, Index n) noexcept {
 }
 
 // Points begin .. begin+n-1, n <= block_points.
-void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points from, MutablePoints to, Index begin,
+void morph_block(Kernel kernel, Basis const& basis, RowMovements const& move, Points from, MutablePoints to, Index begin,
                  Index n) noexcept {
     constexpr Real zero[block_points] = {};
     Real x[block_points] = {}, y[block_points] = {};
@@ -68,7 +93,7 @@ void morph_block(Kernel kernel, Basis const& basis, const Real* move, Points fro
 }
 
 // In single storage the wall has not moved yet: its rows there are 0.
-void morph_wall(Kernel kernel, Basis const& basis, const Real* move, MutablePoints to) noexcept {
+void morph_wall(Kernel kernel, Basis const& basis, RowMovements const& move, MutablePoints to) noexcept {
     auto const move_point = [&](Index point, Index slot) {
         Vec2 const old = to[point];
         Vec2 sum;
@@ -83,60 +108,13 @@ void morph_wall(Kernel kernel, Basis const& basis, const Real* move, MutablePoin
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
     Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
+    RowMovements const movements(basis, move);
     executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
         for (Index begin = range_begin; begin < range_end; begin += block_points) {
-            morph_block(kernel, basis, move, from, to, begin, smaller(block_points, range_end - begin));
+            morph_block(kernel, basis, movements, from, to, begin, smaller(block_points, range_end - begin));
         }
     });
-    if (basis.in_single()) morph_wall(kernel, basis, move, to);
-}
-
-BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
-    BoundaryError worst;
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
-        Index const point = basis.wall_point[slot];
-        Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
-        worst.include(length(to[point] - from[point] - curve_moved), point);
-    }
-    return worst;
-}
-
-BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
-    BasisMeasures measures;
-    BasisCounts const& counts = basis.header->counts;
-    Index const n_functions = basis.n_functions();
-    Index const n_control = clamp(counts.control - counts.first_held, Index{0}, n_functions);  // of those held
-    ValueKind const kind = basis.kind();
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
-        Index const point = basis.wall_point[slot];
-        BoundaryFunctions const functions = basis.held_boundary_functions(slot);
-        const Real* const values = basis.row(point);
-        for (Index plane = 0; plane < numbers_of(kind); ++plane) {
-            Real sum = 0;
-            for (Index i = 0; i < n_functions; ++i) {
-                Real const value = values[plane * n_functions + i];
-                Real expected = 0;
-                for (Index k = 0; k < functions.order; ++k) {
-                    expected += functions.function[k] == i ? numbers_of(kind, functions.value[k]).plane[plane] : 0;
-                }
-                measures.value.include(absolute(value - expected), point);
-                sum += i < n_control ? value : 0;
-            }
-            if (!basis.is_on_curve(slot) || !counts.complete()) continue;
-            Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
-            if (exceeds(defect, measures.partition_defect)) measures.partition_defect = defect;
-        }
-        if (!basis.is_on_curve(slot)) continue;
-        Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
-        measures.distance.include(length(points[point] - foot), point);
-    }
-    for (Index point = 0; point < basis.n_points(); ++point) {
-        for (Real const value : Span<const Real>(basis.row(point), static_cast<Size>(n_control))) {
-            measures.min_value = smaller(measures.min_value, value);
-            measures.max_value = larger(measures.max_value, value);
-        }
-    }
-    return measures;
+    if (basis.in_single()) morph_wall(kernel, basis, movements, to);
 }
 
 }  // namespace harmorph

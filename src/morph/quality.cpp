@@ -16,12 +16,12 @@ void Quality::merge(Quality const& later) noexcept {
     cells += later.cells;
 }
 
-Quality measure_quality(Mesh const& mesh, Points points, Points reference, Span<const std::uint8_t> reversed,
+Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept {
-    return reduce_ranges<Quality>(mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
+    return reduce_ranges<Quality>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
         Quality quality;
-        mesh.for_each_cell(begin, end, [&](Index i, Cell const& cell) {
-            CellCorners const corners(CellShape(cell, points, reversed[i] != 0));
+        cells.mesh.for_each_cell(begin, end, [&](Index i, Cell const& cell) {
+            CellCorners const corners(CellShape(cell, points, cells.reversed[i] != 0));
             quality.add(i, cell.n, corners, reference.given() ? cell_area(cell, reference) : 0);
         });
         result = quality;

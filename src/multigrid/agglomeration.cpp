@@ -30,7 +30,7 @@ struct Preference {
     // stacks of thin cells, say, each merged for its strong couplings, with next to nothing between them but a third part.
     bool is_smoothed(Part const& a, Part const& b, Real coupling) const noexcept {
         if (merging == Merging::isotropic) return true;
-        return 2 * in_series(a.diagonal, b.diagonal) <= most_left * (coupling + in_series(a.excess, b.excess));
+        return 2 * in_series(a.diagonal, b.diagonal) <= most_left * (coupling + in_series(a.row_sum, b.row_sum));
     }
     bool is_strong(Real coupling, Real strongest) const noexcept {
         return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
@@ -47,7 +47,7 @@ void Agglomeration::lay_out(Arena& arena, Index n) noexcept {
     Offset const cells = coarse_cells(n);
     pool_.n = 0;
     arena.take(pool_.diagonal, cells);
-    arena.take(pool_.excess, cells);
+    arena.take(pool_.row_sum, cells);
     arena.take(pool_.start, cells + most_levels);
     arena.take(pool_.column, most_couplings * cells);
     arena.take(pool_.value, most_couplings * cells);
@@ -77,7 +77,7 @@ void Agglomeration::build(SymmetricRows const& finest, MergingRules const& rules
 
 bool Agglomeration::add_level(Merging merging) noexcept {
     SymmetricRows const& fine = level[count - 1];
-    for (Index i = 0; i < fine.n; ++i) work_.parts[i] = {fine.diagonal[i], fine.excess[i]};
+    for (Index i = 0; i < fine.n; ++i) work_.parts[i] = {fine.diagonal[i], fine.row_sum[i]};
     Index const n_pairs = pair_up(fine, merging, work_.first);
     contract(fine, work_.first, n_pairs, work_.last, work_.rows);
     Index const n = pair_up(work_.rows, merging, work_.second);
@@ -92,13 +92,13 @@ bool Agglomeration::add_level(Merging merging) noexcept {
     SymmetricRows& coarse = level[count];
     coarse.n = n;
     coarse.diagonal = pool_.diagonal.from(cells_used_, n);
-    coarse.excess = pool_.excess.from(cells_used_, n);
+    coarse.row_sum = pool_.row_sum.from(cells_used_, n);
     coarse.start = pool_.start.from(cells_used_ + count - 1, n + 1);
     coarse.column = pool_.column.from(entries_used_, entries);
     coarse.value = pool_.value.from(entries_used_, entries);
     coarse.faces = pool_.faces.from(entries_used_, entries);
     copy(coarse.diagonal, Span<const Real>(merged.diagonal.first(n)));
-    copy(coarse.excess, Span<const Real>(merged.excess.first(n)));
+    copy(coarse.row_sum, Span<const Real>(merged.row_sum.first(n)));
     copy(coarse.start, Span<const Offset>(merged.start.first(n + 1)));
     copy(coarse.column, Span<const Index>(merged.column.first(entries)));
     copy(coarse.value, Span<const Real>(merged.value.first(entries)));

@@ -90,8 +90,8 @@ Lanes<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* 
     for (Index i = 0; i < rows.n; ++i) {
         Lanes<W> const own = load<W>(x + Offset{i} * W);
         Lanes<W> sum = load<W>(y + Offset{i} * W);
-        add<W>(sign * rows.excess[i], own.at, sum.at);
-        for (Index k = 0; k < W; ++k) squares.at[k] += rows.excess[i] * own.at[k] * own.at[k];
+        add<W>(sign * rows.row_sum[i], own.at, sum.at);
+        for (Index k = 0; k < W; ++k) squares.at[k] += rows.row_sum[i] * own.at[k] * own.at[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             Offset const j = Offset{rows.column[e]} * W;
             Real const entry = sign * rows.value[e];
@@ -127,7 +127,7 @@ Lanes<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
     Lanes<W> sum;
     for (Index i = 0; i < rows.n; ++i) {
         const Real* const own = x + Offset{i} * W;
-        for (Index k = 0; k < W; ++k) sum.at[k] += rows.excess[i] * own[k] * own[k];
+        for (Index k = 0; k < W; ++k) sum.at[k] += rows.row_sum[i] * own[k] * own[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             const Real* const other = x + Offset{rows.column[e]} * W;
             for (Index k = 0; k < W; ++k) sum.at[k] -= rows.value[e] * (other[k] - own[k]) * (other[k] - own[k]);

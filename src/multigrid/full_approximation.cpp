@@ -30,10 +30,7 @@ void FullApproximation::lay_out_vectors(Arena& arena, Index n) noexcept {
 }
 
 Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
-    for (Index i = 0; i < finest.n; ++i) {
-        if (finest.diagonal[i] > 0) continue;
-        return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, i);
-    }
+    HARMORPH_TRY(check_diagonals(finest, fault));
     levels.build(finest, iteration.merging);
     Offset used = 0;
     for (Index l = 0; l < levels.count; ++l) {

@@ -14,6 +14,17 @@ void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration c
     arena.take(lane_history, Offset{lanes} * iteration.history.count());
 }
 
+Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept {
+    for (Index i = 0; i < rows.n; ++i) {
+        if (!(rows.diagonal[i] > 0)) return refuse_row(i, fault);
+    }
+    return Status::ok;
+}
+
+Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {
+    return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, position);
+}
+
 void BlockIteration::note(Index lane, Index its_iteration, Real residual) const noexcept {
     Index const length = iteration.history.count();
     if (its_iteration >= length) return;

@@ -18,12 +18,7 @@ void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
 }
 
 Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
-    auto const refuse = [&](Index position) {
-        return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, position);
-    };
-    for (Index i = 0; i < finest.n; ++i) {
-        if (!(finest.diagonal[i] > 0)) return refuse(i);
-    }
+    HARMORPH_TRY(check_diagonals(finest, fault));
     levels.build(finest, iteration.merging);
     SymmetricRows const& last = levels.level[levels.count - 1];
     has_bottom = last.n <= Agglomeration::coarsest;
@@ -31,7 +26,7 @@ Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     bottom.shape(last.n, last.n - 1, false);
     for (Index i = 0; i < last.n; ++i) bottom.at(i, i) = last.diagonal[i];
     last.for_each([&](Index i, Index j, Offset e) { bottom.add(i, j, last.value[e]); });
-    return bottom.factor() ? Status::ok : refuse(0);
+    return bottom.factor() ? Status::ok : refuse_row(0, fault);
 }
 
 Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report, Fault& fault) const noexcept {

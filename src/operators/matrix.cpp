@@ -30,10 +30,10 @@ Offset drop_repeats(Span<Index> row) noexcept {
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
     n = unknowns;
     kind = sizes.kind;
-    arena.take(place, Offset{components()} * n_points);
+    arena.take(row_of, Offset{components()} * n_points);
     arena.take(diagonal, n);
-    arena.take(excess, n);
-    arena.take(excess_imaginary, is_complex() ? n : 0);
+    arena.take(row_sum, n);
+    arena.take(row_sum_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
     arena.take(column, sizes.entries + short_row);  // a row is written and searched beyond its end
     arena.take(value, sizes.entries);
@@ -42,10 +42,10 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(coupling_row, sizes.couplings);
     arena.take(coupling_value, sizes.couplings);
     arena.take(coupling_imaginary, is_complex() ? sizes.couplings : 0);
-    arena.take(held_row, sizes.held);
-    arena.take(held_value, sizes.held);
-    arena.take(held_imaginary, kind != MatrixKind::real ? sizes.held : 0);
-    arena.take(frame, kind == MatrixKind::two_lines ? n_points : 0);
+    arena.take(fixed_row, sizes.fixed);
+    arena.take(fixed_value, sizes.fixed);
+    arena.take(fixed_imaginary, kind != MatrixKind::real ? sizes.fixed : 0);
+    arena.take(frame, kind == MatrixKind::coupled_xy ? n_points : 0);
 }
 
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
@@ -54,7 +54,7 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
         Index const its = representative[point];
         for (Index c = 0; c < components(); ++c) {
             Index const unknown = graph.unknown[components() * its + c];
-            place[components() * point + c] = unknown != none     ? position[unknown]
+            row_of[components() * point + c] = unknown != none     ? position[unknown]
                                               : slot[its] != none ? wall(components() * slot[its] + c)
                                                                   : none;
         }
@@ -80,7 +80,7 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
         Index const its_slot = slot[line / components()];
         return its_slot != none ? components() * its_slot + line % components() : none;
     };
-    Index held = 0;
+    Index n_fixed = 0;
     fill(coupling_start, Index{0});
     graph.for_each_known([&](Index, Index line) {
         Index const its = coupled_line(line);
@@ -91,44 +91,44 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
         Index const its = coupled_line(line);
         if (its != none) {
             coupling_row[coupling_start[its]++] = position[unknown];
-        } else if (components() == 1 || holds(graph.line[unknown], line)) {
-            held_row[held++] = position[unknown];
+        } else if (components() == 1 || stands_for_fixed(graph.line[unknown], line)) {
+            fixed_row[n_fixed++] = position[unknown];
         }
     });
     rewind_starts(coupling_start);
     for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
         sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
     }
-    held_row = held_row.first(held);
-    sort_row(held_row);
+    fixed_row = fixed_row.first(n_fixed);
+    sort_row(fixed_row);
 }
 
-// Of all pairs of lines of two points, the one that stands for what one point is held by the other.
-bool Matrix::holds(Index line, Index other_line) const noexcept {
+// Of all pairs of lines of two points, the one that stands for what a point loses to another that is fixed.
+bool Matrix::stands_for_fixed(Index line, Index other_line) const noexcept {
     Index const point = line / 2, other = other_line / 2;
-    bool const first_pair = line % 2 == 0 && other_line % 2 == (place[2 * other] == none ? 0 : 1);
-    return first_pair && is_held_by(point, other);
+    bool const first_pair = line % 2 == 0 && other_line % 2 == (row_of[2 * other] == none ? 0 : 1);
+    return first_pair && is_beside_fixed(point, other);
 }
 
-bool Matrix::is_held_by(Index point, Index other) const noexcept {
-    if (place[components() * point] < 0 || place[components() * point] == place[components() * other]) return false;
-    if (place[components() * other] == none) return true;
-    return kind == MatrixKind::two_lines && slips(point) && slips(other) && turns(point, other);
+bool Matrix::is_beside_fixed(Index point, Index other) const noexcept {
+    if (row_of[components() * point] < 0 || row_of[components() * point] == row_of[components() * other]) return false;
+    if (row_of[components() * other] == none) return true;
+    return kind == MatrixKind::coupled_xy && slips(point) && slips(other) && turns(point, other);
 }
 
 void Matrix::clear() const noexcept {
     fill(diagonal, 0.0);
-    fill(excess, 0.0);
-    fill(excess_imaginary, 0.0);
+    fill(row_sum, 0.0);
+    fill(row_sum_imaginary, 0.0);
     fill(value, 0.0);
     fill(imaginary, 0.0);
     fill(coupling_value, 0.0);
     fill(coupling_imaginary, 0.0);
-    fill(held_value, 0.0);
-    fill(held_imaginary, 0.0);
+    fill(fixed_value, 0.0);
+    fill(fixed_imaginary, 0.0);
 }
 
-// i, j: their places.
+// i, j: rows, as row_of has them.
 Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
     bool const turned = i < 0 || (j >= 0 && j < i);
     if (turned) {
@@ -136,10 +136,10 @@ Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
         i = j;
         j = first;
     }
-    if (!rows.holds(i)) return {};
+    if (!rows.contain(i)) return {};
     if (j == none) {
-        Index const at = find_in_order<Index>(held_row, 0, held_row.count(), i);
-        return {held_value.data() + at, held_imaginary.data() + at, turned};
+        Index const at = find_in_order<Index>(fixed_row, 0, fixed_row.count(), i);
+        return {fixed_value.data() + at, fixed_imaginary.data() + at, turned};
     }
     if (j >= 0) {
         Offset const at = find_in_row(column, start[i], start[i + 1], j);
@@ -151,7 +151,7 @@ Matrix::Entry Matrix::entry(RowRange rows, Index i, Index j) const noexcept {
 
 void Matrix::add(Index point, Index other, Real conductance) const noexcept {
     RowRange const all{0, n};
-    Index const i = place[point], j = place[other];
+    Index const i = row_of[point], j = row_of[other];
     if (i == j) return;
     if (i >= 0) diagonal[i] += conductance;
     if (j >= 0) diagonal[j] += conductance;
@@ -161,13 +161,13 @@ void Matrix::add(Index point, Index other, Real conductance) const noexcept {
 template <bool with_circulation>
 void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept {
     if (i == j) return;
-    if (j < 0 && rows.holds(i)) {
-        excess[i] += conductance;
-        if (with_circulation) excess_imaginary[i] -= circulation;
+    if (j < 0 && rows.contain(i)) {
+        row_sum[i] += conductance;
+        if (with_circulation) row_sum_imaginary[i] -= circulation;
     }
-    if (i < 0 && rows.holds(j)) {
-        excess[j] += conductance;
-        if (with_circulation) excess_imaginary[j] += circulation;
+    if (i < 0 && rows.contain(j)) {
+        row_sum[j] += conductance;
+        if (with_circulation) row_sum_imaginary[j] += circulation;
     }
     Entry const its = entry(rows, i, j);
     if (its.value == nullptr) return;
@@ -182,8 +182,8 @@ bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
     bool any_row = false;
     for (Index k = 0; k < cell.n; ++k) {
         for (Index c = 0; c < components(); ++c) {
-            Index const its = place[components() * cell.point[k] + c];
-            if (rows.holds(its)) return true;
+            Index const its = row_of[components() * cell.point[k] + c];
+            if (rows.contain(its)) return true;
             any_row = any_row || its >= 0;
         }
     }
@@ -192,35 +192,35 @@ bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
 
 // The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
 void Matrix::add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {
-    if (place[2 * point] == place[2 * other]) return;
+    if (row_of[2 * point] == row_of[2 * other]) return;
     Vec2 const its = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
     Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
     auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
-        if (rows.holds(row)) numbers[row] += number;
+        if (rows.contain(row)) numbers[row] += number;
     };
     for (Index p = 0; p < 2; ++p) {
-        Index const i = place[2 * point + p], own_j = place[2 * other + p];
+        Index const i = row_of[2 * point + p], own_j = row_of[2 * other + p];
         Index const own[] = {i, own_j};
         for (Index const row : own) {
             add_to(diagonal, row, conductance);
-            add_to(excess, row, conductance);
+            add_to(row_sum, row, conductance);
         }
         for (Index q = 0; q < 2; ++q) {
-            Index const j = place[2 * other + q];
+            Index const j = row_of[2 * other + q];
             if (i == none || j == none) continue;
             Entry const at = entry(rows, i, j);
             if (at.value != nullptr) *at.value += block[p][q];
             if (i < 0 || j < 0) continue;
-            add_to(excess, i, block[p][q]);
-            add_to(excess, j, block[p][q]);
+            add_to(row_sum, i, block[p][q]);
+            add_to(row_sum, j, block[p][q]);
         }
     }
-    if (is_held_by(point, other)) hold(rows, point, conductance, circulation);
-    if (is_held_by(other, point)) hold(rows, other, conductance, -circulation);
+    if (is_beside_fixed(point, other)) couple_to_fixed(rows, point, conductance, circulation);
+    if (is_beside_fixed(other, point)) couple_to_fixed(rows, other, conductance, -circulation);
 }
 
-void Matrix::hold(RowRange rows, Index point, Real conductance, Real circulation) const noexcept {
-    Entry const at = entry(rows, place[2 * point], none);
+void Matrix::couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept {
+    Entry const at = entry(rows, row_of[2 * point], none);
     if (at.value == nullptr) return;
     *at.value -= conductance;
     *at.imaginary += circulation;
@@ -229,7 +229,7 @@ void Matrix::hold(RowRange rows, Index point, Real conductance, Real circulation
 void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {
     fill(faces, std::uint8_t{0});
     edges.for_each([&](Index, Index low, Index high) {
-        Index const i = place[low], j = place[high];
+        Index const i = row_of[low], j = row_of[high];
         if (i < 0 || j < 0 || i == j) return;
         Index const row = smaller(i, j);
         faces[find_in_row(column, start[row], start[row + 1], larger(i, j))] = 1;

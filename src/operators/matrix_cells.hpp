@@ -5,7 +5,7 @@
 
 namespace harmorph {
 
-// The place of a column in a row that has it.
+// Where a column stands in a row that has it.
 template <class I>
 I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcept {
     while (end - begin > 16) {
@@ -40,9 +40,9 @@ inline __attribute__((always_inline)) void Matrix::add_corners(RowRange rows, Ce
                                                                Real circulation) const noexcept {
     Index at[corners];
     bool is_inside = true;  // all its corners are unknowns in range, and no two the same
-    for (Index k = 0; k < corners; ++k) at[k] = place[cell.point[k]];
+    for (Index k = 0; k < corners; ++k) at[k] = row_of[cell.point[k]];
     constexpr Index n_across = corners == 4 ? 2 : 0;
-    for (Index k = 0; k < corners; ++k) is_inside = is_inside && rows.holds(at[k]) && at[k] != at[(k + 1) % corners];
+    for (Index k = 0; k < corners; ++k) is_inside = is_inside && rows.contain(at[k]) && at[k] != at[(k + 1) % corners];
     for (Index k = 0; k < n_across; ++k) is_inside = is_inside && at[k] != at[k + 2];
     if (!is_inside) {
         for (Index k = 0; k < corners; ++k) its.side[k] = at[k] == at[(k + 1) % corners] ? 0 : its.side[k];
@@ -55,7 +55,7 @@ inline __attribute__((always_inline)) void Matrix::add_corners(RowRange rows, Ce
     }
     if (!is_inside) {
         for (Index k = 0; k < corners; ++k) {
-            if (rows.holds(at[k])) diagonal[at[k]] += sum[k];
+            if (rows.contain(at[k])) diagonal[at[k]] += sum[k];
         }
         for (Index k = 0; k < corners; ++k) {
             add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], its.side[k], circulation);

@@ -22,23 +22,23 @@ struct BasisRows {
 
 }  // namespace
 
-void NodalEquations::init(Mesh const& mesh, Edges const& edges, Matrix const& matrix, Span<const Index> representative,
-                          Span<const std::uint8_t> reversed, bool corrected) noexcept {
+void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept {
+    Span<const Index> const representative = topology.representative;
     n = matrix.n;
     n_wall = matrix.coupling_start.count() - 1;
     Span<Index> const row_of = scheme.row_of;
     Index rows = n + n_wall;
-    for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const place = matrix.place[point];
-        if (place >= 0) row_of[point] = place;
-        if (Matrix::is_wall(place)) row_of[point] = n + Matrix::wall(place);
-        if (place == none && representative[point] == point) row_of[point] = rows++;
+    for (Index point = 0; point < representative.count(); ++point) {
+        Index const row = matrix.row_of[point];
+        if (row >= 0) row_of[point] = row;
+        if (Matrix::is_wall(row)) row_of[point] = n + Matrix::wall(row);
+        if (row == none && representative[point] == point) row_of[point] = rows++;
     }
-    for (Index point = 0; point < mesh.n_points; ++point) row_of[point] = row_of[representative[point]];
-    scheme.init(mesh, edges, reversed, corrected);
+    for (Index point = 0; point < representative.count(); ++point) row_of[point] = row_of[representative[point]];
+    scheme.init(topology, topology.edges, corrected);
 }
 
-void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns, Index width) const noexcept {
+void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
         Index const count = smaller(width, columns - first);
         for (Index i = 0; i < n; ++i) fill(Span<Real>(lines.at(i) + first, static_cast<Size>(count)), 0.0);
@@ -70,7 +70,7 @@ Residual::Norms NodalEquations::compute(Residual const& residual, Lines const& l
     return norms;
 }
 
-void NodalEquations::apply(const Real* from, Index width, Real* to) const noexcept {
+void NodalEquations::apply(const Real* from, Real* to) const noexcept {
     Span<Real> const all{to, static_cast<Size>(n) * static_cast<Size>(width)};
     fill(all, 0.0);
     add_balances(

@@ -11,35 +11,31 @@ void NodalGradient::lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) n
     arena.take(edges.second, n_edges);
     arena.take(cells, its_mesh.n_cells);
     arena.take(inverse_area, its_mesh.n_points);
-    dual.lay_out(arena, n_edges, its_mesh.n_points);
+    dual.lay_out(arena, n_edges);
 }
 
-void NodalGradient::init(Mesh const& its_mesh, Edges const& its_edges, Span<const std::uint8_t> its_reversed,
-                         bool with_correction) noexcept {
+void NodalGradient::init(OrientedMesh const& its_mesh, Edges const& its_edges, bool with_correction) noexcept {
     mesh = its_mesh;
     corrected = with_correction;
-    reversed = its_reversed;
     copy(edges.start, Span<const Index>(its_edges.start));
     copy(edges.first, Span<const Edges::Side>(its_edges.first.first(its_edges.count())));
     copy(edges.second, Span<const Index>(its_edges.second.first(its_edges.count())));
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell cell = mesh.cell(i);
-        if (reversed[i] != 0) cell.reverse();
+    for (Index i = 0; i < cells.count(); ++i) {
+        Cell const cell = mesh.cell(i);
         cells[i].row[3] = none;
         for (Index k = 0; k < cell.n; ++k) cells[i].row[k] = row_of[cell.point[k]];
     }
 }
 
 void NodalGradient::measure(Points points) noexcept {
-    dual.build(mesh, points, edges, row_of, reversed);
+    dual.build(mesh, edges, points);
     for (MedianDual::Face& face : dual.faces) {
         face.begin = row_of[face.begin];
         face.end = row_of[face.end];
     }
     fill(inverse_area, 0.0);
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Cell cell = mesh.cell(i);
-        if (reversed[i] != 0) cell.reverse();
+    for (Index i = 0; i < cells.count(); ++i) {
+        Cell const cell = mesh.cell(i);
         Vec2 const first = points[cell.point[0]], last = cell.n == 3 ? first : points[cell.point[3]];
         Vec2 const one = points[cell.point[2]] - first, other = last - points[cell.point[1]];
         cells[i].across[0] = {0.5 * one.y, -0.5 * one.x};

@@ -70,7 +70,7 @@ private:
         Index point, line;
     };
     Place place_of(Index position) const noexcept { return {lines_.of[position] / 2, lines_.of[position] % 2}; }
-    bool slips(Index point) const noexcept { return matrix_.place[2 * point + 1] == none; }
+    bool slips(Index point) const noexcept { return matrix_.row_of[2 * point + 1] == none; }
     const Real* line(Index point, Index its) const noexcept { return lines_.line(2 * point + its) + first_; }
 
     // Points that slip have a line of their own direction. What flows is found from displacements in the plane, and only then
@@ -86,8 +86,8 @@ private:
                 for (Index k = 0; k < n_; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - share * own[k]);
             }
         }
-        for (Index h = 0; h < matrix_.held_row.count(); ++h) {
-            add_held(matrix_.held_row[h], matrix_.held_value[h], matrix_.held_imaginary[h]);
+        for (Index h = 0; h < matrix_.fixed_row.count(); ++h) {
+            add_fixed(matrix_.fixed_row[h], matrix_.fixed_value[h], matrix_.fixed_imaginary[h]);
         }
         for (Index i = 0; i < matrix_.n; ++i) {
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) add_entry(i, matrix_.column[e], matrix_.value[e]);
@@ -97,13 +97,13 @@ private:
     static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
 
     // i: the position of a point's first line.
-    void add_held(Index i, Real re, Real im) const noexcept {
+    void add_fixed(Index i, Real re, Real im) const noexcept {
         Index const point = place_of(i).point;
         const Real* const x = line(point, 0);
         subtract(-re, x, row_of(i));
         if (slips(point)) return;
         const Real* const y = line(point, 1);
-        Real* const second = row_of(matrix_.place[2 * point + 1]);
+        Real* const second = row_of(matrix_.row_of[2 * point + 1]);
         subtract(im, y, row_of(i));
         subtract(-re, y, second);
         subtract(-im, x, second);
@@ -112,7 +112,7 @@ private:
     void add_entry(Index i, Index j, Real entry) const noexcept {
         Place const a = place_of(i), b = place_of(j);
         if (slips(a.point) != slips(b.point)) return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
-        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // what they hold of each other is in held_value
+        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // what each is fixed by the other is in fixed_value
             subtract(entry, at(j), row_of(i));
             subtract(entry, at(i), row_of(j));
             return;
@@ -131,7 +131,7 @@ private:
         const Real* const y = line(its.point, 1);
         Real* const own = row_of(slipping);
         Real* const same = row_of(free);
-        Real* const other = row_of(matrix_.place[2 * its.point + 1 - its.line]);
+        Real* const other = row_of(matrix_.row_of[2 * its.point + 1 - its.line]);
         Real const across = its.line == 0 ? entry : -entry;
         for (Index k = 0; k < n_; ++k) {
             Vec2 const rise{along.x * slid[k] - x[k], along.y * slid[k] - y[k]};
@@ -190,8 +190,8 @@ Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, N
     for (Index c = 0; c < matrix.coupling_row.count(); ++c) {
         add(matrix.coupling_row[c], size(matrix.coupling_value, matrix.coupling_imaginary, c));
     }
-    for (Index h = 0; h < matrix.held_row.count(); ++h) {
-        add(matrix.held_row[h], size(matrix.held_value, matrix.held_imaginary, h));
+    for (Index h = 0; h < matrix.fixed_row.count(); ++h) {
+        add(matrix.fixed_row[h], size(matrix.fixed_value, matrix.fixed_imaginary, h));
     }
     Real largest = 0, worst = 0;
     Offset const plane = lines.columns(matrix);
@@ -220,7 +220,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kin
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
     arena.take(value, precision == Precision::in_double ? numbers : 0);
     arena.take(single, precision == Precision::in_single ? numbers : 0);
-    bool const waits = kind != MatrixKind::two_lines;
+    bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + walls : 0);
 }
@@ -230,7 +230,7 @@ Real Residual::Norms::relative(Index k) const noexcept {
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    if (matrix.kind == MatrixKind::two_lines) return TurnedBalances(matrix, lines, first, n, width, value).run();
+    if (matrix.kind == MatrixKind::coupled_xy) return TurnedBalances(matrix, lines, first, n, width, value).run();
     Norms norms;
     if (single.empty()) {
         find_balances(*this, matrix, lines, first, n, value.data(), norms);

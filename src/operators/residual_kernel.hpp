@@ -35,12 +35,12 @@ public:
         for (Index& its : latest_) its = none;
         Index const walls = matrix_.coupling_start.count() - 1;
         for (Index wall = 0; wall < walls; ++wall) queue(matrix_.n + wall, matrix_.coupling_start[wall]);
-        Index held = 0;
+        Index fixed = 0;
         for (Index i = 0; i < matrix_.n; ++i) {
             fetch(i + rows_ahead);
             begin_row(i);
-            for (; held < matrix_.held_row.count() && matrix_.held_row[held] == i; ++held) {
-                take(own_, -matrix_.held_value[held], -imaginary(matrix_.held_imaginary, held), rest_);
+            for (; fixed < matrix_.fixed_row.count() && matrix_.fixed_row[fixed] == i; ++fixed) {
+                take(own_, -matrix_.fixed_value[fixed], -imaginary(matrix_.fixed_imaginary, fixed), rest_);
             }
             take_earlier(i, norms.right_hand_side);
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {

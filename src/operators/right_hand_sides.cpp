@@ -39,7 +39,7 @@ void set_right_hand_sides(Matrix const& matrix, Lines const& lines) noexcept {
     Basis const& basis = lines.basis;
     fill(basis.value, 0.0);
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
-        BoundaryFunctions const functions = basis.held_boundary_functions(wall / lines.components);
+        BoundaryFunctions const functions = basis.stored_boundary_functions(wall / lines.components);
         KnownLine const known(basis, functions, wall % lines.components, lines.components);
         Real* const own = lines.wall(wall);
         for (Index k = 0; k < known.n; ++k) own[known.at[k]] += known.value[k];

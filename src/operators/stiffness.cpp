@@ -39,7 +39,7 @@ inline CellConductances quad_conductances(CellShape const& shape, CellCorners co
 
 template <MatrixKind kind, Index corners>
 void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& its, Real circulation) noexcept {
-    if constexpr (kind == MatrixKind::two_lines) {
+    if constexpr (kind == MatrixKind::coupled_xy) {
         for (Index k = 0; k < corners; ++k) {
             matrix.add_lines(rows, cell.point[k], cell.point[(k + 1) % corners], its.side[k], circulation);
         }
@@ -53,10 +53,11 @@ void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConduct
 
 // The first cell of no positive area that concerns these rows.
 template <MatrixKind kind>
-Index add_cells(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Real> conductivity, Real half,
+Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> conductivity, Real half,
                 Matrix const& its_matrix, RowRange rows) noexcept {
     Matrix const matrix = its_matrix;  // what is written cannot change a copy
-    return mesh.find_cell([&](Index i, Cell cell) {
+    Span<const std::uint8_t> const reversed = cells.reversed;
+    return cells.mesh.find_cell([&](Index i, Cell cell) {
         if (!matrix.concerns(rows, cell)) return false;
         if (reversed[i] != 0) cell.reverse();
         CellShape const shape(cell, points, false);
@@ -74,16 +75,16 @@ Index add_cells(Mesh const& mesh, Points points, Span<const std::uint8_t> revers
 
 }  // namespace
 
-Index assemble_stiffness(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Real> conductivity,
-                         bool conformal, Matrix const& matrix, Executor const& executor) noexcept {
+Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Real> conductivity, bool conformal,
+                         Matrix const& matrix, Executor const& executor) noexcept {
     matrix.clear();
     Real const half = conformal ? 0.5 : 0;
     auto const add = matrix.kind == MatrixKind::real      ? add_cells<MatrixKind::real>
                      : matrix.kind == MatrixKind::complex ? add_cells<MatrixKind::complex>
-                                                          : add_cells<MatrixKind::two_lines>;
+                                                          : add_cells<MatrixKind::coupled_xy>;
     Index bad_cell[Executor::most_threads];
     Index const n_ranges = matrix.for_row_ranges(executor, [&](Index range, RowRange rows) {
-        bad_cell[range] = add(mesh, points, reversed, conductivity, half, matrix, rows);
+        bad_cell[range] = add(cells, points, conductivity, half, matrix, rows);
     });
     Index first = bad_cell[0];
     for (Index range = 1; range < n_ranges; ++range) {

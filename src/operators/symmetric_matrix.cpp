@@ -38,7 +38,7 @@ void merge_columns(SymmetricRows& rows, Span<Offset> last) noexcept {
 void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
     n = rows;
     arena.take(diagonal, rows);
-    arena.take(excess, rows);
+    arena.take(row_sum, rows);
     arena.take(start, Offset{rows} + 1);
     arena.take(column, entries);
     arena.take(value, entries);
@@ -47,10 +47,10 @@ void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
 
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept {
     coarse.n = n;
-    fill(coarse.excess.first(n), 0.0);
+    fill(coarse.row_sum.first(n), 0.0);
     Span<Offset> const starts = coarse.start.first(n + 1);
     fill(starts, Offset{0});
-    for (Index i = 0; i < fine.n; ++i) coarse.excess[cell_of[i]] += fine.excess[i];
+    for (Index i = 0; i < fine.n; ++i) coarse.row_sum[cell_of[i]] += fine.row_sum[i];
     fine.for_each([&](Index i, Index j, Offset) {
         Index const a = cell_of[i], b = cell_of[j];
         if (a != b) ++starts[smaller(a, b)];
@@ -66,7 +66,7 @@ void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Spa
     });
     rewind_starts(starts);
     merge_columns(coarse, last);
-    copy(coarse.diagonal.first(n), Span<const Real>(coarse.excess.first(n)));
+    copy(coarse.diagonal.first(n), Span<const Real>(coarse.row_sum.first(n)));
     coarse.for_each([&](Index i, Index j, Offset e) {
         coarse.diagonal[i] -= coarse.value[e];
         coarse.diagonal[j] -= coarse.value[e];

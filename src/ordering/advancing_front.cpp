@@ -7,14 +7,15 @@ void LayerWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(reached, max_unknowns);
 }
 
-void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
-                     Graph const& graph, LayerWork const& work, Span<Index> order) noexcept {
+void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph, LayerWork const& work,
+                     Span<Index> order) noexcept {
+    Mesh const& mesh = topology.mesh;
     fill(work.in_quad.first(graph.n), std::uint8_t{0});
     fill(work.reached.first(graph.n), std::uint8_t{0});
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Cell const cell = mesh.cell(i);
         for (Index k = 0; k < (cell.n == 4 ? 4 : 0); ++k) {
-            Index const u = graph.unknown[representative[cell.point[k]]];
+            Index const u = graph.unknown[topology.representative[cell.point[k]]];
             if (u != none) work.in_quad[u] = 1;
         }
     }
@@ -26,7 +27,7 @@ void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> rep
             work.reached[u] = 1;
             order[filled++] = u;
         };
-        for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+        for_each_pair(topology, [&](Index a, Index b) {
             if (!is_unknown(kinds[a])) reach(graph.unknown[b]);
             if (!is_unknown(kinds[b])) reach(graph.unknown[a]);
         });

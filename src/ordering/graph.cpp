@@ -8,15 +8,15 @@ namespace {
 
 // visit(unknown or none, line, unknown or none, line) for every two lines of two points that share a cell.
 template <Index components, class Visit>
-void for_each_two_lines(Mesh const& mesh, Edges const& edges, Span<const Index> unknown, Visit visit) noexcept {
+void for_each_two_lines(Topology const& topology, Span<const Index> unknown, Visit visit) noexcept {
     auto const visit_lines = [&](Index a, Index b) {
         if (unknown[components * a] == unknown[components * b]) return;  // one point, or two that are known
         for (Index p = components * a; p < components * (a + 1); ++p) {
             for (Index q = components * b; q < components * (b + 1); ++q) visit(unknown[p], p, unknown[q], q);
         }
     };
-    edges.for_each([&](Index, Index low, Index high) { visit_lines(low, high); });
-    mesh.for_each_cell([&](Index, Cell const& cell) {
+    topology.edges.for_each([&](Index, Index low, Index high) { visit_lines(low, high); });
+    topology.mesh.for_each_cell([&](Index, Cell const& cell) {
         if (cell.n != 4) return;
         visit_lines(cell.point[0], cell.point[2]);
         visit_lines(cell.point[1], cell.point[3]);
@@ -37,18 +37,18 @@ void Graph::lay_out(Arena& arena, Mesh const& mesh, Index n_components) noexcept
     arena.take(beside_curve, lines);
 }
 
-void Graph::build(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
-                  Span<const PointKind> kinds) noexcept {
+void Graph::build(Topology const& topology, Span<const PointKind> kinds) noexcept {
     if (components == 1) {
-        connect<1>(mesh, edges, representative, kinds);
+        connect<1>(topology, kinds);
     } else {
-        connect<2>(mesh, edges, representative, kinds);
+        connect<2>(topology, kinds);
     }
 }
 
 template <Index n_components>
-void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
-                    Span<const PointKind> kinds) noexcept {
+void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexcept {
+    Mesh const& mesh = topology.mesh;
+    Span<const Index> const representative = topology.representative;
     n = 0;
     for (Index k = 0; k < mesh.n_points; ++k) {
         for (Index c = 0; c < n_components; ++c) {
@@ -64,17 +64,17 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
-    couplings = held = 0;
+    couplings = fixed = 0;
     Size known_begin = neighbour.size();  // two places are there for every pair
     auto const couple = [&](Index u, Index its_line) {
         Index const point = representative[its_line / n_components], other = n_components * point + its_line % n_components;
         bool const on_wall = kinds[point] == PointKind::on_wall;
         if (on_wall) beside_curve[u] = 1;
-        ++(on_wall ? couplings : held);
+        ++(on_wall ? couplings : fixed);
         neighbour[--known_begin] = other;
         neighbour[--known_begin] = u;
     };
-    for_each_two_lines<n_components>(mesh, edges, unknown, [&](Index i, Index p, Index j, Index q) {
+    for_each_two_lines<n_components>(topology, unknown, [&](Index i, Index p, Index j, Index q) {
         if (i != none && j != none) {
             ++starts[i];
             ++starts[j];
@@ -85,7 +85,7 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
         }
     });
     counts_to_starts(starts);
-    for_each_two_lines<n_components>(mesh, edges, unknown, [&](Index i, Index, Index j, Index) {
+    for_each_two_lines<n_components>(topology, unknown, [&](Index i, Index, Index j, Index) {
         if (i == none || j == none) return;
         neighbour[starts[i]++] = j;
         neighbour[starts[j]++] = i;
@@ -93,8 +93,8 @@ void Graph::connect(Mesh const& mesh, Edges const& edges, Span<const Index> repr
     rewind_starts(starts);
 }
 
-Index Graph::first_floating(Mesh const& mesh, Edges const& edges, Span<const Index> representative,
-                            Span<const PointKind> kinds, Span<Index> queue, Span<std::uint8_t> reached) const noexcept {
+Index Graph::first_floating(Topology const& topology, Span<const PointKind> kinds, Span<Index> queue,
+                            Span<std::uint8_t> reached) const noexcept {
     fill(reached.first(n), std::uint8_t{0});
     Index filled = 0;
     auto const reach = [&](Index u) {
@@ -106,7 +106,7 @@ Index Graph::first_floating(Mesh const& mesh, Edges const& edges, Span<const Ind
         if (is_unknown(kinds[known])) return;
         for (Index c = 0; c < components; ++c) reach(unknown[components * other + c]);
     };
-    for_each_pair(mesh, edges, representative, [&](Index a, Index b) {
+    for_each_pair(topology, [&](Index a, Index b) {
         reach_lines(a, b);
         reach_lines(b, a);
     });

@@ -5,22 +5,20 @@
 
 namespace harmorph {
 
-void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves, Index n_conditions) noexcept {
-    Mesh const& mesh = its_problem.mesh;
-    Demands const& demands = its_problem.demands;
-    Executor const& executor = its_problem.executor;
+void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept {
+    Mesh const& mesh = asked.mesh;
+    Demands const& demands = asked.demands;
+    Executor const& executor = asked.executor;
     arena.take(curves, n_curves);
     arena.take(conditions, n_conditions);
-    arena.take(representative, mesh.n_points);
-    arena.take(reversed, mesh.n_cells);
-    edges.lay_out(arena, mesh);
+    topology.lay_out(arena, mesh);
     boundary.lay_out(arena, mesh);
     orientation_work.lay_out(arena, mesh);
     arena.take(kinds, mesh.n_points);
     if (n_conditions == 0) return;
-    Index const components = its_problem.method.components(demands);
+    Index const components = asked.method.components(demands);
     arena.take(tangent, components == 2 ? mesh.n_points : 0);
-    bool const bounded = its_problem.method.bounded();
+    bool const bounded = asked.method.bounded();
     if (bounded) triangulation.lay_out(arena, mesh);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
@@ -28,7 +26,7 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     graph.lay_out(arena, bounded ? triangulation.mesh : mesh, components);
     arena.take(order, most_unknowns);
     layer_work.lay_out(arena, most_unknowns);
-    if (its_problem.method.engine != Engine::direct) return arena.take(border.position, most_unknowns);
+    if (!asked.method.traits().factors) return arena.take(border.position, most_unknowns);
     tree.lay_out(arena, most_unknowns);
     border.lay_out(arena, most_unknowns);
     arena.take(border_start, most_unknowns / 2 + 2);
@@ -39,8 +37,8 @@ void Analysis::lay_out(Arena& arena, Problem const& its_problem, Index n_curves,
     border.lay_out_passed(arena, most_unknowns);
 }
 
-Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
-    problem = its_problem;
+Status Analysis::run(Problem const& asked, Fault& fault) noexcept {
+    problem = asked;
     HARMORPH_TRY(problem.progress.report(Phase::structure, 0, fault));
     HARMORPH_TRY(analyse_mesh(fault));
     if (!has_conditions()) return problem.progress.report(Phase::structure, 1, fault);
@@ -52,29 +50,31 @@ Status Analysis::run(Problem const& its_problem, Fault& fault) noexcept {
 Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
     HARMORPH_TRY(check_mesh(mesh, fault));
-    for (Index k = 0; k < mesh.n_points; ++k) representative[k] = k;
+    topology.mesh = mesh;
+    Edges& edges = topology.edges;
+    for (Index k = 0; k < mesh.n_points; ++k) topology.representative[k] = k;
     Sense sense = Sense::mixed;
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) topology = topology_fingerprint(mesh);
+        if (part == 2 && has_conditions()) mesh_fingerprint = fingerprint_of(mesh);
     });
     HARMORPH_TRY(fault.status);
-    HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    HARMORPH_TRY(boundary.mark(topology, fault));
     bool const all_marked = boundary.count == edges.n_boundary;
-    if (!all_marked && join_cuts(mesh, edges, boundary.head, representative) > 0) {
-        HARMORPH_TRY(edges.build(mesh, representative, fault));
-        HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
+    if (!all_marked && join_cuts(topology, boundary.head) > 0) {
+        HARMORPH_TRY(edges.build(mesh, topology.representative, fault));
+        HARMORPH_TRY(boundary.mark(topology, fault));
     }
-    HARMORPH_TRY(orient(mesh, edges, sense, orientation_work, reversed, inverted, fault));
-    HARMORPH_TRY(boundary.order(mesh, edges, reversed, fault));
+    HARMORPH_TRY(orient(topology, sense, orientation_work, inverted, fault));
+    HARMORPH_TRY(boundary.order(topology, fault));
     classify(edges, boundary, conditions, kinds);
     return Status::ok;
 }
 
 Index Analysis::count_used_points() const noexcept {
     Index used = 0;
-    for (Index const its : representative) used += kinds[its] != PointKind::unused ? 1 : 0;
+    for (Index const point : topology.representative) used += kinds[point] != PointKind::unused ? 1 : 0;
     return used;
 }
 
@@ -83,24 +83,24 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
-        CellCorners const corners(CellShape(mesh.cell(inverted), mesh.points, reversed[inverted] != 0));
+        CellCorners const corners(CellShape(topology.cell(inverted), mesh.points, false));
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
                             inverted, none, 0.5 * corners.smallest());
     }
-    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(mesh, representative, reversed, fault));
-    HARMORPH_TRY(parametrise(mesh, boundary, conditions, curves, problem.given, representative, wall_work, wall, fault));
-    find_levers(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
+    if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
+    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
+    find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     if (!tangent.empty()) {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
     }
     if (problem.demands.periodic) {
-        HARMORPH_TRY(tie_periodic(mesh, boundary, conditions, wall_work.chain, representative, kinds, tangent, translations,
-                                  fault));
+        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault));
     }
-    graph.build(stencil_mesh(), stencil_edges(), representative, kinds);
+    graph.build(stencil(), kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind());
+    conditions_fingerprint = hash_of_conditions();
     return Status::ok;
 }
 
@@ -108,8 +108,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 Status Analysis::check_parts(Fault& fault) noexcept {
     Demands const& demands = problem.demands;
     if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
-    Index const floating = graph.first_floating(stencil_mesh(), stencil_edges(), representative, kinds, order,
-                                                layer_work.reached);
+    Index const floating = graph.first_floating(stencil(), kinds, order, layer_work.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
                         floating);
@@ -118,14 +117,14 @@ Status Analysis::check_parts(Fault& fault) noexcept {
 Status Analysis::analyse_order(Fault& fault) noexcept {
     Progress const& progress = problem.progress;
     HARMORPH_TRY(progress.report(Phase::ordering, 0, fault));
-    if (is_direct()) {
+    if (problem.method.traits().factors) {
         dissect(graph, problem.mesh.points, dissection_work, problem.executor, order, tree);
     } else {
-        order_by_layers(problem.mesh, edges, representative, kinds, graph, layer_work, order);
+        order_by_layers(topology, kinds, graph, layer_work, order);
     }
     HARMORPH_TRY(progress.report(Phase::ordering, 1, fault));
     HARMORPH_TRY(progress.report(Phase::symbolic, 0, fault));
-    if (is_direct()) {
+    if (problem.method.traits().factors) {
         fronts = count_borders(graph, order, tree, border, problem.executor, border_start);
         subtrees.choose(tree, border_start);
     } else {
@@ -135,42 +134,26 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 // Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
-std::uint64_t Analysis::conditions_fingerprint() const noexcept {
+std::uint64_t Analysis::hash_of_conditions() const noexcept {
     Hash hash;
     for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
     for (Index slot = 0; slot < wall.count; ++slot) {
         hash.add(static_cast<std::uint64_t>(wall.point[slot]));
         hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
         hash.add(bits_of(wall.u[slot]));
-        hash.add(bits_of(wall.lever[slot].x));
-        hash.add(bits_of(wall.lever[slot].y));
+        hash.add(bits_of(wall.offset[slot].x));
+        hash.add(bits_of(wall.offset[slot].y));
     }
     return hash.value();
 }
 
-BasisCounts Analysis::basis_counts() const noexcept {
-    BasisCounts counts;
-    counts.points = problem.mesh.n_points;
-    counts.cells = problem.mesh.n_cells;
-    counts.control = curves.empty() ? 0 : curves[0].n_control;
-    counts.bodies = problem.demands.bodies;
-    counts.kind = problem.method.value_kind(problem.demands);
-    counts.curves = curves.count();
-    for (Curve const& curve : curves) {
-        counts.indices += curve.n_indices;
-        counts.knots += curve.n_indices + curve.degree + 1;
-    }
-    counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
-    counts.wall = wall.count;
-    for_each_joined([&](Index, Index) { ++counts.joined; });
-    counts.boundary = boundary.count;
-    counts.loops = boundary.n_loops;
-    counts.conditions = conditions.count();
-    return counts.share(0, counts.functions());
+BasisSource Analysis::basis_source() const noexcept {
+    return {topology, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
+            boundary, wall, wall_work.slot};
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {
-    if (problem.demands.slip) return MatrixKind::two_lines;
+    if (problem.demands.slip) return MatrixKind::coupled_xy;
     return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
 }
 

@@ -57,29 +57,15 @@ bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
     return false;
 }
 
-void list_wall_faces(Analysis const& analysis, Span<Index> ends) noexcept {
-    Boundary const& boundary = analysis.boundary;
-    Index n = 0;
-    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
-        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
-            if (!analysis.is_wall_face(face)) continue;
-            ends[n++] = boundary.point[face];
-            ends[n++] = boundary.point[boundary.after(face, loop)];
-        }
-    }
-}
-
 class Run {
 public:
     Run(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
         : transfer_(transfer), analysis_(analysis), points_(analysis.problem.mesh.points), coarse_(coarse), fine_(fine),
-          row_length_(fine.row_length()), widest_reach_(0) {}
+          row_length_(fine.row_length()) {}
 
-    Tally set_wall() noexcept {
+    Tally set_wall() const noexcept {
         Index const n = fine_.wall_point.count();
-        Tally const tally = reduce_cells<Tally>(n, executor(), [&](Index slot, Tally& met) { set_slot(slot, met); });
-        for (Real const reach : transfer_.reach) widest_reach_ = larger(widest_reach_, reach);
-        return tally;
+        return reduce_cells<Tally>(n, executor(), [&](Index slot, Tally& met) { set_slot(slot, met); });
     }
 
     Tally set_points() const noexcept {
@@ -89,8 +75,8 @@ public:
     void copy_joined_points() const noexcept {
         Size const length = static_cast<Size>(row_length_);
         for (Index point = 0; point < fine_.n_points(); ++point) {
-            Index const its = analysis_.representative[point];
-            if (its != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(its), length));
+            Index const same = analysis_.topology.representative[point];
+            if (same != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(same), length));
         }
     }
 
@@ -147,26 +133,20 @@ private:
     }
 
     void move_along_with_wall(Index point, Real* row) const noexcept {
-        Vec2 const p = points_[point];
-        auto const foot = [&](Index face) {
-            Vec2 const a = points_[transfer_.wall_faces[2 * face]], b = points_[transfer_.wall_faces[2 * face + 1]];
-            return clamp(dot(p - a, b - a) / square(b - a), 0.0, 1.0);
-        };
-        auto const squared_distance = [&](Index face) {
-            Vec2 const a = points_[transfer_.wall_faces[2 * face]], b = points_[transfer_.wall_faces[2 * face + 1]];
-            return square(p - a - foot(face) * (b - a));
-        };
-        Nearest const found = transfer_.wall_tree.nearest(p, {none, widest_reach_ * widest_reach_}, squared_distance);
-        if (found.item == none) return;
-        Real const t = foot(found.item);
-        Index const a = slot_of(transfer_.wall_faces[2 * found.item]), b = slot_of(transfer_.wall_faces[2 * found.item + 1]);
-        Real const reach = (1 - t) * transfer_.reach[a] + t * transfer_.reach[b];
-        Real const share = 1 - square_root(found.squared) / reach;
-        if (!(share > 0)) return;
-        for (Index k = 0; k < row_length_; ++k) row[k] += share * ((1 - t) * correction(a)[k] + t * correction(b)[k]);
+        Index group = 0;  // always: of two feet at the same distance the choice must not depend on the threads
+        FaceDistance::Foot const foot = transfer_.wall.foot(points_[point], group);
+        if (foot.face == none) return;
+        FaceDistance::Face const& face = transfer_.wall.faces[foot.face];
+        Index const a = slot_of(face.point[0]), b = slot_of(face.point[1]);
+        Real const reach = (1 - foot.t) * transfer_.reach[a] + foot.t * transfer_.reach[b];
+        Real const factor = 1 - length(points_[point] - transfer_.wall.at(foot, points_)) / reach;
+        if (!(factor > 0)) return;
+        for (Index k = 0; k < row_length_; ++k) {
+            row[k] += factor * ((1 - foot.t) * correction(a)[k] + foot.t * correction(b)[k]);
+        }
     }
 
-    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.representative[point]]; }
+    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.topology.representative[point]]; }
 
     // The lines of a row of matrices: what its functions move the point along x, then along y.
     void keep_on_line(Vec2 tangent, Real* row) const noexcept {
@@ -184,17 +164,14 @@ private:
     Basis const& coarse_;
     Basis const& fine_;
     Index row_length_;
-    Real widest_reach_;
 };
 
 }  // namespace
 
 void Transfer::lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) noexcept {
     BasisCounts const counts = fine.basis_counts();
-    Index const n_faces = fine.count_wall_faces();
     locator.lay_out(arena, coarse.n_cells);
-    wall_tree.lay_out(arena, n_faces);
-    arena.take(wall_faces, 2 * Offset{n_faces});
+    wall.lay_out(arena, static_cast<Size>(fine.count_wall_faces()));
     arena.take(correction, Offset{counts.wall} * (Offset{numbers_of(counts.kind)} * counts.functions()));
     arena.take(reach, counts.wall);
 }
@@ -204,14 +181,11 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     HARMORPH_TRY(check_alike(coarse, fine, fault));
     fine.unseal();
     Points const points = analysis.problem.mesh.points;
-    locator.build(coarse_mesh, coarse.reversed);
-    list_wall_faces(analysis, wall_faces);
-    wall_tree.build([&](Index face) {
-        Box box;
-        box.include(points[wall_faces[2 * face]]);
-        box.include(points[wall_faces[2 * face + 1]]);
-        return box;
-    });
+    locator.build({coarse_mesh, coarse.reversed});
+    Kernel const kernel = analysis.problem.method.kernel;
+    wall.kernel = kernel == Kernel::automatic ? best_kernel() : kernel;
+    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    wall.build(points);
     Run run(*this, analysis, coarse, fine);
     Tally met = run.set_wall();
     met.merge(run.set_points());

@@ -44,7 +44,8 @@ struct SafeMorph::Work {
     Fault& fault;
 
     Mesh const& mesh() const noexcept { return plan.mesh; }
-    Executor const& executor() const noexcept { return plan.engine.executor; }
+    OrientedMesh const& cells() const noexcept { return plan.equations.cells; }
+    Executor const& executor() const noexcept { return plan.executor; }
 };
 
 void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
@@ -62,18 +63,18 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(representative, n);
     arena.take(held, n);
     untangling.lay_out(arena, plan.region_counts);
-    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.wall.count));
-    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.wall.count));
+    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
+    wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     arena.take(kinds, n);
 }
 
 // The two ends of a cut move as one; all of the boundary is held.
 void SafeMorph::mark_held(Work const& work) const noexcept {
-    Matrix const& matrix = work.plan.matrix;
+    Matrix const& matrix = work.plan.equations.matrix;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.place[matrix.components() * k];
+        Index const place = matrix.row_of[matrix.components() * k];
         held[k] = static_cast<std::uint8_t>(place < 0 ? 1 : 0);
-        representative[k] = place < 0 ? k : work.plan.point_of(place);
+        representative[k] = place < 0 ? k : work.plan.equations.point_of(place);
     }
     for (Index const point : work.basis.boundary_point) {
         held[point] = 1;
@@ -142,7 +143,7 @@ void SafeMorph::aim(Real time) noexcept {
 // The step by `difference`, and whether no cell inverts before its end.
 bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
     morph(by, difference.data(), {}, {dx.data(), dy.data(), 1}, work.executor());
-    work.report.limit = admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor());
+    work.report.limit = admissible_step(work.cells(), now(), step(), work.executor());
     return work.report.limit.step > 1;
 }
 
@@ -216,9 +217,9 @@ void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) 
 
 // From the start, and not from step to step: rounding does not add up.
 void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept {
-    Matrix const& matrix = work.plan.matrix;
+    Matrix const& matrix = work.plan.equations.matrix;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.place[matrix.components() * k];
+        Index const place = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(place)) continue;
         BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
         Vec2 const moved = functions.moved(aimed.data()), start = work.mesh().points[k];
@@ -258,18 +259,18 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     constexpr Index most_halvings = 4;
     Points const before = work.mesh().points;
     for (Index k = 0; k < x.count(); ++k) kinds[k] = held[k] != 0 ? PointKind::fixed : PointKind::inside;
-    work.plan.wall.build(before);
-    wall_heights.find(work.mesh(), before, kinds, representative, work.plan.wall, work.executor());
+    work.plan.equations.wall.build(before);
+    wall_heights.find(work.mesh(), before, kinds, representative, work.plan.equations.wall, work.executor());
     Real amount = work.options.heights;
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
         copy(dx, Span<const Real>(x));
         copy(dy, Span<const Real>(y));
-        wall_heights.restore(work.plan.wall, before, {dx.data(), dy.data(), 1}, representative, amount, work.executor());
+        wall_heights.restore(work.plan.equations.wall, before, {dx.data(), dy.data(), 1}, representative, amount, work.executor());
         for (Index k = 0; k < x.count(); ++k) {
             dx[k] -= x[k];
             dy[k] -= y[k];
         }
-        if (!(admissible_step(work.mesh(), now(), step(), work.basis.reversed, work.executor()).step > 1)) continue;
+        if (!(admissible_step(work.cells(), now(), step(), work.executor()).step > 1)) continue;
         for (Index k = 0; k < x.count(); ++k) {
             if (dx[k] != 0) x[k] += dx[k];
             if (dy[k] != 0) y[k] += dy[k];
@@ -280,7 +281,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
 }
 
 void SafeMorph::measure_first_layer(Work& work) noexcept {
-    first_layer.find(work.mesh(), work.mesh().points, representative, work.plan.wall);
+    first_layer.find(work.mesh(), work.mesh().points, representative, work.plan.equations.wall);
     work.report.first_layer = compare(first_layer, work.mesh().points, now());
 }
 

@@ -11,10 +11,6 @@ struct Least {
     }
 };
 
-bool is_inverted(Cell const& cell, Points points) noexcept {
-    return !(CellCorners(CellShape(cell, points, false)).smallest() > 0);
-}
-
 }  // namespace
 
 void Untangling::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
@@ -28,7 +24,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
                        Fault& fault) noexcept {
     report = {};
     Points const given{points.x, points.y, points.stride};
-    region.choose([&](Index i) { return is_inverted(tangle.cell(i), given); });
+    region.choose([&](Index i) { return is_inverted({tangle.cell(i), given, false}); });
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[tangle.representative[k]];
@@ -57,7 +53,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
 
 Status Untangling::check_reference(Fault& fault) const noexcept {
     for (Index const i : region.cell.first(region.n_cells)) {
-        if (!is_inverted(tangle.cell(i), tangle.reference)) continue;
+        if (!is_inverted({tangle.cell(i), tangle.reference, false})) continue;
         return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh, i);
     }
     return Status::ok;

@@ -297,7 +297,7 @@ TEST_CASE("a Hermitian matrix that is not positive definite is refused, by posit
                 FrontalSystem system(*seen.operator->(), true, 4);
                 system.randomise(5, 0.5);
                 harmorph::Matrix& matrix = system.assembled.matrix;
-                matrix.excess[bad] -= matrix.diagonal[bad] + 1;
+                matrix.row_sum[bad] -= matrix.diagonal[bad] + 1;
                 harmorph::Fault fault;
                 CHECK(system.engine.factorise(matrix, harmorph::Progress{}, fault) == harmorph::Status::not_positive);
                 CHECK(fault.item == bad);

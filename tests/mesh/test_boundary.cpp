@@ -161,9 +161,9 @@ TEST_CASE("the cut of a C-mesh is joined: both sides of the wake are one") {
     CHECK(seen->boundary.n_loops == 2);
     CHECK(seen->boundary.count == c.mesh.n_faces());
     std::int32_t joined = 0;
-    for (std::int32_t k = 0; k < c.mesh.n_points(); ++k) joined += seen->representative[k] != k;
+    for (std::int32_t k = 0; k < c.mesh.n_points(); ++k) joined += seen->topology.representative[k] != k;
     CHECK(joined == c.n_wake + 1);
-    for (std::int32_t k = 0; k <= c.n_wake; ++k) CHECK(seen->representative[c.ni - 1 - k] == k);
+    for (std::int32_t k = 0; k <= c.n_wake; ++k) CHECK(seen->topology.representative[c.ni - 1 - k] == k);
 
     Case its = airfoil_case(24, 12);
     its.mesh = c.mesh;

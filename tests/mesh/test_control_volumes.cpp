@@ -23,7 +23,7 @@ struct Measured {
         shortest.resize(n);
         harmorph::Mesh const& mesh = seen->problem.mesh;
         harmorph::ControlVolumes volumes{span(area), span(shortest)};
-        volumes.measure(mesh, mesh.points, seen->reversed, span(place));
+        volumes.measure(seen->topology, mesh.points, span(place));
     }
 };
 
@@ -68,7 +68,7 @@ TEST_CASE("a point without an unknown is left out") {
     std::vector<double> area(static_cast<std::size_t>(front.rows.n)), shortest(area.size());
     harmorph::ControlVolumes volumes{span(area), span(shortest)};
     harmorph::Mesh const& mesh = seen->problem.mesh;
-    volumes.measure(mesh, mesh.points, seen->reversed, front.matrix.place);
+    volumes.measure(seen->topology, mesh.points, front.matrix.row_of);
     for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));   // hexagons of six halves of squares
     CHECK(area.size() == 9);
 }

@@ -14,7 +14,7 @@ constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
 double open_by(Scheme const& scheme, Mesh const& mesh) {
     std::vector<Point> sum(mesh.x.size(), Point{0, 0});
     auto const add = [&](Index point, double x, double y) {
-        Point& its = sum[static_cast<std::size_t>(scheme.seen->representative[point])];
+        Point& its = sum[static_cast<std::size_t>(scheme.seen->topology.representative[point])];
         its = {its.x + x, its.y + y};
     };
     for (harmorph::MedianDual::Face const& face : scheme.operation.dual.faces) {
@@ -40,9 +40,9 @@ TEST_CASE("volumes fill the domain, and close, in whatever sense cells run") {
             Scheme const scheme(mesh, false);
             double area = 0;
             for (Index point = 0; point < mesh.n_points(); ++point) {
-                double const its = scheme.operation.dual.area[point];
+                double const its = scheme.area[static_cast<std::size_t>(point)];
                 CHECK(its > 0);
-                CHECK(its == doctest::Approx(plain.operation.dual.area[point]).epsilon(1e-12));
+                CHECK(its == doctest::Approx(plain.area[static_cast<std::size_t>(point)]).epsilon(1e-12));
                 area += its;
             }
             CHECK(area == doctest::Approx(expected.area).epsilon(1e-13));
@@ -60,7 +60,7 @@ TEST_CASE("volumes of a triangle are thirds; on squares faces are as long as cel
     for (std::int32_t k = 0; k < 3; ++k) one.add_face(k, (k + 1) % 3, body);
     Scheme const triangle(one, false);
     double const third = check(one).area / 3;
-    for (Index point = 0; point < 3; ++point) CHECK(triangle.operation.dual.area[point] == doctest::Approx(third));
+    for (Index point = 0; point < 3; ++point) CHECK(triangle.area[static_cast<std::size_t>(point)] == doctest::Approx(third));
 
     Mesh const mesh = square(6);
     Scheme const squares(mesh, false);
@@ -80,10 +80,10 @@ TEST_CASE("the points of a cut have one volume") {
     double area = 0;
     int joined = 0;
     for (Index point = 0; point < c.mesh.n_points(); ++point) {
-        bool const is_joined = scheme.seen->representative[point] != point;
-        CHECK((scheme.operation.dual.area[point] == 0) == is_joined);
+        bool const is_joined = scheme.seen->topology.representative[point] != point;
+        CHECK((scheme.area[static_cast<std::size_t>(point)] == 0) == is_joined);
         joined += is_joined;
-        area += scheme.operation.dual.area[point];
+        area += scheme.area[static_cast<std::size_t>(point)];
     }
     CHECK(joined == c.n_wake + 1);   // one for each point of the wake, the trailing edge among them
     CHECK(area == doctest::Approx(check(c.mesh).area).epsilon(1e-12));

@@ -34,7 +34,7 @@ void check_same(hm_mesh const& first, hm_mesh const& second) {
     CHECK(different == 0);
     CHECK(a.find_cell([&](Index i, harmorph::Cell const&) { return i == a.n_cells - 1; }) == a.n_cells - 1);
     CHECK(a.find_cell([](Index, harmorph::Cell const&) { return false; }) == harmorph::none);
-    CHECK(topology_fingerprint(a) == topology_fingerprint(b));
+    CHECK(fingerprint_of(a) == fingerprint_of(b));
 }
 
 harmorph::Fault refusal(harmorph::Mesh const& mesh) {

@@ -9,7 +9,7 @@ using harmorph::Index;
 namespace {
 
 std::vector<std::uint8_t> reversed_of(Analysed const& seen) {
-    return {seen->reversed.begin(), seen->reversed.end()};
+    return {seen->topology.reversed.begin(), seen->topology.reversed.end()};
 }
 std::vector<std::uint8_t> all(Mesh const& mesh, int value) {
     return std::vector<std::uint8_t>(static_cast<std::size_t>(mesh.n_cells()), static_cast<std::uint8_t>(value));

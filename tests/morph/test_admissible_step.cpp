@@ -13,16 +13,16 @@ namespace {
 struct Displaced {
     Mesh mesh;
     std::vector<double> dx, dy;
-    std::vector<std::uint8_t> reversed;
+    mutable std::vector<std::uint8_t> reversed;
 
     explicit Displaced(Mesh const& its_mesh)
         : mesh(its_mesh), dx(mesh.x.size(), 0.0), dy(dx), reversed(static_cast<std::size_t>(mesh.n_cells()), 0) {}
 
     AdmissibleStep step() const {
         harmorph::Mesh const view = core_mesh(mesh);
-        return admissible_step(view, view.points, {dx.data(), dy.data(), 1}, span(reversed), {});
+        return admissible_step({view, span(reversed)}, view.points, {dx.data(), dy.data(), 1}, {});
     }
-    std::int32_t point(AdmissibleStep const& limit) const { return limiting_point(core_mesh(mesh), limit, span(reversed)); }
+    std::int32_t point(AdmissibleStep const& limit) const { return limiting_point({core_mesh(mesh), span(reversed)}, limit); }
     Mesh after(double s) const {
         Mesh out = mesh;
         for (std::size_t k = 0; k < dx.size(); ++k) {

@@ -24,8 +24,8 @@ double skew(std::vector<Point> const& corners, bool reversed = false) {
 Quality measure(Mesh const& mesh, Mesh const* reference = nullptr, bool reversed = false) {
     harmorph::Mesh const view = core_mesh(mesh);
     harmorph::Points const ref = reference ? core_mesh(*reference).points : harmorph::Points{};
-    std::vector<std::uint8_t> const all(static_cast<std::size_t>(mesh.n_cells()), reversed ? 1 : 0);
-    return measure_quality(view, view.points, ref, span(all), {});
+    std::vector<std::uint8_t> all(static_cast<std::size_t>(mesh.n_cells()), reversed ? 1 : 0);
+    return measure_quality({view, span(all)}, view.points, ref, {});
 }
 
 double const root3 = std::sqrt(3.0);

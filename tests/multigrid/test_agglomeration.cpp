@@ -84,16 +84,16 @@ double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Ind
     for (std::vector<Index> const& its : members)
         for (unsigned split = 1; split < (1u << (its.size() - 1)); ++split) {   // the last member is always on one side
             auto const side = [&](Index i) { return (split >> place[static_cast<std::size_t>(i)]) & 1u; };
-            double diagonal[2] = {0, 0}, excess[2] = {0, 0}, cut = 0;
+            double diagonal[2] = {0, 0}, row_sum[2] = {0, 0}, cut = 0;
             for (Index const i : its) {
                 diagonal[side(i)] += rows.diagonal[i];
-                excess[side(i)] += rows.excess[i];
+                row_sum[side(i)] += rows.row_sum[i];
                 for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
                     Index const j = rows.column[e];
                     if (cell_of[j] == cell_of[i] && side(j) != side(i)) cut -= rows.value[e];
                 }
             }
-            worst = std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(excess[0], excess[1])));
+            worst = std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(row_sum[0], row_sum[1])));
         }
     return worst;
 }
@@ -205,7 +205,7 @@ TEST_CASE("what merged cells differ by inside, smoothing can remove: bounded in 
                 std::vector<double> whole(n, 0.0), energy(n, 0.0);
                 for (Index i = 0; i < rows.n; ++i) {
                     whole[static_cast<std::size_t>(cell[i])] += rows.diagonal[i];
-                    energy[static_cast<std::size_t>(i)] += rows.excess[i];
+                    energy[static_cast<std::size_t>(i)] += rows.row_sum[i];
                 }
                 rows.for_each([&](Index i, Index j, Offset e) {
                     if (cell[i] != cell[j]) return;
@@ -282,7 +282,7 @@ TEST_CASE("the number of levels is a choice") {
 TEST_CASE("graphs that cannot be merged end the levels, and nothing is written beside them") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         harmorph::Graph const& view = graph.view();
-        std::vector<double> diagonal, excess(static_cast<std::size_t>(view.n), 1.0), value;
+        std::vector<double> diagonal, row_sum(static_cast<std::size_t>(view.n), 1.0), value;
         std::vector<Offset> start;
         std::vector<Index> column;
         for (Index u = 0; u < view.n; ++u) {
@@ -294,7 +294,7 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
         start.push_back(static_cast<Offset>(column.size()));
         value.assign(column.size(), -1.0);
         std::vector<std::uint8_t> faces(column.size(), 1);
-        harmorph::SymmetricRows const rows{view.n,       span(diagonal), span(excess), span(start),
+        harmorph::SymmetricRows const rows{view.n,       span(diagonal), span(row_sum), span(start),
                                            span(column), span(value),    span(faces)};
         for (Merging const merging : all_rules) {
             Agglomerated const merged(rows, {merging, 0});

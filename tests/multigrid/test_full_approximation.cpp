@@ -64,7 +64,7 @@ struct Explicit {
         harmorph::Arena placing(block->data(), block->size());
         lay_out(placing);
         harmorph::Mesh const& mesh = seen->problem.mesh;
-        engine.volumes.measure(mesh, mesh.points, seen->reversed, front.matrix.place);
+        engine.volumes.measure(seen->topology, mesh.points, front.matrix.row_of);
         harmorph::Fault fault;
         REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
     }

@@ -67,14 +67,14 @@ TEST_CASE("rows are in order, hold later columns only, and each once; their numb
     CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
 }
 
-TEST_CASE("places tell unknowns, wall points, and points whose value is 0") {
+TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
     its.mesh.add_point({0.5, 0.5});   // used by no cell
     Analysed const seen(its);
     AssembledMatrix const sparse(*seen.operator->());
     Index unknowns = 0, on_wall = 0, zero = 0;
     for (Index point = 0; point < its.mesh.n_points(); ++point) {
-        Index const place = sparse.matrix.place[point];
+        Index const place = sparse.matrix.row_of[point];
         if (place >= 0) {
             CHECK(sparse.point_at(place) == point);
             ++unknowns;
@@ -107,11 +107,11 @@ TEST_CASE("circulations stand above the diagonal as they are and below it turned
             Index const p = cell.point[k], q = cell.point[(k + 1) % cell.n];
             double const conductance = uniform(random), circulation = uniform(random);
             harmorph::Matrix const& m = sparse.matrix;
-            for (Index const place : {m.place[p], m.place[q]})
+            for (Index const place : {m.row_of[p], m.row_of[q]})
                 if (place >= 0) m.diagonal[place] += conductance;
             Index const part = m.n / 3;   // what two threads would add
             for (harmorph::RowRange const rows : {harmorph::RowRange{0, part}, harmorph::RowRange{part, m.n}})
-                m.add_off_diagonal<true>(rows, m.place[p], m.place[q], conductance, circulation);
+                m.add_off_diagonal<true>(rows, m.row_of[p], m.row_of[q], conductance, circulation);
             std::size_t const i = static_cast<std::size_t>(p), j = static_cast<std::size_t>(q);
             by_points.at(i, i) += conductance;
             by_points.at(j, j) += conductance;

@@ -42,17 +42,17 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
     harmorph::Arena counting;
     harmorph::Residual residual;
-    Index const walls = plan.matrix.coupling_start.count() - 1;
-    residual.lay_out(counting, plan.matrix.n, walls, plan.matrix.kind);
+    Index const walls = plan.equations.matrix.coupling_start.count() - 1;
+    residual.lay_out(counting, plan.equations.matrix.n, walls, plan.equations.matrix.kind);
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.matrix.n, walls, plan.matrix.kind);
+    residual.lay_out(placing, plan.equations.matrix.n, walls, plan.equations.matrix.kind);
 
     Index const width = residual.width;
-    Index const function = width + 1, wrong = plan.matrix.n / 2;   // of the second group of functions
+    Index const function = width + 1, wrong = plan.equations.matrix.n / 2;   // of the second group of functions
     double const by = 1e-3;
-    basis.row(plan.line_of[wrong])[function] += by;
-    harmorph::Residual::Norms const norms = residual.compute(plan.matrix, {basis, plan.line_of, 1}, width, width);
+    basis.row(plan.equations.line_of[wrong])[function] += by;
+    harmorph::Residual::Norms const norms = residual.compute(plan.equations.matrix, {basis, plan.equations.line_of, 1}, width, width);
     double squares = 0, b = 0, worst = 0;
     std::vector<double> const known =
         laplace.couplings_times([&](Index slot) { return basis.row(basis.wall_point[slot])[function]; });
@@ -79,9 +79,9 @@ TEST_CASE("points that slip: any values leave b - A F, of entries, diagonal and 
         hm_options const options = options_of(kind);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Matrix const& matrix = plan.matrix;
+        harmorph::Matrix const& matrix = plan.equations.matrix;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.line_of, 2};
+        harmorph::Lines const lines{basis, plan.equations.line_of, 2};
         std::mt19937 random(5);
         fill(basis.value, 0.0);
         for (Index i = 0; i < matrix.n; ++i) lines.at(i)[0] = uniform(random) - 0.5;
@@ -98,10 +98,10 @@ TEST_CASE("points that slip: any values leave b - A F, of entries, diagonal and 
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
             for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c)
                 subtract(matrix.coupling_row[c], matrix.coupling_value[c] * lines.wall(wall)[0]);
-        harmorph::Residual::Norms const norms = plan.residual.compute(matrix, lines, 0, 1);
+        harmorph::Residual::Norms const norms = plan.refinement.residual.compute(matrix, lines, 0, 1);
         double worst = 0, squares = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            double const found = plan.residual.value[harmorph::Offset{i} * plan.residual.width];
+            double const found = plan.refinement.residual.value[harmorph::Offset{i} * plan.refinement.residual.width];
             worst = std::fmax(worst, std::fabs(found - expected[static_cast<std::size_t>(i)]));
             squares += found * found;
         }
@@ -122,7 +122,7 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         REQUIRE(attempt.analyse(its.problem(), &options));
         REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
-        for (double& entry : inside(attempt.plan).engine.doubles.factor) entry *= 1 + error;
+        for (double& entry : inside(attempt.plan).engine.direct.factor.doubles.factor) entry *= 1 + error;
         hm_status const status = hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
         INFO("error " << error << ": " << attempt.report.refinements << " steps to " << attempt.report.residual);
         CHECK(progressed.backwards == 0);
@@ -179,8 +179,8 @@ TEST_CASE("thin cells: the direct engine's functions sum to 1 where the far fiel
             Case its = thin_case(first, free);
             hm_options const exact = with(HM_LAPLACE, HM_DIRECT), iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
-            INFO("first cell " << first << ", free " << free << ": " << inside(found.plan).engine.least_left() << " left of a pivot");
-            CHECK(inside(found.plan).factor_trusted);   // it has lost nothing
+            INFO("first cell " << first << ", free " << free << ": " << inside(found.plan).engine.direct.factor.least_left() << " left of a pivot");
+            CHECK(inside(found.plan).engine.trusted());   // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
             if (free) CHECK(worst_defect(found, its.mesh.x.size()) < 1e-13);
@@ -197,7 +197,7 @@ TEST_CASE("even cells are not refined") {
             hm_options const options = with(kind, HM_DIRECT);
             Solved const solved(its, &options);
             CHECK(solved.report.refinements == 0);
-            CHECK(inside(solved.plan).factor_trusted);
+            CHECK(inside(solved.plan).engine.trusted());
         }
     }
 }
@@ -208,21 +208,21 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         hm_options const options = with(kind, HM_DIRECT);
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Matrix const& matrix = plan.matrix;
+        harmorph::Matrix const& matrix = plan.equations.matrix;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.line_of, 1};
+        harmorph::Lines const lines{basis, plan.equations.line_of, 1};
         std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
-        for (Index const row : matrix.held_row) beside_known[static_cast<std::size_t>(row)] = true;
+        for (Index const row : matrix.fixed_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index const row : matrix.coupling_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index i = 0; i < matrix.n; ++i) {
             for (Index k = 0; k < lines.length(); ++k) lines.at(i)[k] = 1;
         }
-        Index const n = plan.residual.width, planes = matrix.is_complex() ? 2 : 1;
-        plan.residual.compute(matrix, lines, 0, n);
+        Index const n = plan.refinement.residual.width, planes = matrix.is_complex() ? 2 : 1;
+        plan.refinement.residual.compute(matrix, lines, 0, n);
         Wrong inside_rows;
         double largest = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            const double* const row = plan.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
+            const double* const row = plan.refinement.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
             for (Index k = 0; k < planes * n; ++k) {
                 if (beside_known[static_cast<std::size_t>(i)]) largest = std::max(largest, std::fabs(row[k]));
                 else inside_rows.compare(i, row[k], 0);
@@ -240,15 +240,15 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
         in_single.precision = HM_SINGLE;
         Solved const solved(its, &in_double), other(its, &in_single);
         harmorph::Plan const& plan = inside(solved.plan);
-        harmorph::Residual wide = plan.residual, narrow = inside(other.plan).residual;
+        harmorph::Residual wide = plan.refinement.residual, narrow = inside(other.plan).refinement.residual;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.line_of, 1};
+        harmorph::Lines const lines{basis, plan.equations.line_of, 1};
         REQUIRE(wide.single.empty());
         REQUIRE(!narrow.single.empty());
         Index const n = std::min(wide.width, narrow.width) - 1, planes = kind == HM_CONFORMAL ? 2 : 1;
-        harmorph::Residual::Norms const norms = wide.compute(plan.matrix, lines, 1, n);
-        harmorph::Residual::Norms const rounded = narrow.compute(plan.matrix, lines, 1, n);
-        harmorph::Residual::Norms const alone = narrow.measure(plan.matrix, lines, 1, n);
+        harmorph::Residual::Norms const norms = wide.compute(plan.equations.matrix, lines, 1, n);
+        harmorph::Residual::Norms const rounded = narrow.compute(plan.equations.matrix, lines, 1, n);
+        harmorph::Residual::Norms const alone = narrow.measure(plan.equations.matrix, lines, 1, n);
         for (Index k = 0; k < n; ++k) {
             CHECK(norms.rest[k] == rounded.rest[k]);
             CHECK(norms.rest[k] == alone.rest[k]);
@@ -257,7 +257,7 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
             CHECK(norms.right_hand_side[k] == alone.right_hand_side[k]);
         }
         Wrong different;
-        for (Index row = 0; row < planes * plan.matrix.n; ++row)
+        for (Index row = 0; row < planes * plan.equations.matrix.n; ++row)
             for (Index k = 0; k < n; ++k) {
                 double const value = wide.value[harmorph::Offset{row} * wide.width + k];
                 double const rounded_value = narrow.single[harmorph::Offset{row} * narrow.width + k];
@@ -274,13 +274,13 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
         Solved const solved(its, &options);
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Residual residual = plan.residual;
+        harmorph::Residual residual = plan.refinement.residual;
         for (Index n = 1; n <= residual.width; ++n) {
             residual.kernel = harmorph::Kernel::baseline;
-            harmorph::Residual::Norms const plain = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            harmorph::Residual::Norms const plain = residual.compute(plan.equations.matrix, {basis, plan.equations.line_of, 1}, 12 - n, n);
             std::vector<double> const expected(residual.value.begin(), residual.value.end());
             residual.kernel = harmorph::best_kernel();
-            harmorph::Residual::Norms const fast = residual.compute(plan.matrix, {basis, plan.line_of, 1}, 12 - n, n);
+            harmorph::Residual::Norms const fast = residual.compute(plan.equations.matrix, {basis, plan.equations.line_of, 1}, 12 - n, n);
             CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
             for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
         }

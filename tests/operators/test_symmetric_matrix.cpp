@@ -13,7 +13,7 @@ namespace {
 
 // Symmetric rows with random entries; every third one is no mesh edge.
 struct RandomRows {
-    std::vector<double> diagonal, excess, value;
+    std::vector<double> diagonal, row_sum, value;
     std::vector<Offset> start;
     std::vector<Index> column;
     std::vector<std::uint8_t> faces;
@@ -22,7 +22,7 @@ struct RandomRows {
         std::mt19937 random(seed);
         for (Index i = 0; i < n; ++i) {
             start.push_back(static_cast<Offset>(column.size()));
-            excess.push_back(uniform(random));
+            row_sum.push_back(uniform(random));
             for (Index j = i + 1; j < n; ++j)
                 if (uniform(random) < density) {
                     column.push_back(j);
@@ -31,14 +31,14 @@ struct RandomRows {
                 }
         }
         start.push_back(static_cast<Offset>(column.size()));
-        diagonal = excess;
+        diagonal = row_sum;
         view().for_each([&](Index i, Index j, Offset e) {
             diagonal[static_cast<std::size_t>(i)] -= value[static_cast<std::size_t>(e)];
             diagonal[static_cast<std::size_t>(j)] -= value[static_cast<std::size_t>(e)];
         });
     }
     harmorph::SymmetricRows view() {
-        return {static_cast<Index>(diagonal.size()), span(diagonal), span(excess), span(start), span(column), span(value),
+        return {static_cast<Index>(diagonal.size()), span(diagonal), span(row_sum), span(start), span(column), span(value),
                 span(faces)};
     }
 };
@@ -73,7 +73,7 @@ TEST_CASE("P^T A P against the dense product, its pattern without repeats, faces
             for (std::size_t i = 0; i < found.n; ++i) {
                 double sum = 0;
                 for (std::size_t j = 0; j < found.n; ++j) sum += expected.at(i, j);
-                CHECK(std::fabs(coarse.excess[i] - sum) < 1e-12);
+                CHECK(std::fabs(coarse.row_sum[i] - sum) < 1e-12);
             }
             for (std::size_t k = 0; k < found.entries.size(); ++k) CHECK(std::fabs(found.entries[k] - expected.entries[k]) < 1e-13);
             std::set<std::pair<Index, Index>> seen;
@@ -99,7 +99,7 @@ TEST_CASE("the rows of a matrix are its unknowns' part, and its faces are the me
     Case its = two_body_case(Cells::hybrid, 8, 5);
     Analysed const seen(its);
     FrontMatrix const front(*seen.operator->());
-    harmorph::Edges const& edges = seen->edges;
+    harmorph::Edges const& edges = seen->topology.edges;
     int faces = 0, diagonals = 0;
     front.rows.for_each([&](Index i, Index j, Offset e) {
         Index const p = seen->graph.point(front.order[static_cast<std::size_t>(i)]);

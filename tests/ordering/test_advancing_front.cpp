@@ -18,7 +18,7 @@ std::vector<int> depth_of(harmorph::Analysis const& a) {
         depth[static_cast<std::size_t>(u)] = to;
         ++reached;
     };
-    harmorph::for_each_pair(a.problem.mesh, a.edges, a.representative, [&](Index p, Index q) {
+    harmorph::for_each_pair(a.topology, [&](Index p, Index q) {
         if (!is_unknown(a.kinds[p])) set(a.graph.unknown[q], 0);
         if (!is_unknown(a.kinds[q])) set(a.graph.unknown[p], 0);
     });
@@ -36,7 +36,7 @@ std::vector<char> quad_corners(harmorph::Analysis const& a) {
     for (Index c = 0; c < a.problem.mesh.n_cells; ++c) {
         harmorph::Cell const cell = a.problem.mesh.cell(c);
         for (Index k = 0; cell.n == 4 && k < 4; ++k) {
-            Index const u = a.graph.unknown[a.representative[cell.point[k]]];
+            Index const u = a.graph.unknown[a.topology.representative[cell.point[k]]];
             if (u != harmorph::none) out[static_cast<std::size_t>(u)] = 1;
         }
     }

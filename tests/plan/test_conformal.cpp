@@ -23,7 +23,7 @@ public:
         harmorph::Analysis const& a = inside(seen.analysis);
         AssembledMatrix assembled(a);
         harmorph::Matrix const& m = assembled.matrix;
-        REQUIRE(assemble_stiffness(a.problem.mesh, a.problem.mesh.points, a.reversed, span(conductivity), true, m, {}) ==
+        REQUIRE(assemble_stiffness(a.topology, a.problem.mesh.points, span(conductivity), true, m, {}) ==
                 harmorph::none);
         Index const components = m.components();
         entries_.assign(n * n, 0);

@@ -12,8 +12,8 @@ namespace {
 DenseMatrix assembled(Case& its, std::vector<double> const& k) {
     Analysed const seen(its);
     AssembledMatrix matrix(*seen.operator->());
-    REQUIRE(assemble_stiffness(seen->problem.mesh, seen->problem.mesh.points, seen->reversed, span(k), false,
-                               matrix.matrix, {}) == harmorph::none);
+    REQUIRE(assemble_stiffness(seen->topology, seen->problem.mesh.points, span(k), false, matrix.matrix, {}) ==
+            harmorph::none);
     return matrix.unknowns();
 }
 

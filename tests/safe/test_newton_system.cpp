@@ -34,7 +34,7 @@ struct System {
             double const dx = 2 * uniform(random) - 1, dy = 2 * uniform(random) - 1, amount = held[k] != 0 ? 0 : reach;
             at[k] = {mesh.x[k] + amount * dx, mesh.y[k] + amount * dy};
         }
-        auto const counts = harmorph::RegionCounts::of(view, analysed->edges);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology);
         auto const lay_out = [&](harmorph::Arena& arena) {
             region.lay_out(arena, counts);
             newton.lay_out(arena, counts);
@@ -44,7 +44,7 @@ struct System {
         block.resize(query.bytes());
         harmorph::Arena arena(block.data(), block.size());
         lay_out(arena);
-        tangle = {view, view.points, analysed->reversed, analysed->representative, span(held)};
+        tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative, span(held)};
         region.link(tangle);
         region.grow(tangle, harmorph::Region::whole);
     }

@@ -64,7 +64,7 @@ struct Outcome {
     explicit Outcome(Tangled const& its, UntangleOptions const& options = {}, harmorph::Executor const& executor = {})
         : mesh(its.now), analysed(its.reference) {
         harmorph::Mesh const view = core_mesh(its.reference);
-        auto const counts = harmorph::RegionCounts::of(view, analysed->edges);
+        auto const counts = harmorph::RegionCounts::of(analysed->topology);
         Untangling untangling;
         harmorph::Arena query;
         untangling.lay_out(query, counts);
@@ -73,7 +73,7 @@ struct Outcome {
         untangling.lay_out(arena, counts);
         CHECK(!arena.overflown());
         CHECK(arena.bytes() == query.bytes());
-        untangling.tangle = {view, view.points, analysed->reversed, analysed->representative, span(its.held)};
+        untangling.tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative, span(its.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
         CHECK(block.guards_intact());

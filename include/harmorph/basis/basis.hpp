@@ -11,19 +11,19 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
-    Index first_held = 0, held = 0;  // functions that have a place: all of them, or the share of one process
+    Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or the share of one process
     ValueKind kind = ValueKind::real;
-    Precision storage = Precision::in_double;  // of the values; see single.hpp
+    Precision storage = Precision::in_double;  // of the values; see single_precision.hpp
 
     // One of each control point, and two of each rigid body: its translation, and its turn.
     Index functions() const noexcept { return control + 2 * bodies; }
-    bool complete() const noexcept { return held == functions(); }
+    bool complete() const noexcept { return stored == functions(); }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
-        BasisCounts its = *this;
-        its.first_held = first;
-        its.held = n;
-        return its;
+        BasisCounts part = *this;
+        part.first_stored = first;
+        part.stored = n;
+        return part;
     }
 };
 
@@ -38,25 +38,26 @@ struct BoundaryFunctions {
 };
 
 // Fingerprints of what a mesh is made of, wherever its points are.
-struct Topology {
+struct MeshFingerprint {
     std::uint64_t cells = 0;    // each one's points, in order
     std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not matter
 };
 
-constexpr bool operator==(Topology const& a, Topology const& b) noexcept {
+constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) noexcept {
     return a.cells == b.cells && a.markers == b.markers;
 }
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
     static constexpr std::uint32_t current_format = 4, native_order = 0x01020304;
+    static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
-    char magic[8];                // "harmorph"
+    char magic[8];
     std::uint32_t format;
     std::uint32_t byte_order;     // native_order where it was written
     std::uint64_t bytes;          // of the whole block
     std::uint64_t checksum;       // of all that follows this field
-    Topology topology;            // fingerprints of the mesh
+    MeshFingerprint topology;
     std::uint64_t coordinates;
     std::uint64_t conditions;     // fingerprint of what is asked on the boundary: points on curves, kinds of points
     std::int32_t solved;
@@ -64,7 +65,7 @@ struct BasisHeader {
     BasisCounts counts;
     Method method;
     Real largest;                 // no value is larger in magnitude: what the adjoint's sums are scaled by
-    Index filled;                 // functions whose values are there, from the first one on; see parcel.hpp
+    Index filled;                 // functions whose values are there, from the first one on; see packed_rows.hpp
 };
 
 // Views into the block.
@@ -82,7 +83,7 @@ struct Basis {
     Span<Condition> conditions;
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
-    Span<Vec2> wall_lever;
+    Span<Vec2> wall_offset;
     Span<Index> joined_point, joined_slot;  // [joined] other points at the place of a slot of the wall: a cut's other side
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
@@ -97,7 +98,7 @@ struct Basis {
     static const Basis view(const void* block) noexcept;
 
     Index n_points() const noexcept { return header->counts.points; }
-    Index n_functions() const noexcept { return header->counts.held; }
+    Index n_functions() const noexcept { return header->counts.stored; }
     ValueKind kind() const noexcept { return header->counts.kind; }
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
     bool in_single() const noexcept { return header->counts.storage == Precision::in_single; }
@@ -110,10 +111,10 @@ struct Basis {
     Status require_double(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
-    // The boundary functions at a point of the wall: evaluated from its parameter, or the movements of its rigid body.
+    // The boundary functions at a point of the wall: evaluated from the parameter, or the movements of the rigid body.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;
-    // Those that have a place here, numbered from the first one held.
-    BoundaryFunctions held_boundary_functions(Index slot) const noexcept;
+    // Those of functions whose values are here, numbered from the first of these.
+    BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;
 
     // Solved, with largest value and checksum. Of a part of a larger basis: that has values up to at_least.
     void seal(Real at_least = 0) const noexcept;
@@ -121,7 +122,7 @@ struct Basis {
 };
 
 std::uint64_t checksum_of(BasisHeader const& header) noexcept;
-Topology topology_fingerprint(Mesh const& mesh) noexcept;
+MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.

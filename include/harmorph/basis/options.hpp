@@ -13,6 +13,18 @@ enum class Scheme : std::int32_t { compact = 0, nodal_gradient = 1, bounded = 2,
 enum class Precision : std::int32_t { in_double = 0, in_single = 1 };
 enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
+// What an analysis and a refinement must know of an engine: a row for each. The engines themselves: plan/engine.hpp.
+struct EngineTraits {
+    // It factors the matrix: unknowns are in the order of a nested dissection, and solutions are refined. Otherwise they are
+    // in the order of an advancing front, and the engine itself iterates to a tolerance.
+    bool factors;
+};
+inline constexpr EngineTraits engine_traits[] = {
+    {true},   // direct
+    {false},  // multigrid
+    {false},  // fas
+};
+
 struct Method {
     Operator operator_kind = Operator::conformal;
     Scheme scheme = Scheme::compact;
@@ -24,6 +36,7 @@ struct Method {
     Precision precision = Precision::in_double;  // of the factor
     std::int32_t reserved = 0;                   // so that no byte is left to chance
 
+    EngineTraits const& traits() const noexcept { return engine_traits[static_cast<std::int32_t>(engine)]; }
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
     bool bounded() const noexcept { return scheme == Scheme::bounded; }
     bool nodal_gradients() const noexcept { return scheme == Scheme::nodal_gradient || scheme == Scheme::nodal_gradient_plain; }

@@ -12,7 +12,7 @@ struct Wall {
     Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
     Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body
     Span<Real> u;       // on a curve
-    Span<Vec2> lever;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
+    Span<Vec2> offset;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
 
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
@@ -44,12 +44,12 @@ struct GivenParameters {
 // Finds curve and parameter of every point on a marker that is on curves, and the points of rigid bodies. Curves meet, begin and end at break points of
 // the boundary: the points nearest to the ends of curves that are not periodic. Each segment between breaks belongs to
 // the curve it is closest to.
-Status parametrise(Mesh const& mesh, Boundary const& boundary, Span<const Condition> conditions, Span<const Curve> curves,
-                   GivenParameters const& given, Span<const Index> representative, WallWork const& work, Wall& wall,
+Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
+                   Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;
 
-// wall.lever of all points.
-void find_levers(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
+// wall.offset of all points.
+void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
                  Wall& wall) noexcept;
 
 }  // namespace harmorph

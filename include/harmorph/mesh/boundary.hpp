@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
@@ -21,10 +21,10 @@ struct Boundary {
     static Size max_faces(Mesh const& mesh) noexcept;
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 
-    // Finds the edge of every face and list segment and notes its marker there (edges.second).
-    Status mark(Mesh const& mesh, Edges& edges, Span<const Index> representative, Fault& fault) noexcept;
+    // Finds the edge of every face and list segment and notes the marker there (edges.second). Cells need no orientation yet.
+    Status mark(Topology& topology, Fault& fault) noexcept;
     // Refuses a boundary edge without a marker, and puts the faces in order.
-    Status order(Mesh const& mesh, Edges const& edges, Span<const std::uint8_t> reversed, Fault& fault) noexcept;
+    Status order(Topology const& topology, Fault& fault) noexcept;
 
     // Pieces: runs of faces for which is_on(face) holds. visit(piece, point) for their points in order, then
     // close(piece, is_loop); the first point of a whole loop is not repeated. Returns how many pieces there are.
@@ -59,6 +59,6 @@ Index Boundary::for_each_piece(IsOn is_on, Visit visit, Close close) const noexc
 
 // Joins the points of a cut: edges without marker whose end points coincide bit by bit in pairs. `points` [n_points] is
 // working space. Returns how many points were joined to another.
-Index join_cuts(Mesh const& mesh, Edges const& edges, Span<Index> points, Span<Index> representative) noexcept;
+Index join_cuts(Topology& topology, Span<Index> points) noexcept;
 
 }  // namespace harmorph

@@ -40,4 +40,7 @@ struct CellCorners {
     Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }
 };
 
+// A corner has no positive area, or a coordinate is no number.
+inline bool is_inverted(CellShape const& shape) noexcept { return !(CellCorners(shape).smallest() > 0); }
+
 }  // namespace harmorph

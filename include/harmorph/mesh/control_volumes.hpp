@@ -1,8 +1,7 @@
 // The control volumes of the unknowns: what local time steps and coarser levels need of the median dual's geometry.
 #pragma once
 
-#include "harmorph/base/arena.hpp"
-#include "harmorph/mesh/mesh.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
@@ -13,7 +12,7 @@ struct ControlVolumes {
     void lay_out(Arena& arena, Index n) noexcept;
     // place [n_points]: position of each point's unknown, or below 0. A cell's part of a corner is bounded by the midpoints of
     // the edges there and the barycentre of the cell's corners. All corners have positive areas.
-    void measure(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Index> place) noexcept;
+    void measure(OrientedMesh const& cells, Points points, Span<const Index> place) noexcept;
 };
 
 }  // namespace harmorph

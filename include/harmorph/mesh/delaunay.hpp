@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
@@ -18,16 +18,14 @@ struct DelaunayEdge {
 // ends: each flip lowers the surface of (x, y, x^2 + y^2) over the mesh, so that no triangulation comes twice, and
 // there are finitely many; all that needs decisions that are exact, see predicates.hpp. Points joined by a cut are one.
 // Edges of a periodic pair are boundary: across it a flip would have to decide about translated points, which rounding moves.
-struct Triangulation {
-    Mesh mesh;     // triangles counter-clockwise, over the same points (representatives), without boundary faces
-    Edges edges;   // of these triangles
+// Its cells are triangles, all counter-clockwise, over the representatives of the mesh's points, without boundary faces.
+struct Triangulation : Topology {
     Index flips = 0;
 
     // Sizes from the counts alone.
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
-    // `reversed` of the mesh's cells. Refuses a cell that has a corner without positive area.
-    Status build(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
-                 Fault& fault) noexcept;
+    // Refuses a cell that has a corner without positive area.
+    Status build(Topology const& of, Fault& fault) noexcept;
 
     // visit(DelaunayEdge), in the order of `edges`.
     template <class Visit>
@@ -40,8 +38,7 @@ private:
     Span<std::uint8_t> is_waiting_;
 
     static Size max_triangles(Mesh const& mesh) noexcept;
-    Status split(Mesh const& of, Span<const Index> representative, Span<const std::uint8_t> reversed,
-                 Fault& fault) noexcept;
+    Status split(Topology const& of, Fault& fault) noexcept;
     void add(Index a, Index b, Index c) noexcept;
     void find_neighbours() const noexcept;
     void flip_all() noexcept;
@@ -62,8 +59,8 @@ template <class Visit>
 void Triangulation::for_each_edge(Visit visit) const noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         Index const first = edges.first[edge].code, second = edges.second[edge];
-        Index const its = apex_of(mesh, low, high, first), other = second < 0 ? none : apex_of(mesh, low, high, second);
-        visit(runs_backwards(first) ? DelaunayEdge{high, low, its, other} : DelaunayEdge{low, high, its, other});
+        Index const apex = apex_of(mesh, low, high, first), other = second < 0 ? none : apex_of(mesh, low, high, second);
+        visit(runs_backwards(first) ? DelaunayEdge{high, low, apex, other} : DelaunayEdge{low, high, apex, other});
     });
 }
 

@@ -3,12 +3,13 @@
 
 #include "harmorph/mesh/box_tree.hpp"
 #include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
 // A linear field's value at the point is sum_k weight_k times its value at point_k, inside the cell and outside (there it is
-// extrapolated). The weights add up to 1; at a point of the mesh its own is exactly 1. A quad's are the mean of those of
-// its two splits into triangles, as its equations are.
+// extrapolated). The weights add up to 1; at a point of the mesh the weight of that point is exactly 1. A quad's are the mean of those of
+// the two splits into triangles, as in the equations.
 struct CellWeights {
     Index n = 0;
     Index point[4] = {};
@@ -23,19 +24,18 @@ struct Location {
 };
 
 struct Locator {
-    Mesh mesh;
-    Span<const std::uint8_t> reversed;  // [n_cells] see orient()
+    OrientedMesh cells;
     BoxTree tree;
 
     void lay_out(Arena& arena, Index n_cells) noexcept { tree.lay_out(arena, n_cells); }
     // The mesh must have no inverted cell.
-    void build(Mesh const& its_mesh, Span<const std::uint8_t> its_reversed) noexcept;
+    void build(OrientedMesh const& mesh) noexcept;
 
     // hint: a cell that may well be the one, or none. A point on a common side belongs to either cell.
     Location locate(Vec2 point, Index hint) const noexcept;
 
 private:
-    CellShape shape(Index cell) const noexcept { return {mesh.cell(cell), mesh.points, reversed[cell] != 0}; }
+    CellShape shape(Index cell) const noexcept { return {cells.cell(cell), cells.mesh.points, false}; }
 };
 
 }  // namespace harmorph

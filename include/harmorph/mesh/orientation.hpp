@@ -2,13 +2,13 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
 struct OrientationWork {
     Span<Index> parent;  // [n_cells] 2 * cell it agrees with, + 1 if in the opposite sense
-    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with its root
+    Span<Real> balance;  // [n_cells] area of a connected part, signed by agreement with the root
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 };
 
@@ -16,10 +16,8 @@ struct OrientationWork {
 enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
 Sense common_sense(Mesh const& mesh) noexcept;
 
-// sense: the cells' common one. reversed [n_cells]: 1 where the cell's points must be read backwards to run
-// counter-clockwise. In each connected part the sense with the larger total area is the right one, so that few inverted
+// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the larger total area is the right one, so that few inverted
 // cells do not turn the others. inverted: the first cell that has a corner of no positive area then, or none.
-Status orient(Mesh const& mesh, Edges const& edges, Sense sense, OrientationWork const& work,
-              Span<std::uint8_t> reversed, Index& inverted, Fault& fault) noexcept;
+Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -1,7 +1,7 @@
 // How many points and cells a mesh has, and how many neighbours its points: what a part of it takes at most.
 #pragma once
 
-#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/topology.hpp"
 
 namespace harmorph {
 
@@ -10,7 +10,7 @@ struct RegionCounts {
     Offset cell_corners = 0;  // of all cells
     Offset pairs = 0;         // of points that share a cell, each once
 
-    static RegionCounts of(Mesh const& mesh, Edges const& edges) noexcept;
+    static RegionCounts of(Topology const& topology) noexcept;
 };
 
 }  // namespace harmorph

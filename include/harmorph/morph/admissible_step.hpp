@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/topology.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {
@@ -38,10 +39,10 @@ inline void AdmissibleStep::add(Index number, CellShape const& now, CellShape co
 
 // Smallest s >= 0 at which a corner of points + s displacement has no positive area: the smallest non-negative root of the
 // corners' quadratics.
-AdmissibleStep admissible_step(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points displacement,
                                Executor const& executor) noexcept;
 
 // The mesh point of a limiting corner.
-Index limiting_point(Mesh const& mesh, AdmissibleStep const& limit, Span<const std::uint8_t> reversed) noexcept;
+Index limiting_point(OrientedMesh const& cells, AdmissibleStep const& limit) noexcept;
 
 }  // namespace harmorph

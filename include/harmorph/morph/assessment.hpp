@@ -16,7 +16,7 @@ struct Assessment {
     }
 };
 
-Assessment assess(Mesh const& mesh, Points points, Points displacement, Span<const std::uint8_t> reversed,
+Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
                   Executor const& executor) noexcept;
 
 }  // namespace harmorph

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/topology.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {
@@ -58,7 +59,7 @@ inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real r
 }
 
 // `reference` not given: the skew quality alone.
-Quality measure_quality(Mesh const& mesh, Points points, Points reference, Span<const std::uint8_t> reversed,
+Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept;
 
 }  // namespace harmorph

@@ -40,11 +40,11 @@ struct Agglomeration {
     // What smoothing sees of a cell, or of several that are to have one value.
     struct Part {
         Real diagonal = 0;  // the sum of those of the level's cells
-        Real excess = 0;
+        Real row_sum = 0;
 
         void operator+=(Part const& more) noexcept {
             diagonal += more.diagonal;
-            excess += more.excess;
+            row_sum += more.row_sum;
         }
     };
 

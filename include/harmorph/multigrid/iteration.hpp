@@ -48,6 +48,9 @@ struct BlockIteration {
     Span<Real> lane_history;   // [lanes x history]
 
     void lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration, Executor const& its_executor) noexcept;
+    // Are all diagonals positive? fault.item is a position otherwise.
+    static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
+    static Status refuse_row(Index position, Fault& fault) noexcept;
     // The largest residual of a lane's functions; several blocks of a lane pass the same iteration.
     void note(Index lane, Index its_iteration, Real residual) const noexcept;
     void tell_history() const noexcept;

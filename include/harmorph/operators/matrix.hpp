@@ -11,8 +11,8 @@ namespace harmorph {
 // What the unknowns are, and so what an entry is.
 //   real       one real number for a point: operators that move x and y alike
 //   complex    one complex number for a point: the conformal operator
-//   two_lines  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
-enum class MatrixKind : std::int32_t { real, complex, two_lines };
+//   coupled_xy  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
+enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
 // Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner k to k + 2.
 struct CellConductances {
@@ -23,29 +23,29 @@ struct CellConductances {
 // Rows begin .. end-1, what one of several threads may write to.
 struct RowRange {
     Index begin, end;
-    bool holds(Index row) const noexcept {
+    bool contain(Index row) const noexcept {
         return static_cast<std::uint32_t>(row) - static_cast<std::uint32_t>(begin) < static_cast<std::uint32_t>(end - begin);
     }
 };
 
 // Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
-// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an
-// unknown to the points that are held is summed, as all their values are 0. With it a row's entries, couplings and
-// diagonal sum to 0, but for the rounding of the diagonal, and A F is a sum of differences along couplings. Of two lines a
-// point that is so before points that slip are turned to their lines; a complex number of `held` stands for both lines.
+// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an unknown
+// to points that are fixed is summed, as all values of those are 0. With it a row's entries, couplings and diagonal sum to 0,
+// but for the rounding of the diagonal, and A F is a sum of differences along couplings. Where x and y are coupled, that is so
+// at a point before points that slip are turned to their lines; a complex number of fixed_value stands for both lines.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
-        Index couplings = 0, held = 0;
+        Index couplings = 0, fixed = 0;
         MatrixKind kind = MatrixKind::real;
     };
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
-    Span<Index> place;           // [components * n_points] position of an unknown; wall(line of the wall); none where F = 0
+    Span<Index> row_of;          // [components * n_points] row of an unknown; wall(line of the wall); none where F = 0
     Span<Real> diagonal;         // [n]
-    Span<Real> excess;           // [n] what each row's entries sum to
-    Span<Real> excess_imaginary; // complex only
+    Span<Real> row_sum;          // [n] of all entries, the diagonal among them
+    Span<Real> row_sum_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -54,25 +54,26 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> held_row;        // unknowns beside points that are held, increasing, some repeated; of two lines the first
-    Span<Real> held_value;
-    Span<Real> held_imaginary;
-    Span<Vec2> frame;            // [n_points] two lines only: direction of a point's first line; its second is normal to it
+    Span<Index> fixed_row;       // rows of unknowns beside fixed points, increasing, some repeated; of coupled x and y the first
+    Span<Real> fixed_value;
+    Span<Real> fixed_imaginary;
+    Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first line; its second is normal to it
 
-    Index components() const noexcept { return kind == MatrixKind::two_lines ? 2 : 1; }
+    Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
+    Index planes() const noexcept { return is_complex() ? 2 : 1; }
 
     static constexpr Index short_row = 8;  // entries: columns that may be read from any row's first on
 
     static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
-    static constexpr bool is_wall(Index place) noexcept { return place <= -2; }
+    static constexpr bool is_wall(Index row) noexcept { return row <= -2; }
 
     static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
-        return {graph.start[graph.n] / 2, graph.couplings, graph.held, kind};
+        return {graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
-    // lines, two lines only.
+    // lines, coupled x and y only.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order, Span<const Index> position,
                Span<const Index> slot, Span<const Vec2> tangent) noexcept;
 
@@ -87,7 +88,7 @@ struct Matrix {
     void add_corners(RowRange rows, Cell const& cell, CellConductances its, Real circulation) const noexcept;
     // The same between two points, where each has two lines.
     void add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
-    // All of a conductance but the diagonals, between two places, and of a circulation from the first to the second.
+    // All of a conductance but the diagonals, between two rows as row_of has them, and of a circulation from the first to the second.
     template <bool with_circulation>
     void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
     // Has the cell an unknown in range? One that has none at all concerns the first range.
@@ -102,7 +103,7 @@ struct Matrix {
         return n_ranges;
     }
 
-    // Two points that slip, each on a line of its own: neither moves across its line, so each holds the other.
+    // Two points that slip on different lines: neither moves across its line, so each is fixed in the other's direction.
     bool turns(Index point, Index other) const noexcept {
         return frame[point].x != frame[other].x || frame[point].y != frame[other].y;
     }
@@ -110,7 +111,7 @@ struct Matrix {
     // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
-        return {n, diagonal, excess, start, column, value, faces};
+        return {n, diagonal, row_sum, start, column, value, faces};
     }
 
 private:
@@ -121,11 +122,11 @@ private:
         bool turned = false;  // it stands for the second's row
     };
     Entry entry(RowRange rows, Index i, Index j) const noexcept;
-    bool slips(Index point) const noexcept { return place[2 * point] >= 0 && place[2 * point + 1] == none; }
-    // Is the point an unknown, and beside it the other one held?
-    bool is_held_by(Index point, Index other) const noexcept;
-    bool holds(Index line, Index other_line) const noexcept;
-    void hold(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
+    bool slips(Index point) const noexcept { return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none; }
+    // Is the point an unknown, and the other one fixed, or slipping on another line?
+    bool is_beside_fixed(Index point, Index other) const noexcept;
+    bool stands_for_fixed(Index line, Index other_line) const noexcept;
+    void couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
 };
 
 }  // namespace harmorph

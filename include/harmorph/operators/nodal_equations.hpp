@@ -11,22 +11,23 @@ namespace harmorph {
 struct NodalEquations {
     NodalGradient scheme;
     Index n = 0, n_wall = 0;
-    Span<Real> gradient;  // [n_points * 2 * width] working space for `width` columns
+    Index width = 0;      // columns at a time
+    Span<Real> gradient;  // [n_points * 2 * width] working space
 
     void lay_out(Arena& arena, Mesh const& mesh, Index n_edges) noexcept { scheme.lay_out(arena, mesh, n_edges); }
-    void lay_out_work(Arena& arena, Index n_points, Index width) noexcept {
+    void lay_out_work(Arena& arena, Index n_points, Index its_width) noexcept {
+        width = its_width;
         arena.take(gradient, Offset{n_points} * 2 * width);
     }
-    // matrix: the places of all points, once it is built.
-    void init(Mesh const& mesh, Edges const& edges, Matrix const& matrix, Span<const Index> representative,
-              Span<const std::uint8_t> reversed, bool corrected) noexcept;
+    // matrix: once its pattern is built. `reversed` of the topology is kept as a view, the rest is copied.
+    void init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept;
 
-    // In the unknowns' lines; those of the wall hold its values. `width` columns at a time.
-    void set_right_hand_sides(Lines const& lines, Index columns, Index width) const noexcept;
+    // In the unknowns' lines; those of the wall hold its values.
+    void set_right_hand_sides(Lines const& lines, Index columns) const noexcept;
     // What Residual::compute does for the compact scheme.
     Residual::Norms compute(Residual const& residual, Lines const& lines, Index first, Index columns) const noexcept;
     // to = A from, rows of `width` by position.
-    void apply(const Real* from, Index width, Real* to) const noexcept;
+    void apply(const Real* from, Real* to) const noexcept;
 };
 
 }  // namespace harmorph

@@ -29,9 +29,8 @@ struct NodalGradient {
         Vec2 across[2];  // half of each diagonal, turned: the weight of the difference along the other one
     };
 
-    Mesh mesh;
+    OrientedMesh mesh;           // `reversed` is the caller's
     bool corrected = false;
-    Span<const std::uint8_t> reversed;  // [n_cells] the caller's
     Span<Index> row_of;          // [n_points]
     Edges edges;                 // a copy: begun once, measured for many coordinates
     Span<CellRows> cells;        // [n_cells]
@@ -40,8 +39,7 @@ struct NodalGradient {
 
     void lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) noexcept;
     // row_of has been filled: rows from 0, less than n_points.
-    void init(Mesh const& its_mesh, Edges const& its_edges, Span<const std::uint8_t> its_reversed,
-              bool with_correction) noexcept;
+    void init(OrientedMesh const& its_mesh, Edges const& its_edges, bool with_correction) noexcept;
     void measure(Points points) noexcept;
 
     // Of n functions, n numbers in a row: value, balance [rows * n]. The balance is the flux into a point's volume, so

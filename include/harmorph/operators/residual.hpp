@@ -5,6 +5,7 @@
 #include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
 #include "harmorph/base/cpu.hpp"
+#include "harmorph/base/row_view.hpp"
 
 namespace harmorph {
 
@@ -20,6 +21,10 @@ struct Lines {
     Real* line(Index number) const noexcept { return basis.value.data() + Offset{number} * length(); }
     Real* at(Index position) const noexcept { return line(of[position]); }
     Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? basis.n_functions() : length(); }
+    // The unknowns' lines, as engines see them.
+    Rows rows(Matrix const& matrix) const noexcept {
+        return {basis.value.data(), of.data(), length(), columns(matrix), columns(matrix)};
+    }
     // Of a line of the wall: its slot's point.
     Real* wall(Index number) const noexcept {
         return line(components * basis.wall_point[number / components] + number % components);
@@ -27,7 +32,7 @@ struct Lines {
 };
 
 // Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
-// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_rows.hpp); of two
+// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_matrix.hpp); of two
 // lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
 // A row is summed at once: it finds its earlier entries in lists, where each row waits for the next that it is coupled to.
 struct Residual {
@@ -38,7 +43,7 @@ struct Residual {
     // [n x planes x width] rows by position: b - A F, real and then imaginary parts; of these one, as the engine solves.
     Span<Real> value;
     Span<float> single;  // differences are rounded to single precision last, so that corrections are none the worse
-    Span<Index> latest;  // [n] not of two lines: the row that began to wait last, and
+    Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last, and
     Span<Index> next;    // [n + lines of the wall] for each the one before it
 
     void lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width = 6,
@@ -50,7 +55,7 @@ struct Residual {
         Real relative(Index k) const noexcept;
     };
     Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // The norms alone, n <= widest; not of two lines.
+    // The norms alone, n <= widest; not where x and y are coupled.
     Norms measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
     // Of one column, in all rows: the largest number of b - A F beside the row's entries times the largest of F. Rounding of F
     // alone leaves an epsilon of that. 2 <= width. Infinite where a number is none.

@@ -16,7 +16,7 @@ namespace harmorph {
 //
 // conductivity [n_cells]: k > 0, or empty: 1. Returns the first cell with a corner that has no positive area, or none; the
 // matrix is of use only then. A real matrix has no room for the conformal operator.
-Index assemble_stiffness(Mesh const& mesh, Points points, Span<const std::uint8_t> reversed, Span<const Real> conductivity,
-                         bool conformal, Matrix const& matrix, Executor const& executor) noexcept;
+Index assemble_stiffness(OrientedMesh const& cells, Points points, Span<const Real> conductivity, bool conformal,
+                         Matrix const& matrix, Executor const& executor) noexcept;
 
 }  // namespace harmorph

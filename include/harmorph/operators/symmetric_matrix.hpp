@@ -5,17 +5,17 @@
 
 namespace harmorph {
 
-// Row i holds its entries in later columns, as Matrix does, and its excess: the sum of the whole row, which is what couples
-// the cell to known values. In thin cells couplings differ by 1e14; the entries beside the diagonal and the excess determine
-// what depends on the small ones, the diagonal, in whose rounding they drown, does not (M. Dailey, F. M. Dopico, Q. Ye,
-// Relative perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i = excess_i x_i + sum
-// of entries (x_j - x_i): constants give 0 to the bit where the excess is 0. And a contraction sums the excess. `faces` tells
-// how many mesh edges run between the two cells (255: that or more); 0 for the diagonals of quads, which couple cells that do
-// not touch.
+// Row i holds its entries in later columns, as Matrix does, and its row sum, which is what couples the cell to known values.
+// In thin cells couplings differ by 1e14. The entries beside the diagonal and the row sum determine what depends on the small
+// couplings; the diagonal, in whose rounding they drown, does not (M. Dailey, F. M. Dopico, Q. Ye, Relative perturbation
+// theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i = row_sum_i x_i + sum of entries
+// (x_j - x_i): constants give 0 to the bit where the row sum is 0. And a contraction adds row sums. `faces` tells how many
+// mesh edges run between the two cells (255: that or more); 0 for the diagonals of quads, which couple cells that do not
+// touch.
 struct SymmetricRows {
     Index n = 0;
-    Span<Real> diagonal;       // [n] excess - the sum of the row's other entries
-    Span<Real> excess;         // [n]
+    Span<Real> diagonal;       // [n] row sum - the sum of the row's other entries
+    Span<Real> row_sum;        // [n]
     Span<Offset> start;        // [n + 1]
     Span<Index> column;
     Span<Real> value;
@@ -34,7 +34,7 @@ struct SymmetricRows {
 };
 
 // coarse = P^T fine P, P the map from cells to merged cells: conductances between two merged cells are summed, as are the
-// faces between them and the excesses of what is inside one, whose couplings vanish. cell_of [fine.n] -> 0 .. n-1; last [n]:
+// faces between them and the row sums of what is inside one, whose couplings vanish. cell_of [fine.n] -> 0 .. n-1; last [n]:
 // working space. coarse must have room for n rows and as many entries as `fine` has.
 void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept;
 

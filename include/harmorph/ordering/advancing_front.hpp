@@ -15,7 +15,7 @@ struct LayerWork {
 // order [n]: the unknowns by breadth-first search from those that share a cell with a point of known value or are on a free
 // boundary. The front passes through regions of quads first, and only then through the triangles: boundary layers are
 // merged across their layers before anything else is near.
-void order_by_layers(Mesh const& mesh, Edges const& edges, Span<const Index> representative, Span<const PointKind> kinds,
-                     Graph const& graph, LayerWork const& work, Span<Index> order) noexcept;
+void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Graph const& graph, LayerWork const& work,
+                     Span<Index> order) noexcept;
 
 }  // namespace harmorph

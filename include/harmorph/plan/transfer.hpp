@@ -2,8 +2,9 @@
 // boundary is restored.
 #pragma once
 
-#include "harmorph/plan/analysis.hpp"
+#include "harmorph/boundary/distance.hpp"
 #include "harmorph/mesh/locate.hpp"
+#include "harmorph/plan/analysis.hpp"
 
 namespace harmorph {
 
@@ -25,8 +26,7 @@ struct TransferReport {
 // like the interpolation's own.
 struct Transfer {
     Locator locator;
-    BoxTree wall_tree;
-    Span<Index> wall_faces;  // [2 * faces] points
+    FaceDistance wall;       // faces that move, of the fine mesh
     Span<Real> correction;   // [wall x row_length] D of each slot
     Span<Real> reach;        // [wall] h
 

@@ -1,0 +1,32 @@
+// The direct engine of a plan: a multifrontal factor of the matrix, which also corrects what rounding has left.
+#pragma once
+
+#include "harmorph/direct/multifrontal.hpp"
+#include "harmorph/multigrid/iteration.hpp"
+#include "harmorph/plan/equations.hpp"
+
+namespace harmorph {
+
+// See AnyEngine for what engines answer.
+struct DirectEngine {
+    Multifrontal factor;
+    bool trusted = false;  // nothing cancelled in the factor: solutions need no refinement
+
+    void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept;
+    void init(Analysis const& analysis) noexcept;
+    void take_pattern(Analysis const&, Matrix const&) const noexcept {}
+    Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept;
+    // `work` [n] is overwritten; empty where the factor is in single precision, which is never trusted.
+    Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
+    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+                 Fault& fault) noexcept;
+    template <class Number>
+    Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
+        return factor.solve(rows, Progress{}, fault);
+    }
+    // What set_up() alone needs.
+    Offset idle_bytes() const noexcept;
+    const Agglomeration* levels() const noexcept { return nullptr; }
+};
+
+}  // namespace harmorph

@@ -1,0 +1,37 @@
+// What a plan solves: the unknowns' equations by the chosen operator and scheme, for the coordinates at hand.
+#pragma once
+
+#include "harmorph/boundary/distance.hpp"
+#include "harmorph/operators/nodal_equations.hpp"
+#include "harmorph/plan/analysis.hpp"
+
+namespace harmorph {
+
+struct Equations {
+    OrientedMesh cells;           // with orientations of their own: the analysis may be gone
+    Method method;                // the kernel is never automatic here
+    Span<Index> line_of;          // [n] line of values of each position
+    FaceDistance wall;            // faces that move
+    Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
+    std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to
+    Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
+    Matrix matrix;                // of the compact or the bounded scheme; beside nodal gradients the compact scheme's
+    NodalEquations nodal;         // schemes of nodal gradients only
+
+    // The working space of nodal gradients is laid out apart: see NodalEquations::lay_out_work.
+    void lay_out(Arena& arena, Analysis const& analysis) noexcept;
+    // All but the matrix and the nodal equations, which take longest: build() may run beside what else is made of the analysis.
+    void init(Analysis const& analysis) noexcept;
+    void build(Analysis const& analysis) noexcept;
+    // Entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix is of no use.
+    Status assemble(Points points, Executor const& executor, Fault& fault) noexcept;
+
+    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+
+private:
+    Status assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept;
+    Status assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept;
+};
+
+}  // namespace harmorph

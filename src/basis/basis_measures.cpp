@@ -1,0 +1,53 @@
+#include "harmorph/basis/basis_measures.hpp"
+
+namespace harmorph {
+
+BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
+    BoundaryError worst;
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        Index const point = basis.wall_point[slot];
+        Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
+        worst.include(length(to[point] - from[point] - curve_moved), point);
+    }
+    return worst;
+}
+
+BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
+    BasisMeasures measures;
+    BasisCounts const& counts = basis.header->counts;
+    Index const n_functions = basis.n_functions();
+    Index const n_control = clamp(counts.control - counts.first_stored, Index{0}, n_functions);  // of those stored
+    ValueKind const kind = basis.kind();
+    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        Index const point = basis.wall_point[slot];
+        BoundaryFunctions const functions = basis.stored_boundary_functions(slot);
+        const Real* const values = basis.row(point);
+        for (Index plane = 0; plane < numbers_of(kind); ++plane) {
+            Real sum = 0;
+            for (Index i = 0; i < n_functions; ++i) {
+                Real const value = values[plane * n_functions + i];
+                Real expected = 0;
+                for (Index k = 0; k < functions.order; ++k) {
+                    expected += functions.function[k] == i ? numbers_of(kind, functions.value[k]).plane[plane] : 0;
+                }
+                measures.value.include(absolute(value - expected), point);
+                sum += i < n_control ? value : 0;
+            }
+            if (!basis.is_on_curve(slot) || !counts.complete()) continue;
+            Real const defect = absolute(sum - numbers_of(kind, {1, 0}).plane[plane]);
+            if (exceeds(defect, measures.partition_defect)) measures.partition_defect = defect;
+        }
+        if (!basis.is_on_curve(slot)) continue;
+        Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
+        measures.distance.include(length(points[point] - foot), point);
+    }
+    for (Index point = 0; point < basis.n_points(); ++point) {
+        for (Real const value : Span<const Real>(basis.row(point), static_cast<Size>(n_control))) {
+            measures.min_value = smaller(measures.min_value, value);
+            measures.max_value = larger(measures.max_value, value);
+        }
+    }
+    return measures;
+}
+
+}  // namespace harmorph

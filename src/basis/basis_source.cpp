@@ -1,0 +1,71 @@
+#include "harmorph/basis/basis_source.hpp"
+
+#include <cstring>
+
+namespace harmorph {
+
+BasisCounts BasisSource::counts() const noexcept {
+    BasisCounts counts;
+    counts.points = topology.mesh.n_points;
+    counts.cells = topology.mesh.n_cells;
+    counts.control = curves.empty() ? 0 : curves[0].n_control;
+    counts.bodies = demands.bodies;
+    counts.kind = method.value_kind(demands);
+    counts.curves = curves.count();
+    for (Curve const& curve : curves) {
+        counts.indices += curve.n_indices;
+        counts.knots += curve.n_indices + curve.degree + 1;
+    }
+    counts.weights = !curves.empty() && curves[0].weights != nullptr ? counts.control : 0;
+    counts.wall = wall.count;
+    for_each_joined([&](Index, Index) { ++counts.joined; });
+    counts.boundary = boundary.count;
+    counts.loops = boundary.n_loops;
+    counts.conditions = conditions.count();
+    return counts.share(0, counts.functions());
+}
+
+void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source) noexcept {
+    BasisHeader& header = *basis.header;
+    std::memset(static_cast<void*>(&header), 0, Basis::bytes(counts));
+    std::memcpy(header.magic, BasisHeader::expected_magic, sizeof header.magic);
+    header.format = BasisHeader::current_format;
+    header.byte_order = BasisHeader::native_order;
+    header.bytes = Basis::bytes(counts);
+    header.topology = source.mesh_fingerprint;
+    header.conditions = source.conditions_fingerprint;
+    header.index_base = source.topology.mesh.index_base;
+    header.counts = counts;
+    header.method = source.method;
+
+    Index first_index = 0, first_knot = 0;
+    for (Index number = 0; number < source.curves.count(); ++number) {
+        Curve const& curve = source.curves[number];
+        Index const n_knots = curve.n_indices + curve.degree + 1;
+        basis.shape[number] = {curve.degree, curve.n_indices, first_index, first_knot};
+        for (Index k = 0; k < curve.n_indices; ++k) basis.indices[first_index + k] = curve.control_point(k);
+        for (Index k = 0; k < n_knots; ++k) basis.knots[first_knot + k] = curve.knots[k];
+        first_index += curve.n_indices;
+        first_knot += n_knots;
+    }
+    if (counts.curves > 0) {
+        Curve const& any = source.curves[0];
+        copy(basis.control, Span<const Real>(any.control, basis.control.size()));
+        if (!basis.weights.empty()) copy(basis.weights, Span<const Real>(any.weights, basis.weights.size()));
+    }
+    copy(basis.conditions, source.conditions);
+    copy(basis.wall_point, Span<const Index>(source.wall.point.first(counts.wall)));
+    copy(basis.wall_curve, Span<const Index>(source.wall.curve.first(counts.wall)));
+    copy(basis.wall_u, Span<const Real>(source.wall.u.first(counts.wall)));
+    copy(basis.wall_offset, Span<const Vec2>(source.wall.offset.first(counts.wall)));
+    Index joined = 0;
+    source.for_each_joined([&](Index point, Index slot) {
+        basis.joined_point[joined] = point;
+        basis.joined_slot[joined++] = slot;
+    });
+    copy(basis.boundary_point, Span<const Index>(source.boundary.point.first(counts.boundary)));
+    copy(basis.loop_start, Span<const Index>(source.boundary.loop_start.first(counts.loops + 1)));
+    copy(basis.reversed, Span<const std::uint8_t>(source.topology.reversed));
+}
+
+}  // namespace harmorph

@@ -1,0 +1,91 @@
+#include "harmorph/plan/direct_engine.hpp"
+
+namespace harmorph {
+namespace {
+
+// Of a pivot's terms, what is left where some cancelled.
+constexpr Real uncancelled_above = 1e-3;
+
+// Of a diagonal, what is left of it when its turn comes: on even cells a fifth, beside thin ones thousandths. Circulations
+// are no conductances, so that something cancels; so it does where cells' angles make conductances negative; and turned
+// lines have no sums to rely on.
+constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5; }
+
+// Conductances that are negative, as angles of cells make them, may cancel others between the same two points, which no pivot
+// shows: what is left is rounding, and flows as a conductance does. So functions are off by about as many roundings as
+// sources the size of all negative conductances raise them. Returns the largest value that these sources make; real
+// matrices only.
+Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> source, Real& rise, Fault& fault) noexcept {
+    fill(source, 0.0);
+    auto const add = [&](Index row, Real entry) { source[row] += entry > 0 ? entry : 0; };  // entries: their opposites
+    for (Index i = 0; i < matrix.n; ++i) {
+        for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
+            add(i, matrix.value[e]);
+            add(matrix.column[e], matrix.value[e]);
+        }
+    }
+    for (Index c = 0; c < matrix.coupling_row.count(); ++c) add(matrix.coupling_row[c], matrix.coupling_value[c]);
+    for (Index h = 0; h < matrix.fixed_row.count(); ++h) add(matrix.fixed_row[h], matrix.fixed_value[h]);
+    HARMORPH_TRY(factor.solve(Rows{source.data(), nullptr, 1, 1, 1}, Progress{}, fault));
+    rise = 0;
+    for (Real const value : source) rise = larger(rise, absolute(value));
+    return Status::ok;
+}
+
+}  // namespace
+
+void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
+    Method const& method = analysis.problem.method;
+    factor.lay_out(arena, analysis.tree.count, analysis.fronts, analysis.subtrees, columns,
+                   analysis.matrix.kind == MatrixKind::complex, method.precision);
+    Size const shared = arena.mark();
+    factor.lay_out_stack(arena);
+    arena.release(shared);
+}
+
+void DirectEngine::init(Analysis const& analysis) noexcept {
+    factor.executor = analysis.problem.executor;
+    factor.tree.count = analysis.tree.count;
+    copy(factor.subtrees.all, Span<const Subtree>(analysis.subtrees.all.first(analysis.subtrees.count)));
+    copy(factor.tree.nodes, Span<const AssemblyTree::Node>(analysis.tree.nodes.first(analysis.tree.count)));
+    copy(factor.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
+    fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor, factor.border_start,
+                 factor.border);
+    factor.place_panels();
+}
+
+Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress, Fault& fault) noexcept {
+    factor.kernel = equations.method.kernel;
+    return factor.factorise(equations.matrix, progress, fault);
+}
+
+// Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
+// the factor, there is none. That of nodal gradients is the compact scheme's.
+Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
+    trusted = false;
+    Method const& method = equations.method;
+    if (method.nodal_gradients() || method.precision == Precision::in_single) return Status::ok;
+    Matrix const& matrix = equations.matrix;
+    Real const even = even_above(matrix.kind), left = factor.least_left(), pivot = factor.least_pivot();
+    trusted = pivot > even;
+    if (matrix.kind != MatrixKind::real) return Status::ok;
+    trusted = left > uncancelled_above && pivot > even * (1 - left);
+    if (trusted || !(left > uncancelled_above)) return Status::ok;
+    Real rise = 0;
+    HARMORPH_TRY(raise_by_negative(factor, matrix, work, rise, fault));
+    trusted = even * rise < 1;
+    return Status::ok;
+}
+
+// Nodal gradients: the compact scheme's functions, from which refinement starts.
+Status DirectEngine::solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport&,
+                           Fault& fault) noexcept {
+    return factor.solve(lines.rows(equations.matrix), progress, fault);
+}
+
+Offset DirectEngine::idle_bytes() const noexcept {
+    return factor.planes * factor.subtrees.top_stack_entries *
+           static_cast<Offset>(factor.precision == Precision::in_single ? sizeof(float) : sizeof(double));
+}
+
+}  // namespace harmorph

@@ -1,0 +1,77 @@
+#include "harmorph/plan/equations.hpp"
+
+#include "harmorph/operators/bounded.hpp"
+#include "harmorph/operators/stiffness.hpp"
+
+namespace harmorph {
+
+void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
+    Problem const& problem = analysis.problem;
+    Index const n = analysis.graph.n, n_points = problem.mesh.n_points, n_cells = problem.mesh.n_cells;
+    Index const n_delaunay = problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
+    bool const weighted = problem.method.quarters > 0;
+    arena.take(line_of, n);
+    arena.take(cells.reversed, n_cells);
+    wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
+    arena.take(delaunay_edges, n_delaunay);
+    arena.take(conductivity, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
+    matrix.lay_out(arena, n_points, n, analysis.wall.count, analysis.matrix);
+    if (problem.method.nodal_gradients()) nodal.lay_out(arena, problem.mesh, analysis.topology.edges.count());
+}
+
+void Equations::init(Analysis const& analysis) noexcept {
+    cells.mesh = analysis.problem.mesh;
+    method = analysis.problem.method;
+    if (method.kernel == Kernel::automatic) method.kernel = best_kernel();
+    for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
+    copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
+    wall.kernel = method.kernel;
+    wall.translations = analysis.translations;
+    wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
+    if (!method.bounded()) return;
+    Index n = 0;
+    analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
+    analysed_coordinates = coordinates_fingerprint(cells.mesh.points, cells.mesh.n_points);
+}
+
+void Equations::build(Analysis const& analysis) noexcept {
+    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+                 analysis.tangent);
+    if (!method.nodal_gradients()) return;
+    Topology topology = analysis.topology;
+    topology.reversed = cells.reversed;  // which stays
+    nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
+}
+
+Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
+    HARMORPH_TRY(method.bounded() ? assemble_edges(points, executor, fault) : assemble_cells(points, executor, fault));
+    if (method.nodal_gradients()) nodal.scheme.measure(points);
+    return Status::ok;
+}
+
+Status Equations::assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept {
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_cells(wall, cells.mesh, points, method.quarters, conductivity, executor);
+    }
+    Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
+    if (inverted == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+}
+
+Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
+    if (coordinates_fingerprint(points, cells.mesh.n_points) != analysed_coordinates) {
+        return fault.refuse(Status::unsupported,
+                            "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
+    }
+    if (!conductivity.empty()) {
+        wall.build(points);
+        weigh_edges(wall, delaunay_edges, points, method.quarters, conductivity, executor);
+    }
+    Index const thin = assemble_bounded(delaunay_edges, points, conductivity, matrix);
+    if (thin == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "a triangle at the points # and @ is too thin for its area to be computed",
+                        Counts::mesh, delaunay_edges[thin].begin, delaunay_edges[thin].end);
+}
+
+}  // namespace harmorph

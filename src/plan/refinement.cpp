@@ -1,0 +1,214 @@
+#include "harmorph/plan/refinement.hpp"
+
+namespace harmorph {
+namespace {
+
+// Rounding leaves less on most meshes; on very uneven ones a step of refinement brings it back. With a factor in single
+// precision each step gains about six digits.
+constexpr Real refined_above = 1e-13;
+// And what values are thought to be off, beside the largest.
+constexpr Real certain_within = 1e-10;
+// Of what a step must leave less than, to be worth another; of an error, this often in a row it may leave more: what the first
+// correction leaves is rounding of its rough right-hand sides, which bears no relation to the error it took away.
+constexpr Real shrinking = 0.5;
+constexpr Index most_stalls = 1;
+// Of what a row's entries make of the largest value: what rounding of values, and of their sum, leaves there at most.
+constexpr Real rounded_within = 32 * epsilon;
+// Enough for a factor off by nearly that. Engines that iterate stop where they are asked to.
+Index most_refinements(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
+
+// Nodal gradients: all that the compact scheme's functions leave is solved for by an iteration, each time as far as this.
+constexpr Real iterated_to = 1e-8;
+constexpr Index most_iterations = 200;
+
+// Residuals are stored as the engine solves for them.
+Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
+    bool const in_rows = !method.nodal_gradients() && kind != MatrixKind::coupled_xy;
+    return in_rows ? method.precision : Precision::in_double;
+}
+
+// Columns that are refined at a time: what the engine's idle room holds, but at least a few.
+Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine, Index columns) noexcept {
+    if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
+    bool const in_single = residual_precision(method, matrix.kind) == Precision::in_single;
+    Offset const n = larger(matrix.n, Index{1}), bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
+    Offset const lists = 2 * n * static_cast<Offset>(sizeof(Index));
+    Offset const room = larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
+    Offset const least = in_single ? 12 : 5;
+    Offset const wanted = room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels
+    return static_cast<Index>(smaller(wanted, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
+}
+
+class Run {
+public:
+    Run(Refinement& with, Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress) noexcept
+        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), lines_(lines),
+          progress_(progress), residual_(with.residual), biconjugate_(with.biconjugate) {}
+
+    // What is left of the equations, and iterative refinement where that is too much.
+    Status run(SolveReport& report, Fault& fault) noexcept {
+        Index const n_columns = lines_.columns(matrix_);
+        for (Index first = 0, n = 0; first < n_columns; first += n) {
+            if (first > 0) HARMORPH_TRY(progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
+            Refined refined;
+            n = smaller(Residual::widest, n_columns - first);
+            if (!need_nothing(first, n, refined)) {
+                n = smaller(residual_.width, n_columns - first);
+                HARMORPH_TRY(refine(first, n, refined, fault));
+            }
+            note(first, n, refined, report);
+        }
+        return Status::ok;
+    }
+
+private:
+    // Of a block of columns.
+    struct Refined {
+        Residual::Norms norms;
+        Real error[Residual::widest] = {};  // what values are thought to be off, beside the largest
+        Index steps = 0, iterations = 0;
+    };
+
+    void note(Index first, Index n, Refined const& refined, SolveReport& report) const noexcept {
+        auto const take_worst = [](Real found, Index function, Real& worst, Index& where) {
+            if (found <= worst || worst != worst) return;  // once NaN, it stays
+            worst = found;
+            where = function;
+        };
+        BasisCounts const& counts = lines_.basis.header->counts;
+        report.refinements = larger(report.refinements, refined.steps);
+        report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
+        for (Index k = 0; k < n; ++k) {
+            Index const function = counts.first_stored + (first + k) % lines_.basis.n_functions();
+            take_worst(refined.error[k], function, report.error, report.error_function);
+            Real const left = refined.norms.relative(k);
+            take_worst(left, function, report.residual, report.residual_function);
+            if (left <= method_.tolerance || is_only_rounding(first + k, refined.error[k])) continue;
+            take_worst(left, function, report.missed, report.missed_function);
+        }
+    }
+
+    Residual::Norms measure(Index first, Index n) const noexcept {
+        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, lines_, first, n);
+        return residual_.compute(matrix_, lines_, first, n);
+    }
+
+    // Most often all is well, which is seen of many columns at once as nothing is stored.
+    bool need_nothing(Index first, Index n, Refined& refined) const noexcept {
+        if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::coupled_xy) return false;
+        refined.norms = residual_.measure(matrix_, lines_, first, n);
+        bool any = false;
+        for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);
+        return !any || most_refinements(method_) == 0;
+    }
+
+    // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that the bits
+    // of a column do not depend on those solved with it. What a step leaves of an error is seen from one correction to the
+    // next, but for the first: its right-hand sides are smooth, the later ones' are not. The worst of that, times the last
+    // correction, is what values are still off; that correction itself where there is no such ratio yet, or no shrinking.
+    Status refine(Index first, Index n, Refined& refined, Fault& fault) noexcept {
+        Residual::Choice wanted;
+        Residual::Changes change;  // by a step of refinement; the first one's was from nothing
+        Real before[Residual::widest], left[Residual::widest] = {};
+        Index stalls[Residual::widest] = {};
+        for (Index k = 0; k < n; ++k) {
+            wanted.column[k] = true;
+            change.column[k] = method_.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
+            before[k] = infinity;
+            refined.error[k] = engine_.trusted() ? 0 : 1;
+        }
+        for (Real ratio[Residual::widest] = {};; ++refined.steps) {
+            refined.norms = measure(first, n);
+            bool any = false;
+            for (Index k = 0; k < n; ++k) {
+                Real const now = refined.norms.relative(k);
+                bool const large = now > refined_above && now < shrinking * before[k];
+                stalls[k] = ratio[k] < shrinking ? 0 : stalls[k] + 1;
+                bool const off = refined.error[k] > certain_within && stalls[k] <= most_stalls;
+                wanted.column[k] = wanted.column[k] && (large || off);
+                before[k] = now;
+                any = any || wanted.column[k];
+            }
+            if (!any || refined.steps == most_refinements(method_)) return Status::ok;
+            HARMORPH_TRY(correct(n, refined.iterations, fault));
+            Residual::Changes const last = change;
+            change = residual_.add_to(matrix_, lines_, first, n, wanted);
+            for (Index k = 0; k < n; ++k) {
+                if (!wanted.column[k]) continue;
+                ratio[k] = change.column[k] / last.column[k];
+                if (refined.steps > 0) left[k] = larger(left[k], ratio[k]);
+                refined.error[k] = (refined.steps > 0 && ratio[k] < shrinking ? left[k] : 1) * change.column[k];
+            }
+        }
+    }
+
+    // The residuals of n columns become corrections, in place.
+    Status correct(Index n, Index& iterations, Fault& fault) noexcept {
+        Offset const row_length = Offset{matrix_.planes()} * residual_.width;
+        auto const solve = [&](auto* rows) {
+            return engine_.correct(RowsOf<std::decay_t<decltype(*rows)>>{rows, nullptr, row_length, n, residual_.width}, fault);
+        };
+        if (!residual_.single.empty()) return solve(residual_.single.data());
+        if (!method_.nodal_gradients()) return solve(residual_.value.data());
+        auto const apply = [&](const Real* from, Real* to) { equations_.nodal.apply(from, to); };
+        Index taken = 0;
+        HARMORPH_TRY(biconjugate_.run(residual_.value, n, iterated_to, most_iterations, taken, apply, solve));
+        iterations += taken;
+        return Status::ok;
+    }
+
+    // Flows through thin cells dwarf those at the wall, and so does what rounding of values leaves of them: a residual beside
+    // |b| says nothing there. So it is compared with the entries of the same row, which no wrong value passes that the
+    // neighbours do not share; and what cells share, refinement has found to be right. Where refinement has not looked, the
+    // error is 0.
+    bool is_only_rounding(Index column, Real error) const noexcept {
+        bool const refined = method_.traits().factors && !method_.nodal_gradients();
+        return refined && error > 0 && error <= method_.tolerance &&
+               residual_.beside_entries(matrix_, lines_, column) <= rounded_within;
+    }
+
+    Equations const& equations_;
+    Matrix const& matrix_;
+    Method const& method_;
+    AnyEngine& engine_;
+    Lines const& lines_;
+    Progress const& progress_;
+    Residual const& residual_;
+    BiconjugateGradients& biconjugate_;
+};
+
+}  // namespace
+
+void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const& engine, Equations& equations,
+                         Index columns) noexcept {
+    Method const& method = analysis.problem.method;
+    Matrix const& matrix = equations.matrix;
+    residual.lay_out(arena, matrix.n, matrix.components() * analysis.wall.count, matrix.kind,
+                     residual_width(method, matrix, engine, columns), residual_precision(method, matrix.kind));
+    if (!method.nodal_gradients()) return;
+    equations.nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);
+    if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
+}
+
+Status Refinement::run(Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress,
+                       SolveReport& report, Fault& fault) noexcept {
+    return Run(*this, equations, engine, lines, progress).run(report, fault);
+}
+
+Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {
+    if (!(report.missed <= method.tolerance)) {
+        return fault.refuse(Status::not_converged, "function # (from 0) has the relative residual ~, above the tolerance",
+                            Counts::from_zero, report.missed_function, none, report.missed);
+    }
+    if (!report.iteration.settled) {
+        return fault.refuse(Status::not_converged, "the iteration ended while values were still off by more than the tolerance");
+    }
+    if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
+    bool const in_single = method.precision == Precision::in_single;
+    return fault.refuse(Status::not_converged,
+                        in_single ? "function # (from 0) may be off by ~: cells are too thin for a factor in single precision"
+                                  : "function # (from 0) may be off by ~: cells are too thin for refinement to bring it down",
+                        Counts::from_zero, report.error_function, none, report.error);
+}
+
+}  // namespace harmorph
