@@ -39,7 +39,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-trapping-math -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api
+CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api -Ic_api/cli
 # Tests are compiled for one run: what the optimiser would take is not given back.
 UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
@@ -72,11 +72,11 @@ rules:
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
 	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \
-	cli=`some c_api/*.h c_api/cli/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
+	cli=`some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp; program $(PROGRAM); \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/*/*.cpp; program $(PROGRAM); \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@mv $(BUILD)/rules.new $(BUILD)/rules.mk

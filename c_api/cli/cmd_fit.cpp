@@ -109,7 +109,7 @@ void print_json(const Fit& fit) {
 void run(const Arguments& arguments) {
     const hm_fit_options options = fit_options(arguments);
     const std::string path = arguments.text("-o"), tags = arguments.text("--marker");
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Outline outline(mesh, MeshAnalysis(mesh).boundary(mesh.find_markers(tags)));
     if (options.n_control > outline.points()) {
         arguments.refuse("--points " + std::to_string(options.n_control) + ": the boundary itself has only " +
@@ -141,6 +141,8 @@ const Command fit_command = {
      {"--closed", "HOW", "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"
                          "auto (default): as the boundary's corners ask for"},
      {"-o", "CURVE", "file to write (required)"},
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: points, degree, max_error, rms_error"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n",
     run};

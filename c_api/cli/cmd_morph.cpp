@@ -1,12 +1,12 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
 #include "commands.hpp"
+#include "formats/format.hpp"
 #include "json.hpp"
 #include "morph.hpp"
 #include "moves_file.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "pictures.hpp"
-#include "su2.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
@@ -30,7 +30,7 @@ PointData displacement_data(const Field& displacement) {
 void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
     OutputFiles files;
     const Field& moved = morph.moved;
-    if (arguments.has("-o")) write_su2(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
+    if (arguments.has("-o")) write_moved(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
     }
@@ -118,7 +118,7 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
 void run(const Arguments& arguments) {
     const std::string moves_path = arguments.text("--move");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
     const std::vector<double> moves = read_moves(moves_path, basis, mesh);
@@ -159,6 +159,8 @@ const Command morph_command = {
      threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
                          "(exit code 1 all the same)"},
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
                          "morph_seconds; with --safe step_fraction (1: all of the movement),\n"
