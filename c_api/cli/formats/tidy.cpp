@@ -80,11 +80,25 @@ void drop_interior_faces(Mesh& mesh) {
 }
 
 void name_open_boundary(Mesh& mesh, const std::string& name) {
-    std::unordered_map<Edge, int> cells_at;
-    for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) { ++cells_at[edge_of(a, b)]; });
-    for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
-        cells_at[edge_of(mesh.face_points[i], mesh.face_points[i + 1])] = 2; // has a marker
-    }
+    // Edges of cells by their lower point: those there once, and without a marker, are open.
+    std::vector<std::size_t> start(mesh.x.size() + 1);
+    const auto low = [](std::int32_t a, std::int32_t b) { return static_cast<std::size_t>(std::min(a, b)); };
+    const auto n = static_cast<std::int32_t>(mesh.x.size());
+    const auto exists = [n](std::int32_t a, std::int32_t b) { return a >= 0 && b >= 0 && a < n && b < n; };
+    const auto for_each_side = [&](auto visit) { // and each face, which is a second cell beside an edge
+        for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) {
+            if (exists(a, b)) visit(a, b);
+        });
+        for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
+            if (exists(mesh.face_points[i], mesh.face_points[i + 1])) visit(mesh.face_points[i], mesh.face_points[i + 1]);
+        }
+    };
+    for_each_side([&](std::int32_t a, std::int32_t b) { ++start[low(a, b) + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<std::pair<std::int32_t, std::int32_t>> sides(start.back());
+    std::vector<std::size_t> next(start.begin(), start.end() - 1);
+    for_each_side([&](std::int32_t a, std::int32_t b) { sides[next[low(a, b)]++] = {a, b}; });
+
     // Points of one loop have one root.
     std::vector<std::int32_t> parent(mesh.x.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -96,12 +110,20 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         return point;
     };
     std::vector<std::pair<std::int32_t, std::int32_t>> open;
-    for_each_edge(mesh, [&](std::int32_t a, std::int32_t b) {
-        if (cells_at[edge_of(a, b)] != 1) return;
-        open.emplace_back(a, b);
-        const std::int32_t ra = root(a), rb = root(b);
-        parent[static_cast<std::size_t>(std::max(ra, rb))] = std::min(ra, rb);
-    });
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        const auto key = [](const std::pair<std::int32_t, std::int32_t>& side) { return edge_of(side.first, side.second); };
+        const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(start[point]);
+        const auto end = sides.begin() + static_cast<std::ptrdiff_t>(start[point + 1]);
+        std::sort(begin, end, [key](const auto& a, const auto& b) { return key(a) < key(b); });
+        for (auto side = begin; side != end; ++side) {
+            if (side != begin && key(side[-1]) == key(side[0])) continue;
+            if (side + 1 != end && key(side[1]) == key(side[0])) continue;
+            open.push_back(*side);
+            const std::int32_t a = root(side->first), b = root(side->second);
+            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+        }
+    }
+    if (open.empty()) return;
     std::vector<std::int32_t> roots;
     for (const auto& edge : open) roots.push_back(root(edge.first));
     std::sort(roots.begin(), roots.end());
@@ -111,7 +133,9 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
         mesh.face_points.insert(mesh.face_points.end(), {edge.first, edge.second});
         mesh.face_markers.push_back(mesh.add_marker(name + std::to_string(loop + 1)));
     }
-    if (!open.empty()) mesh.face_offset.clear();
+    mesh.face_offset.resize(mesh.face_markers.size());
+    mesh.remark(plural(static_cast<std::int64_t>(open.size()), "boundary edge") + " without a marker: named " + name +
+                "1, ... loop by loop");
 }
 
 } // namespace cli
