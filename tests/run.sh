@@ -52,6 +52,7 @@ step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tes
 step "Fortran" sh tests/fortran.sh "$BUILD"
 step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"
 step "examples" sh tests/examples.sh "$BUILD"

@@ -1,5 +1,6 @@
 #include "morph.hpp"
 
+#include "formats/format.hpp"
 #include "solver.hpp"
 #include "stopwatch.hpp"
 
@@ -80,6 +81,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
 }
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    round_as_file(mesh, moved.x, moved.y); // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read(), to = moved.read();
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);

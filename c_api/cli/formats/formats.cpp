@@ -9,7 +9,7 @@ namespace cli {
 namespace {
 
 // Probed in this order: formats with a signature first.
-const Format* const formats[] = {&gmsh_format, &su2_format};
+const Format* const formats[] = {&gmsh_format, &su2_format, &plot3d_format};
 
 std::string format_names() {
     std::string names;
@@ -55,7 +55,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format& format = forced ? *forced : format_of(mesh.file);
     format.read(mesh, options);
     check_points(mesh);
-    drop_interior_faces(mesh);
+    drop_interior_faces(mesh, true);
     return mesh;
 }
 

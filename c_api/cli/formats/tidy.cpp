@@ -42,7 +42,7 @@ void check_points(const Mesh& mesh) {
     for (std::size_t i = 0; i < mesh.face_points.size(); ++i) check(mesh.face_points[i], mesh.face_offset, i / 2);
 }
 
-void drop_interior_faces(Mesh& mesh) {
+void drop_interior_faces(Mesh& mesh, bool remark) {
     std::unordered_map<Edge, int> cells_at; // cells beside each face
     std::vector<char> on_face(mesh.x.size());
     for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
@@ -73,10 +73,23 @@ void drop_interior_faces(Mesh& mesh) {
     mesh.face_markers.resize(kept);
     if (!mesh.face_offset.empty()) mesh.face_offset.resize(kept);
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
-        if (dropped[marker] == 0) continue;
+        if (dropped[marker] == 0 || !remark) continue;
         mesh.remark(plural(dropped[marker], "face") + " of marker " + quoted(mesh.markers[marker]) +
                     " between two cells: ignored (and kept)");
     }
+}
+
+void drop_empty_markers(Mesh& mesh) {
+    std::vector<std::int32_t> number(mesh.markers.size(), -1);
+    for (const std::int32_t marker : mesh.face_markers) number[static_cast<std::size_t>(marker)] = 0;
+    std::int32_t kept = 0;
+    for (std::size_t marker = 0; marker < number.size(); ++marker) {
+        if (number[marker] < 0) continue;
+        number[marker] = kept;
+        mesh.markers[static_cast<std::size_t>(kept++)] = mesh.markers[marker];
+    }
+    mesh.markers.resize(static_cast<std::size_t>(kept));
+    for (std::int32_t& marker : mesh.face_markers) marker = number[static_cast<std::size_t>(marker)];
 }
 
 void name_open_boundary(Mesh& mesh, const std::string& name) {

@@ -1,0 +1,105 @@
+#include "one_cell_thick.hpp"
+
+#include "numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+constexpr double rounding = 1e-6; // of the thickness, for coordinates that should be equal
+const char* const names[] = {"x", "y", "z"};
+
+std::string place(const SpacePoints& space, std::int32_t point) {
+    const auto i = static_cast<std::size_t>(point);
+    return "point " + std::to_string(point + 1) + " of the file (" + brief(space.x[0][i]) + ", " + brief(space.x[1][i]) + ", " +
+           brief(space.x[2][i]) + ")";
+}
+
+// The first point that lies in neither plane; -1: there is none.
+std::int32_t split(const std::vector<double>& values, std::vector<char>& upper) {
+    const auto range = std::minmax_element(values.begin(), values.end());
+    const double low = *range.first, high = *range.second, tolerance = rounding * (high - low);
+    if (!(high > low)) return 0;
+    upper.assign(values.size(), 0);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i] - low <= tolerance) continue;
+        if (high - values[i] > tolerance) return static_cast<std::int32_t>(i);
+        upper[i] = 1;
+    }
+    return -1;
+}
+
+} // namespace
+
+Planes find_planes(const Mesh& mesh, const SpacePoints& space) {
+    Planes planes = {};
+    std::string offenders;
+    for (const int normal : {2, 1, 0}) {
+        const auto n = static_cast<std::size_t>(normal);
+        const std::int32_t offender = split(space.x[n], planes.upper);
+        if (offender < 0) {
+            planes.normal = normal;
+            planes.first = normal == 0 ? 1 : 0;
+            planes.second = normal == 2 ? 1 : 2;
+            return planes;
+        }
+        offenders += (offenders.empty() ? "" : "; ") + std::string("not two planes ") + names[normal] +
+                     " = constant: " + place(space, offender);
+    }
+    mesh.file.fail(space.offset[0].empty() ? 0 : space.offset[0][0],
+                   "the mesh has three dimensions and is not one cell thick: " + offenders);
+}
+
+namespace {
+
+void follow(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point, std::size_t from) {
+    const auto p = static_cast<std::size_t>(point);
+    const auto one = [&](int axis, std::int32_t rule, double value) {
+        const auto a = static_cast<std::size_t>(axis);
+        // What is not the same to the last bit moves as far, and stays as different.
+        if (space.x[a][from] != value || std::signbit(space.x[a][from]) != std::signbit(value)) {
+            std::vector<Direction>& directions = mesh.coordinates.directions;
+            if (directions.empty()) directions = {{{1, 0}}, {{0, 1}}};
+            rule = rule == takes_x ? 0 : 1;
+        }
+        mesh.coordinates.slots.push_back({space.offset[a][from], point, rule});
+    };
+    one(planes.first, takes_x, mesh.x[p]);
+    one(planes.second, takes_y, mesh.y[p]);
+}
+
+} // namespace
+
+void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point, std::int32_t partner) {
+    const auto i = static_cast<std::size_t>(point);
+    const auto first = static_cast<std::size_t>(planes.first), second = static_cast<std::size_t>(planes.second);
+    const std::int32_t number = mesh.points();
+    mesh.x.push_back(space.x[first][i]);
+    mesh.y.push_back(space.x[second][i]);
+    mesh.point_offset.push_back(space.offset[first][i]);
+    follow_both(mesh, space, planes, number, point, partner);
+}
+
+void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t number, std::int32_t point,
+                 std::int32_t partner) {
+    const auto i = static_cast<std::size_t>(point), j = static_cast<std::size_t>(partner);
+    follow(mesh, space, planes, number, i);
+    if (partner < 0) return;
+    const auto normal = static_cast<std::size_t>(planes.normal);
+    const double thickness = std::fabs(space.x[normal][j] - space.x[normal][i]);
+    for (const int axis : {planes.first, planes.second}) {
+        const auto a = static_cast<std::size_t>(axis);
+        if (std::fabs(space.x[a][j] - space.x[a][i]) <= rounding * thickness) continue;
+        mesh.file.fail(space.offset[a][j], place(space, partner) + " is not opposite " + place(space, point) +
+                                               ": the mesh is not one cell thick");
+    }
+    if (thickness == 0) {
+        mesh.file.fail(space.offset[normal][j], place(space, partner) + " is in the same plane as " + place(space, point));
+    }
+    follow(mesh, space, planes, number, j);
+}
+
+} // namespace cli
