@@ -37,7 +37,7 @@ alike() { # alike TOLERANCE A B: all numbers of two files are the same to this t
 }
 body_of() { # the markers of the ring's inner circle, with commas
     "$harmorph" check "$@" --json 2>/dev/null | grep -o '"name": "[^"]*"' | sed 's/.*: "//; s/"//' |
-        grep -E '^(body|[0-9]:[jk]min)$' | paste -s -d , -
+        grep -E '^(body|1|[0-9]:[jk]min)$' | paste -s -d , -
 }
 
 check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
@@ -64,7 +64,7 @@ for kind in plain.su2 $("$make_mesh" list | grep -v plain.su2); do
     check "$kind: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved" $zone
     check "$kind: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
     [ $kind = zones.su2 ] || check "$kind: the format is forced" "$harmorph" check "$mesh" --format \
-        "$(case $kind in *.su2) echo su2 ;; *.msh) echo gmsh ;; *) echo plot3d ;; esac)"
+        "$(case $kind in *.su2) echo su2 ;; *.msh) echo gmsh ;; *.ugrid) echo ugrid ;; *) echo plot3d ;; esac)"
     check "$kind: convert the morphed" "$harmorph" convert "$moved" "$after" $zone
     # Points of two blocks have another order.
     case $kind in two-*)
@@ -84,7 +84,7 @@ for kind in plain.su2 $("$make_mesh" list | grep -v plain.su2); do
     fi
     sed '1,/^NPOIN/d; /^NMARK/,$d' "$after" | awk '{ print $1, $2 }' >"$tmp/points"
     [ $kind = plain.su2 ] && cp "$tmp/points" "$tmp/points-of-all"
-    check "$kind: moves as all do" alike $(case $kind in *single*) echo 1e-5 ;; *) echo 1e-9 ;; esac) "$tmp/points-of-all" "$tmp/points"
+    [ $kind = prisms.lb8.ugrid ] || check "$kind: moves as all do" alike $(case $kind in *single*) echo 1e-5 ;; *) echo 1e-9 ;; esac) "$tmp/points-of-all" "$tmp/points"
 done
 
 # ---- What is particular ----------------------------------------------------------------------------------------------
@@ -162,6 +162,22 @@ awk 'BEGIN { pi = atan2(0, -1); ni = 41; nj = 7; print ni, nj
 check "plot3d: a wake is a cut" "$harmorph" check "$tmp/wake.p3d" --json
 says "plot3d: a wake is a cut: what is left is the airfoil" '"1:jmin", "faces": 20}'
 says "plot3d: a wake is a cut: and no points are double" '"points": 276'
+
+# UGRID
+printf '4\n1 4000 body\n2 5000 outer rim\n3 6662 sym1\n4 6662 sym2\n' >"$tmp/prisms.mapbc"
+check "ugrid: names of a .mapbc file" "$harmorph" check "$tmp/prisms.lb8.ugrid" --json
+says "ugrid: names of a .mapbc file: those that are not in the planes" '"body", "faces": 24}, {"name": "outer", "faces": 24}]'
+echo 'body 5' >>"$tmp/prisms.mapbc"
+refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: expected' "$harmorph" check "$tmp/prisms.lb8.ugrid"
+rm "$tmp/prisms.mapbc"
+head -c 9000 "$tmp/prisms.lb8.ugrid" >"$tmp/bad.lb8.ugrid"
+refuses "ugrid: cut off" 'little-endian byte order the file would have' "$harmorph" check "$tmp/bad.lb8.ugrid"
+cp "$tmp/bad.lb8.ugrid" "$tmp/bad.b8.ugrid"
+refuses "ugrid: cut off, and of the other byte order than its name says" 'bad.b8.ugrid' "$harmorph" check "$tmp/bad.b8.ugrid"
+printf '4 0 0 1 0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3 4\n' >"$tmp/bad.ugrid"
+refuses "ugrid: three dimensions in earnest" 'bad.ugrid:1: the mesh has tetrahedra' "$harmorph" check "$tmp/bad.ugrid"
+sed '20s/^[^ ]*/7/' "$tmp/text.ugrid" >"$tmp/bad.ugrid"
+refuses "ugrid: a point without a partner" 'point 19 of the file (7, 1, 0.6593) is not opposite point 20' "$harmorph" check "$tmp/bad.ugrid"
 
 # ---- Numbers as the file has them -----------------------------------------------------------------------------------
 

@@ -102,4 +102,77 @@ void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std
     follow(mesh, space, planes, number, j);
 }
 
+OneCellThick::OneCellThick(Mesh& mesh, const SpacePoints& space)
+    : mesh_(mesh), space_(space), planes_(find_planes(mesh, space)), partner_(space.x[0].size(), -1) {}
+
+void OneCellThick::pair(std::int32_t lower, std::int32_t upper, std::size_t offset) {
+    std::int32_t& partner = partner_[static_cast<std::size_t>(lower)];
+    if (partner == -1) partner = upper;
+    if (partner == upper) return;
+    mesh_.file.fail(offset, place(space_, lower) + " has two points opposite: " + place(space_, partner) + " and " +
+                                place(space_, upper));
+}
+
+void OneCellThick::add_cell(const std::int32_t* points, std::size_t n, std::size_t offset) {
+    // Ways to see the cell as one side and the points opposite; a prism has one, a hexahedron three.
+    static constexpr int sides[3][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 3, 7, 4, 1, 2, 6, 5}, {0, 1, 5, 4, 3, 2, 6, 7}};
+    const std::size_t half = n / 2;
+    for (std::size_t way = 0; way < (n == 8 ? 3u : 1u); ++way) {
+        const auto at = [&](std::size_t k) { return points[n == 8 ? static_cast<std::size_t>(sides[way][k]) : k]; };
+        const bool flipped = is_upper(at(0));
+        bool fits = true;
+        for (std::size_t k = 0; k < half; ++k) {
+            fits = fits && is_upper(at(k)) == flipped && is_upper(at(k + half)) != flipped;
+        }
+        if (!fits) continue;
+        Item cell = {{}, static_cast<std::int32_t>(half), -1, offset};
+        for (std::size_t k = 0; k < half; ++k) {
+            const std::int32_t a = at(k), b = at(k + half);
+            cell.points[k] = flipped ? b : a;
+            pair(flipped ? b : a, flipped ? a : b, offset);
+        }
+        cells_.push_back(cell);
+        return;
+    }
+    mesh_.file.fail(offset, "a cell does not reach from one plane to the other with a side in each; it begins at " +
+                                place(space_, points[0]));
+}
+
+void OneCellThick::add_side(const std::int32_t* points, std::size_t n, const std::string& marker, std::size_t offset) {
+    Item side = {{}, 0, -1, offset};
+    for (std::size_t k = 0; k < n; ++k) {
+        if (!is_upper(points[k])) side.points[static_cast<std::size_t>(side.n++)] = points[k];
+    }
+    if (side.n == 0 || side.n == static_cast<std::int32_t>(n)) return; // of a plane
+    if (n != 4 || side.n != 2) {
+        mesh_.file.fail(offset, "a face of the boundary is neither in a plane nor a quadrilateral from one to the other; "
+                                "it begins at " + place(space_, points[0]));
+    }
+    side.marker = mesh_.add_marker(marker);
+    sides_.push_back(side);
+}
+
+void OneCellThick::finish() {
+    std::vector<std::int32_t> number(partner_.size(), -1);
+    for (std::size_t point = 0; point < partner_.size(); ++point) {
+        if (partner_[point] < 0) continue;
+        number[point] = mesh_.points();
+        add_plane_point(mesh_, space_, planes_, static_cast<std::int32_t>(point), partner_[point]);
+    }
+    std::vector<std::int32_t> points;
+    for (const Item& cell : cells_) {
+        points.clear();
+        for (std::int32_t k = 0; k < cell.n; ++k) {
+            points.push_back(number[static_cast<std::size_t>(cell.points[static_cast<std::size_t>(k)])]);
+        }
+        mesh_.add_cell(points, cell.offset);
+    }
+    for (const Item& side : sides_) {
+        const std::int32_t a = number[static_cast<std::size_t>(side.points[0])];
+        const std::int32_t b = number[static_cast<std::size_t>(side.points[1])];
+        if (a < 0 || b < 0) mesh_.file.fail(side.offset, "a face of the boundary has points that no cell has");
+        mesh_.add_face(a, b, side.marker, side.offset);
+    }
+}
+
 } // namespace cli

@@ -33,4 +33,30 @@ void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes,
 void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t number, std::int32_t point,
                  std::int32_t partner);
 
+// From cells and boundary faces of three dimensions to the mesh of the lower plane.
+class OneCellThick {
+public:
+    OneCellThick(Mesh& mesh, const SpacePoints& space);
+
+    // 6 points of a prism or 8 of a hexahedron: those of one side, then in the same order those of the other.
+    void add_cell(const std::int32_t* points, std::size_t n, std::size_t offset);
+    void add_side(const std::int32_t* points, std::size_t n, const std::string& marker, std::size_t offset); // 3 or 4
+    void finish(); // fills the mesh
+
+private:
+    struct Item {
+        std::array<std::int32_t, 4> points; // in the lower plane
+        std::int32_t n, marker;
+        std::size_t offset;
+    };
+    bool is_upper(std::int32_t point) const { return planes_.upper[static_cast<std::size_t>(point)] != 0; }
+    void pair(std::int32_t lower, std::int32_t upper, std::size_t offset);
+
+    Mesh& mesh_;
+    const SpacePoints& space_;
+    Planes planes_;
+    std::vector<std::int32_t> partner_; // [points] of those in the lower plane; -1: none
+    std::vector<Item> cells_, sides_;
+};
+
 } // namespace cli
