@@ -32,7 +32,10 @@ refuses() { # refuses NAME TEXT COMMAND...: exit code 3, and the message contain
 alike() { # alike TOLERANCE A B: all numbers of two files are the same to this tolerance, all else is the same
     awk -v eps="$1" 'NR == FNR { line[FNR] = $0; n = FNR; next }
         { m = split(line[FNR], a); if (m != NF) exit 1
-          for (k = 1; k <= NF; k++) { d = a[k] - $k; if (d > eps || -d > eps || (a[k] + 0 == 0 && $k + 0 == 0 && a[k] + 0 != $k + 0)) { bad = 1; exit } } }
+          for (k = 1; k <= NF; k++) {
+              d = a[k] - $k
+              is_text = a[k] + 0 == 0 && a[k] !~ /^[-+.0-9e]*$/
+              if (d > eps || -d > eps || (is_text && a[k] "" != $k "")) { bad = 1; exit } } }
         END { exit bad || FNR != n }' "$2" "$3"
 }
 body_of() { # the markers of the ring's inner circle, with commas
@@ -51,7 +54,7 @@ awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
 "$make_mesh" plain.su2 "$tmp/ring.su2"
 for kind in plain.su2 $("$make_mesh" list | grep -v plain.su2); do
     mesh=$tmp/$kind moved=$tmp/moved-$kind zone= close=1e-9
-    case $kind in zones.su2) zone="--zone 2" ;; text*.vtk) close=1e-7 ;; *single*) close=1e-5 ;; esac
+    case $kind in zones.su2) zone="--zone 2" ;; text*.vtk | fixed.su2 | leading-zero.su2) close=1e-7 ;; *single*) close=1e-5 ;; esac
     "$make_mesh" $kind "$mesh"
     check "$kind: check" "$harmorph" check "$mesh" $zone
     before=$tmp/before.su2 after=$tmp/after.su2
@@ -154,9 +157,10 @@ refuses "plot3d: a point without a partner" 'is not opposite point 3 of the file
 awk 'BEGIN { pi = atan2(0, -1); ni = 41; nj = 7; print ni, nj
     for (d = 0; d < 2; d++) for (j = 0; j < nj; j++) for (i = 0; i < ni; i++) {
         s = (i - 20) / 20; wake = s < 0 ? -s : s
-        if (wake > .5) { x = 1 + 8 * (wake - .5); y = 0 } else { t = pi * (1 - wake * 2); x = .5 - .5 * cos(t - pi) * -1; x = (1 + cos(t)) / 2; y = .1 * sin(t) * (s < 0 ? -1 : 1) }
         side = s < 0 ? -1 : 1
-        if (wake > .5) { fx = x; fy = side * 2 } else { t = pi - pi / 2 * wake * 2; fx = 1 + 2 * cos(t); fy = side * 2 * sin(t) }
+        if (wake > .5) { x = fx = 1 + 8 * (wake - .5); y = 0; fy = 2 * side } else {
+            t = 2 * pi * wake; x = (1 - cos(t)) / 2; y = .1 * side * sin(t)
+            t = pi - pi * wake; fx = 1 + 2 * cos(t); fy = 2 * side * sin(t) }
         r = j / (nj - 1); r = r * r
         print d == 0 ? x + r * (fx - x) : y + r * (fy - y) } }' >"$tmp/wake.p3d"
 check "plot3d: a wake is a cut" "$harmorph" check "$tmp/wake.p3d" --json
@@ -186,11 +190,6 @@ refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangl
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
 says "vtk: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
-
-# ---- Numbers as the file has them -----------------------------------------------------------------------------------
-
-printf 'NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n 0.0000000E+00 0.0000000E+00\n 0.1000000E+01 0.0000000E+00\n 0.0000000E+00 0.1000000D+01\nNMARK= 1\nMARKER_TAG= b\nMARKER_ELEMS= 3\n3 0 1\n3 1 2\n3 2 0\n' >"$tmp/leading.su2"
-check "Fortran's D exponents are numbers" "$harmorph" check "$tmp/leading.su2"
 
 # ---- Other programs ---------------------------------------------------------------------------------------------------
 

@@ -77,8 +77,8 @@ void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size
     x.push_back(its_x);
     y.push_back(its_y);
     point_offset.push_back(x_offset);
-    coordinates.slots.push_back({x_offset, point, takes_x});
-    coordinates.slots.push_back({y_offset, point, takes_y});
+    in_file.slots.push_back({x_offset, point, takes_x});
+    in_file.slots.push_back({y_offset, point, takes_y});
 }
 
 void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset) {

@@ -1,4 +1,5 @@
-// A mesh as it was read from a file of any format. It keeps the file: a morphed mesh is the same file with other numbers.
+// A mesh as it was read from a file of any format. It keeps the file: a morphed mesh is the same file with other
+// numbers.
 #pragma once
 
 #include "formats/coordinates.hpp"
@@ -19,7 +20,7 @@ struct Mesh {
     std::vector<std::string> markers;                        // their tags; a marker's number is its place here
     std::vector<std::size_t> point_offset, cell_offset, face_offset; // where each stands in file.text(); may be empty
     std::vector<std::string> remarks;                        // what was passed over, for the user
-    FileCoordinates coordinates;
+    FileCoordinates in_file;
 
     explicit Mesh(const std::string& path) : file(path) {}
 
@@ -34,7 +35,8 @@ struct Mesh {
     // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A tag may hold commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
 
-    // For readers. A marker of this tag, new or there already; a remark, once; what stands in the file at these offsets.
+    // For readers. A marker of this tag, new or there already; a remark, once; what stands in the file at these
+    // offsets.
     std::int32_t add_marker(std::string_view tag);
     void remark(const std::string& text);
     void add_point(double its_x, double its_y, std::size_t x_offset, std::size_t y_offset);

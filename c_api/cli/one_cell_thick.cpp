@@ -14,8 +14,8 @@ const char* const names[] = {"x", "y", "z"};
 
 std::string place(const SpacePoints& space, std::int32_t point) {
     const auto i = static_cast<std::size_t>(point);
-    return "point " + std::to_string(point + 1) + " of the file (" + brief(space.x[0][i]) + ", " + brief(space.x[1][i]) + ", " +
-           brief(space.x[2][i]) + ")";
+    return "point " + std::to_string(point + 1) + " of the file (" + brief(space.x[0][i]) + ", " +
+           brief(space.x[1][i]) + ", " + brief(space.x[2][i]) + ")";
 }
 
 // The first point that lies in neither plane; -1: there is none.
@@ -61,11 +61,11 @@ void follow(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int
         const auto a = static_cast<std::size_t>(axis);
         // What is not the same to the last bit moves as far, and stays as different.
         if (space.x[a][from] != value || std::signbit(space.x[a][from]) != std::signbit(value)) {
-            std::vector<Direction>& directions = mesh.coordinates.directions;
+            std::vector<Direction>& directions = mesh.in_file.directions;
             if (directions.empty()) directions = {{{1, 0}}, {{0, 1}}};
             rule = rule == takes_x ? 0 : 1;
         }
-        mesh.coordinates.slots.push_back({space.offset[a][from], point, rule});
+        mesh.in_file.slots.push_back({space.offset[a][from], point, rule});
     };
     one(planes.first, takes_x, mesh.x[p]);
     one(planes.second, takes_y, mesh.y[p]);
@@ -73,7 +73,8 @@ void follow(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int
 
 } // namespace
 
-void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point, std::int32_t partner) {
+void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point,
+                     std::int32_t partner) {
     const auto i = static_cast<std::size_t>(point);
     const auto first = static_cast<std::size_t>(planes.first), second = static_cast<std::size_t>(planes.second);
     const std::int32_t number = mesh.points();
@@ -97,7 +98,8 @@ void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std
                                                ": the mesh is not one cell thick");
     }
     if (thickness == 0) {
-        mesh.file.fail(space.offset[normal][j], place(space, partner) + " is in the same plane as " + place(space, point));
+        mesh.file.fail(space.offset[normal][j],
+                       place(space, partner) + " is in the same plane as " + place(space, point));
     }
     follow(mesh, space, planes, number, j);
 }
@@ -145,8 +147,10 @@ void OneCellThick::add_side(const std::int32_t* points, std::size_t n, const std
     }
     if (side.n == 0 || side.n == static_cast<std::int32_t>(n)) return; // of a plane
     if (n != 4 || side.n != 2) {
-        mesh_.file.fail(offset, "a face of the boundary is neither in a plane nor a quadrilateral from one to the other; "
-                                "it begins at " + place(space_, points[0]));
+        mesh_.file.fail(offset,
+                        "a face of the boundary is neither in a plane nor a quadrilateral from one to the other; "
+                        "it begins at " +
+                            place(space_, points[0]));
     }
     side.marker = mesh_.add_marker(marker);
     sides_.push_back(side);

@@ -25,9 +25,10 @@ struct Planes {
 // Refuses, naming a point, what is no pair of such planes.
 Planes find_planes(const Mesh& mesh, const SpacePoints& space);
 
-// Makes a point of the plane's mesh of two points opposite each other, which both follow it; or of one, in two dimensions
-// (partner -1). Refuses points whose coordinates in the plane are not the same.
-void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point, std::int32_t partner);
+// Makes a point of the plane's mesh of two points opposite each other, which both follow it; or of one, in two
+// dimensions (partner -1). Refuses points whose coordinates in the plane are not the same.
+void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point,
+                     std::int32_t partner);
 
 // The same for a place where the plane's mesh has a point, `number`, already.
 void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t number, std::int32_t point,

@@ -61,6 +61,15 @@ void read_coordinates(const char* path) {
 }
 
 std::string print(const char* format, double value) {
+    if (std::string(format) == "Fortran") { // D17.9: 0.123456789D+01
+        int exponent = 0;
+        double mantissa = value;
+        for (; std::fabs(mantissa) >= 1; ++exponent) mantissa /= 10;
+        for (; mantissa != 0 && std::fabs(mantissa) < .1; --exponent) mantissa *= 10;
+        char text[64];
+        std::snprintf(text, sizeof text, "%.9fD%+03d", mantissa, exponent);
+        return text;
+    }
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
@@ -82,7 +91,8 @@ std::string su2_cells(const char* blank) {
 std::string su2_points(const char* format, const char* blank, const char* behind, const char* counts) {
     std::ostringstream out;
     out << "NPOIN= " << counts << "\n";
-    for (std::size_t k = 0; k < x.size(); ++k) out << print(format, x[k]) << blank << print(format, y[k]) << behind << "\n";
+    for (std::size_t k = 0; k < x.size(); ++k)
+        out << print(format, x[k]) << blank << print(format, y[k]) << behind << "\n";
     return out.str();
 }
 std::string su2_marker(const char* tag, int j) {
@@ -91,13 +101,14 @@ std::string su2_marker(const char* tag, int j) {
     for (int i = 0; i < around; ++i) out << "3 " << point(i, j) << " " << point(i + 1, j) << "\n";
     return out.str();
 }
-std::string su2_zone() {
-    return "NDIME= 2\n" + su2_cells(" ") + su2_points("%.17g", " ", "", "168") + "NMARK= 2\n" + su2_marker("body", 0) +
+std::string su2_zone(const char* format = "%.17g") {
+    return "NDIME= 2\n" + su2_cells(" ") + su2_points(format, " ", "", "168") + "NMARK= 2\n" + su2_marker("body", 0) +
            su2_marker("far", outwards);
 }
 std::string su2_odd() {
-    std::string text = "% a comment = here\nNDIME=2\n" + su2_points("%.13E", "\t ", " 0 17 % z", "168 150") + "\nNMARK = 4\n" +
-                       su2_marker("body", 0) + su2_marker("inside line", 2) + su2_marker("17", outwards) +
+    std::string text = "% a comment = here\nNDIME=2\n" + su2_points("%.13E", "\t ", " 0 17 % z", "168 150") +
+                       "\nNMARK = 4\n" + su2_marker("body", 0) + su2_marker("inside line", 2) +
+                       su2_marker("17", outwards) +
                        "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 2\nSEND_TO= 1\n1 0 0\n1 5 0\n"
                        "MARKER_TAG= SEND_RECEIVE\nMARKER_ELEMS= 1\nRECEIVE_FROM= 1\n1 0 0\n" +
                        su2_cells("\t") + "FFD_NBOX= 1\nFFD_CORNER_POINTS= 2\n0 0\n1 1\n";
@@ -106,8 +117,9 @@ std::string su2_odd() {
     return returns;
 }
 std::string su2_zones() {
-    const std::string other = "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1.0 0\n0 1\nNMARK= 1\nMARKER_TAG= b\nMARKER_ELEMS= 3\n"
-                              "3 0 1\n3 1 2\n3 2 0\n";
+    const std::string other =
+        "NDIME= 2\nNELEM= 1\n5 0 1 2\nNPOIN= 3\n0 0\n1.0 0\n0 1\nNMARK= 1\nMARKER_TAG= b\nMARKER_ELEMS= 3\n"
+        "3 0 1\n3 1 2\n3 2 0\n";
     return "NZONE= 3\nIZONE= 1\n" + other + "IZONE= 2\n" + su2_zone() + "IZONE= 3\n" + other;
 }
 
@@ -143,13 +155,16 @@ std::string gmsh_2(bool binary, bool swapped) {
             out.text += std::to_string(10 + 2 * k) + " " + print("%.16g", x[k]) + " " + print("%.16g", y[k]) + " 0\n";
         }
     }
-    out.text += (binary ? "\n$EndNodes\n$Elements\n" : "$EndNodes\n$Elements\n") + std::to_string(around * (outwards + 2)) + "\n";
+    out.text += (binary ? "\n$EndNodes\n$Elements\n" : "$EndNodes\n$Elements\n") +
+                std::to_string(around * (outwards + 2)) + "\n";
     int number = 0;
     const auto element = [&](int type, int physical, const std::vector<int>& nodes) {
         const std::vector<int> head = binary ? std::vector<int>{type, 1, 2, ++number, physical, 7}
                                              : std::vector<int>{++number, type, 2, physical, 7};
-        for (const int value : head) binary ? out.put(std::int32_t{value}) : void(out.text += std::to_string(value) + " ");
-        for (const int value : nodes) binary ? out.put(std::int32_t{value}) : void(out.text += std::to_string(value) + " ");
+        for (const int value : head)
+            binary ? out.put(std::int32_t{value}) : void(out.text += std::to_string(value) + " ");
+        for (const int value : nodes)
+            binary ? out.put(std::int32_t{value}) : void(out.text += std::to_string(value) + " ");
         if (!binary) out.text.back() = '\n';
     };
     for (int i = 0; i < around; ++i) element(1, 1, {tag(i, 0), tag(i + 1, 0)});
@@ -167,8 +182,12 @@ std::string gmsh_4(bool binary, bool swapped) {
     if (binary) out.put(std::int32_t{1});
     out.text += binary ? "\n$EndMeshFormat\n" : "$EndMeshFormat\n";
     out.text += gmsh_names;
-    const auto size = [&](std::uint64_t value) { binary ? out.put(value) : void(out.text += std::to_string(value) + " "); };
-    const auto whole = [&](std::int32_t value) { binary ? out.put(value) : void(out.text += std::to_string(value) + " "); };
+    const auto size = [&](std::uint64_t value) {
+        binary ? out.put(value) : void(out.text += std::to_string(value) + " ");
+    };
+    const auto whole = [&](std::int32_t value) {
+        binary ? out.put(value) : void(out.text += std::to_string(value) + " ");
+    };
     const auto real = [&](double value) { binary ? out.put(value) : void(out.text += print("%.16g", value) + " "); };
     const auto line = [&] { if (!binary) out.text.back() = '\n'; };
     const auto end = [&](const char* text) { out.text += std::string(binary ? "\n" : "") + text; };
@@ -262,7 +281,8 @@ std::string gmsh_quadratic() {
     for (int marker = 0; marker < 2; ++marker) {
         for (int i = 0; i < around; ++i) {
             const int a = point(i, marker * outwards), b = point(i + 1, marker * outwards);
-            elements << ++n_elements << " 8 2 " << marker + 1 << " 1 " << a + 1 << " " << b + 1 << " " << middle(a, b) << "\n";
+            elements << ++n_elements << " 8 2 " << marker + 1 << " 1 " << a + 1 << " " << b + 1 << " " << middle(a, b)
+                     << "\n";
         }
     }
     for (int j = 0; j < outwards; ++j) {
@@ -274,8 +294,9 @@ std::string gmsh_quadratic() {
             elements << "\n";
         }
     }
-    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + std::string(gmsh_names) + "$Nodes\n" + std::to_string(n_nodes) + "\n" +
-           nodes.str() + "$EndNodes\n$Elements\n" + std::to_string(n_elements) + "\n" + elements.str() + "$EndElements\n";
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n" + std::string(gmsh_names) + "$Nodes\n" + std::to_string(n_nodes) +
+           "\n" + nodes.str() + "$EndNodes\n$Elements\n" + std::to_string(n_elements) + "\n" + elements.str() +
+           "$EndElements\n";
 }
 
 // ---- PLOT3D ----
@@ -346,7 +367,9 @@ std::string plot3d(const Plot3d& as) {
 
 std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
     Bytes out{swapped};
-    const auto whole = [&](int value) { text ? void(out.text += std::to_string(value) + " ") : out.put(std::int32_t{value}); };
+    const auto whole = [&](int value) {
+        text ? void(out.text += std::to_string(value) + " ") : out.put(std::int32_t{value});
+    };
     const auto real = [&](double value) {
         if (text) out.text += print("%.16e ", value);
         else if (real_bytes == 8) out.put(value);
@@ -360,7 +383,8 @@ std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
     const auto low = [](int i, int j) { return 2 * point(i, j) + 2; };
     const auto high = [](int i, int j) { return 2 * point(i, j) + 1; };
     const int n = around * outwards;
-    item({2 * int(x.size()), split ? 4 * n : 0, 2 * around + (split ? 0 : 2 * n), 0, 0, split ? 2 * n : 0, split ? 0 : n});
+    item({2 * int(x.size()), split ? 4 * n : 0, 2 * around + (split ? 0 : 2 * n), 0, 0, split ? 2 * n : 0,
+          split ? 0 : n});
     for (std::size_t p = 0; p < x.size(); ++p) {
         for (const double layer : {1., 0.}) {
             real(x[p]);
@@ -403,14 +427,14 @@ std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
             item({low(i, j), low(i + 1, j), low(i + 1, j + 1), high(i, j), high(i + 1, j), high(i + 1, j + 1)});
             item({high(i, j), high(i + 1, j + 1), high(i, j + 1), low(i, j), low(i + 1, j + 1), low(i, j + 1)});
         } else if (i % 3 == 0) { // a side of the plane at the bottom, in front, at the left
-            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1), high(i, j), high(i + 1, j), high(i + 1, j + 1),
-                  high(i, j + 1)});
+            item({low(i, j), low(i + 1, j), low(i + 1, j + 1), low(i, j + 1), high(i, j), high(i + 1, j),
+                  high(i + 1, j + 1), high(i, j + 1)});
         } else if (i % 3 == 1) {
-            item({high(i, j), high(i + 1, j), low(i + 1, j), low(i, j), high(i, j + 1), high(i + 1, j + 1), low(i + 1, j + 1),
-                  low(i, j + 1)});
+            item({high(i, j), high(i + 1, j), low(i + 1, j), low(i, j), high(i, j + 1), high(i + 1, j + 1),
+                  low(i + 1, j + 1), low(i, j + 1)});
         } else {
-            item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j), low(i, j + 1), high(i, j + 1), high(i + 1, j + 1),
-                  low(i + 1, j + 1)});
+            item({low(i, j), high(i, j), high(i + 1, j), low(i + 1, j), low(i, j + 1), high(i, j + 1),
+                  high(i + 1, j + 1), low(i + 1, j + 1)});
         }
     });
     return out.text;
@@ -420,8 +444,8 @@ std::string ugrid(bool text, bool swapped, int real_bytes, bool split) {
 
 std::string vtk(bool text, const char* real_type, bool new_cells) {
     Bytes out{true};
-    out.text = std::string("# vtk DataFile Version ") + (new_cells ? "5.1" : "3.0") + "\n\n" + (text ? "ASCII" : "BINARY") +
-               "\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n";
+    out.text = std::string("# vtk DataFile Version ") + (new_cells ? "5.1" : "3.0") + "\n\n" +
+               (text ? "ASCII" : "BINARY") + "\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTIME 1 1 double\n";
     const auto whole = [&](int value, bool eight) {
         if (text) out.text += std::to_string(value) + " ";
         else if (eight) out.put(std::int64_t{value});
@@ -451,7 +475,8 @@ std::string vtk(bool text, const char* real_type, bool new_cells) {
     for (int j = 0; j < outwards; ++j) {
         for (int i = 0; i < around; ++i) {
             if (!new_cells) whole(4, false);
-            for (const int p : {point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)}) whole(p, new_cells);
+            for (const int p : {point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)})
+                whole(p, new_cells);
         }
     }
     out.text += "\nCELL_TYPES " + std::to_string(n + lines) + "\n";
@@ -462,7 +487,9 @@ std::string vtk(bool text, const char* real_type, bool new_cells) {
 
 const std::map<std::string, std::function<std::string()>>& kinds() {
     static const std::map<std::string, std::function<std::string()>> all = {
-        {"plain.su2", su2_zone},
+        {"plain.su2", [] { return su2_zone(); }},
+        {"fixed.su2", [] { return su2_zone("%.8f"); }},
+        {"leading-zero.su2", [] { return su2_zone("Fortran"); }},
         {"odd.su2", su2_odd},
         {"zones.su2", su2_zones},
         {"text-2.msh", [] { return gmsh_2(false, false); }},

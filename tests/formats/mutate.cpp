@@ -1,5 +1,5 @@
-// Reads mesh files that are cut off, or have some bytes changed, and writes what can be read with other coordinates. Each
-// must be read or refused with the file's name and a reason; sanitizers see the rest. Random, but always the same.
+// Reads mesh files that are cut off, or have some bytes changed, and writes what can be read with other coordinates.
+// Each must be read or refused with the file's name and a reason; sanitizers see the rest. Random, but always the same.
 //
 //   mutate SCRATCH TIMES FILES...
 #include "failure.hpp"

@@ -16,7 +16,7 @@ template <class Number> void store(char* bytes, Number value, bool swapped) {
 } // namespace
 
 std::size_t number_length(const Mesh& mesh, std::size_t offset) {
-    switch (mesh.coordinates.kind) {
+    switch (mesh.in_file.kind) {
     case NumberKind::real32: return 4;
     case NumberKind::real64: return 8;
     case NumberKind::text: break;
@@ -29,8 +29,8 @@ std::size_t number_length(const Mesh& mesh, std::size_t offset) {
 
 double read_number(const Mesh& mesh, std::size_t offset) {
     const char* bytes = mesh.file.text().data() + offset;
-    const bool swapped = mesh.coordinates.swapped;
-    switch (mesh.coordinates.kind) {
+    const bool swapped = mesh.in_file.swapped;
+    switch (mesh.in_file.kind) {
     case NumberKind::real32: return static_cast<double>(load<float>(bytes, swapped));
     case NumberKind::real64: return load<double>(bytes, swapped);
     case NumberKind::text: break;

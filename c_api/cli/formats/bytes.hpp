@@ -7,7 +7,8 @@
 
 namespace cli {
 
-// The bytes of a number of 1, 2, 4 or 8 bytes; swapped: in the other byte order. The caller has checked that they are there.
+// The bytes of a number of 1, 2, 4 or 8 bytes; swapped: in the other byte order. The caller has checked that they are
+// there.
 template <class Number> Number load(const char* bytes, bool swapped) {
     char copy[sizeof(Number)];
     for (std::size_t i = 0; i < sizeof copy; ++i) copy[i] = bytes[swapped ? sizeof copy - 1 - i : i];

@@ -1,5 +1,6 @@
-// Where a mesh file keeps its coordinates. With that the file can be written again with other coordinates, and every byte
-// besides them stays: readers of all formats leave such a record, so that no format has a writer of its own for this.
+// Where a mesh file keeps its coordinates. With that the file can be written again with other coordinates, and every
+// byte besides them stays: readers of all formats leave such a record, so that no format has a writer of its own for
+// this.
 #pragma once
 
 #include <array>
@@ -24,8 +25,9 @@ struct Direction {
     double along[2];
 };
 
-// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two corners), whose distance
-// from the straight edge turns and grows with the edge, or of a cell (three or four), which moves by their mean.
+// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two corners), whose
+// distance from the straight edge turns and grows with the edge, or of a cell (three or four), which moves by their
+// mean.
 struct Between {
     std::array<std::int32_t, 4> corners;
     std::int32_t n_corners;

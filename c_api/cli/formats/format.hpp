@@ -28,8 +28,8 @@ extern const Format gmsh_format, plot3d_format, su2_format, ugrid_format, vtk_fo
 // Refuses, with the file's line or byte, what is none of the formats or not a mesh that can be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 
-// The mesh's file as it is, except for coordinates that changed. They are written with the file's own number of digits, or
-// with more where those would move a point by more than a thousandth of its shortest edge.
+// The mesh's file as it is, except for coordinates that changed. They are written with the file's own number of digits,
+// or with more where those would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
 
 // The coordinates that the file can hold: rounded, if its numbers are binary and in single precision.

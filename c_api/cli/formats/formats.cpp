@@ -29,8 +29,9 @@ const Format& format_of(const TextFile& file) {
         if (format->probe(file)) return *format;
     }
     const std::string_view first = std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
-    file.fail(0, (file.text().empty() ? "the file is empty" : "no mesh file that is known begins with " + quoted(first)) +
-                     "; read are " + format_names() + " (--format chooses)");
+    file.fail(0,
+              (file.text().empty() ? "the file is empty" : "no mesh file that is known begins with " + quoted(first)) +
+                  "; read are " + format_names() + " (--format chooses)");
 }
 
 bool ends_with(const std::string& text, const std::string& end) {

@@ -1,8 +1,9 @@
 // Gmsh's MSH files (https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format), versions 2.2 and 4.1, in text and binary.
 //
-// Markers are the physical groups of curves, by name if they have one; a curve without a group is "curve:TAG". Of quadratic
-// elements the mesh has the corners; the other nodes are written with it: the middle of an edge keeps its distance from the
-// straight edge, relative to the edge's length and direction; the middle of a cell moves by the mean of the corners.
+// Markers are the physical groups of curves, by name if they have one; a curve without a group is "curve:TAG". Of
+// quadratic elements the mesh has the corners; the other nodes are written with it: the middle of an edge keeps its
+// distance from the straight edge, relative to the edge's length and direction; the middle of a cell moves by the mean
+// of the corners.
 #include "formats/format.hpp"
 
 #include "formats/number_reader.hpp"
@@ -106,9 +107,9 @@ void GmshReader::read_format() {
         const std::string& text = mesh_.file.text();
         numbers_.jump(std::min(text.find('\n', numbers_.offset()), text.size() - 1) + 1);
         numbers_.is_binary = true;
-        mesh_.coordinates.kind = NumberKind::real64;
+        mesh_.in_file.kind = NumberKind::real64;
         const std::int64_t one = numbers_.whole("the number 1 in the file's byte order");
-        numbers_.swapped = mesh_.coordinates.swapped = one != 1;
+        numbers_.swapped = mesh_.in_file.swapped = one != 1;
         if (one != 1 && one != 1 << 24) numbers_.fail("expected the number 1 in one byte order or the other");
     }
     end_section("MeshFormat");
@@ -149,7 +150,8 @@ void GmshReader::read_names() {
         const std::int64_t dimension = numbers_.whole("the dimension of a physical name");
         const std::int64_t tag = numbers_.whole("the number of a physical group");
         std::string_view name = numbers_.next_line();
-        if (name.size() < 2 || name.front() != '"' || name.back() != '"') numbers_.expected("a name in quotation marks");
+        if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+            numbers_.expected("a name in quotation marks");
         name = name.substr(1, name.size() - 2);
         if (dimension == 1) names_[tag] = name;
     }
@@ -183,7 +185,8 @@ void GmshReader::read_node(std::int64_t tag) {
     const double z = numbers_.real("a node's z");
     if (nodes_.empty()) z_ = z;
     if (std::fabs(z - z_) > 1e-9 * (1 + std::fabs(z_))) {
-        numbers_.fail("expected nodes in one plane z = " + brief(z_) + ", found " + brief(z) + ": the mesh has three dimensions");
+        numbers_.fail("expected nodes in one plane z = " + brief(z_) + ", found " + brief(z) +
+                      ": the mesh has three dimensions");
     }
     nodes_.push_back(node);
 }
@@ -268,7 +271,8 @@ void GmshReader::read_elements_2() {
 
 void GmshReader::read_elements_4() {
     const std::int64_t n_blocks = size("the number of blocks of elements");
-    for (const char* what : {"the number of elements", "the least element", "the largest element"}) numbers_.whole(what, 8);
+    for (const char* what : {"the number of elements", "the least element", "the largest element"})
+        numbers_.whole(what, 8);
     for (std::int64_t block = 0; block < n_blocks; ++block) {
         numbers_.whole("an entity's dimension");
         const std::int64_t entity = numbers_.whole("an entity's number");
@@ -326,7 +330,8 @@ void GmshReader::build() {
     point_of_.assign(nodes_.size(), unused);
     for (const Element& element : elements_) {
         for (int k = 0; k < element.type->nodes; ++k) {
-            std::int32_t& kind = point_of_[node_of(element_nodes_[element.first + static_cast<std::size_t>(k)], element.offset)];
+            std::int32_t& kind =
+                point_of_[node_of(element_nodes_[element.first + static_cast<std::size_t>(k)], element.offset)];
             kind = k < element.type->corners ? is_corner : kind == unused ? middle : kind;
         }
     }
@@ -361,24 +366,27 @@ void GmshReader::build_between() {
             Between between = {{}, 2, nodes_[node].x, nodes_[node].y};
             const std::size_t edge = k - corners, n_edges = element.type->dimension == 1 ? 1 : corners;
             if (edge < n_edges) {
-                between.corners = {corner(nodes[edge], element.offset), corner(nodes[(edge + 1) % corners], element.offset)};
+                between.corners = {corner(nodes[edge], element.offset),
+                                   corner(nodes[(edge + 1) % corners], element.offset)};
             } else {
                 between.n_corners = static_cast<std::int32_t>(corners);
                 for (std::size_t i = 0; i < corners; ++i) between.corners[i] = corner(nodes[i], element.offset);
             }
-            const auto number = static_cast<std::int32_t>(mesh_.x.size() + mesh_.coordinates.between.size());
-            mesh_.coordinates.between.push_back(between);
-            mesh_.coordinates.slots.push_back({nodes_[node].x_offset, number, takes_x});
-            mesh_.coordinates.slots.push_back({nodes_[node].y_offset, number, takes_y});
+            const auto number = static_cast<std::int32_t>(mesh_.x.size() + mesh_.in_file.between.size());
+            mesh_.in_file.between.push_back(between);
+            mesh_.in_file.slots.push_back({nodes_[node].x_offset, number, takes_x});
+            mesh_.in_file.slots.push_back({nodes_[node].y_offset, number, takes_y});
             point_of_[node] = number;
         }
     }
-    if (mesh_.coordinates.between.empty()) return;
+    if (mesh_.in_file.between.empty()) return;
     mesh_.remark("quadratic elements: the mesh has their corners; points between move along (" +
-                 plural(static_cast<std::int64_t>(mesh_.coordinates.between.size()), "point") + ")");
+                 plural(static_cast<std::int64_t>(mesh_.in_file.between.size()), "point") + ")");
 }
 
-bool probe(const TextFile& file) { return trimmed(std::string_view(file.text()).substr(0, 64)).substr(0, 11) == "$MeshFormat"; }
+bool probe(const TextFile& file) {
+    return trimmed(std::string_view(file.text()).substr(0, 64)).substr(0, 11) == "$MeshFormat";
+}
 
 void read(Mesh& mesh, const ReadOptions&) { GmshReader(mesh).read(); }
 
@@ -389,7 +397,8 @@ void create(std::ostream& out, const Mesh& mesh) {
         out << "1 " << marker + 2 << " \"" << mesh.markers[marker] << "\"\n";
     }
     out << "$EndPhysicalNames\n$Nodes\n" << mesh.points() << '\n';
-    for (std::size_t i = 0; i < mesh.x.size(); ++i) out << i + 1 << ' ' << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
+    for (std::size_t i = 0; i < mesh.x.size(); ++i)
+        out << i + 1 << ' ' << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
     out << "$EndNodes\n$Elements\n" << mesh.faces() + mesh.cells() << '\n';
     std::size_t number = 0;
     for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {

@@ -23,7 +23,8 @@ std::vector<NmfPatch> read_nmf(const std::string& path, const std::vector<std::a
     const auto number = [&lines](std::size_t at, std::int64_t low, std::int64_t high, const char* what) {
         std::int64_t value = 0;
         const auto& words = lines.words();
-        const std::string wanted = std::string(what) + " between " + std::to_string(low) + " and " + std::to_string(high);
+        const std::string wanted =
+            std::string(what) + " between " + std::to_string(low) + " and " + std::to_string(high);
         if (at >= words.size()) lines.expected(wanted);
         if (!parse(words[at], value) || value < low || value > high) lines.expected(wanted, words[at]);
         return value;
@@ -50,13 +51,15 @@ std::vector<NmfPatch> read_nmf(const std::string& path, const std::vector<std::a
         std::size_t at = 3;
         for (const int along : {side.first, side.second}) {
             const auto d = static_cast<std::size_t>(along);
-            const std::int64_t a = number(at, 1, size[d], "an index") - 1, b = number(at + 1, 1, size[d], "an index") - 1;
+            const std::int64_t a = number(at, 1, size[d], "an index") - 1,
+                               b = number(at + 1, 1, size[d], "an index") - 1;
             patch.low[d] = std::min(a, b);
             patch.high[d] = std::max(a, b);
             at += 2;
         }
         std::string type = patch.name;
-        std::transform(type.begin(), type.end(), type.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
+        std::transform(type.begin(), type.end(), type.begin(),
+                       [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
         if (type != "ONE_TO_ONE" && type != "ONE-TO-ONE") patches.push_back(patch);
     }
     return patches;

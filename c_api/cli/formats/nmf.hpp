@@ -1,4 +1,5 @@
-// Neutral map files (https://geolab.larc.nasa.gov/Volume/Doc/nmf.htm): which parts of a block's sides are what boundary.
+// Neutral map files (https://geolab.larc.nasa.gov/Volume/Doc/nmf.htm): which parts of a block's sides are what
+// boundary.
 #pragma once
 
 #include <array>

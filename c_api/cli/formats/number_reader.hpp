@@ -20,7 +20,7 @@ public:
     std::int64_t count(const char* what, int bytes = 4); // not negative, at most 2^31 - 1
 
     std::string_view word();                 // the next, empty at the end of the file
-    std::string_view next_line();            // the next that is not empty, trimmed; what is left of the present one counts
+    std::string_view next_line(); // the next that is not empty, trimmed; what is left of the present one counts
     void skip_bytes(std::size_t n, const char* what);
     bool at_end();                           // nothing but blanks follows (text), nothing (binary)
 

@@ -10,7 +10,8 @@ class NumberStyle {
 public:
     void see(std::string_view word); // a number of the file
 
-    // Digits are at least those of the file, and so many that the error is at most `tolerance`; 17 read back as the same bits.
+    // Digits are at least those of the file, and so many that the error is at most `tolerance`; 17 read back as the
+    // same bits.
     std::string print(double value, double tolerance) const;
 
 private:

@@ -1,9 +1,9 @@
-// PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two dimensions or one cell thick,
-// in text, in binary, or of Fortran's unformatted records; plot3d_layout finds out which.
+// PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two dimensions or one cell
+// thick, in text, in binary, or of Fortran's unformatted records; plot3d_layout finds out which.
 //
-// Points of blocks' sides at the same coordinates are one point of the mesh, so that interfaces and cuts close and cells
-// at a pole become triangles. What is left of the sides is boundary: of the names in a .nmf file beside the grid, else
-// BLOCK:SIDE, as 1:jmin.
+// Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the mesh, so that
+// interfaces and cuts close and cells at a pole become triangles. What is left of the sides is boundary: of the names
+// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -14,6 +14,7 @@
 #include "numbers.hpp"
 #include "one_cell_thick.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <unordered_map>
@@ -22,6 +23,8 @@ namespace cli {
 
 namespace {
 
+constexpr double rounding = 1e-12; // of the largest coordinate: generators compute both sides of a cut
+
 class Plot3dReader {
 public:
     Plot3dReader(Mesh& mesh, const Plot3dLayout& layout) : mesh_(mesh), layout_(layout) {}
@@ -29,14 +32,11 @@ public:
 
 private:
     using Index3 = std::array<std::int64_t, 3>;
-    struct Place {
-        double x, y;
-        bool operator==(const Place& other) const { return x == other.x && y == other.y; }
-    };
-    struct PlaceHash {
-        std::size_t operator()(const Place& place) const {
-            const std::hash<double> hash; // the same for 0 and -0
-            return hash(place.x) * 0x9E3779B97F4A7C15u + hash(place.y);
+    using Square = std::pair<std::int64_t, std::int64_t>; // of a fine grid, in which points of sides are looked up
+    struct SquareHash {
+        std::size_t operator()(const Square& square) const {
+            return static_cast<std::size_t>(square.first) * 0x9E3779B97F4A7C15u +
+                   static_cast<std::size_t>(square.second);
         }
     };
 
@@ -46,6 +46,7 @@ private:
     std::int64_t number(const Plot3dBlock& block, const Index3& index) const {
         return index[0] + block.n[0] * (index[1] + block.n[1] * index[2]);
     }
+    std::int32_t point_on_side(double x, double y);
     void build_block(std::size_t block);
     void build_cells(std::size_t block, int across);
     void build_sides(std::size_t block, int across);
@@ -59,7 +60,8 @@ private:
     std::vector<std::int64_t> first_;       // point of each block in space_
     std::vector<std::int32_t> point_of_;    // the mesh's, of those in space_; -1: none
     std::vector<NmfPatch> patches_;
-    std::unordered_map<Place, std::int32_t, PlaceHash> on_sides_;
+    std::unordered_multimap<Square, std::int32_t, SquareHash> on_sides_;
+    double same_place_ = 0; // coordinates that differ by no more are equal
     std::int64_t blanked_ = 0;
 };
 
@@ -72,6 +74,11 @@ void Plot3dReader::read() {
         for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
         patches_ = read_nmf(map.string(), sizes);
     }
+    double largest = 0;
+    for (const auto& values : space_.x) {
+        for (const double value : values) largest = std::max(largest, std::fabs(value));
+    }
+    same_place_ = rounding * largest;
     point_of_.assign(space_.x[0].size(), -1);
     for (std::size_t block = 0; block < layout_.blocks.size(); ++block) build_block(block);
     drop_interior_faces(mesh_, false);
@@ -82,8 +89,8 @@ void Plot3dReader::read() {
 void Plot3dReader::read_points() {
     NumberReader numbers(mesh_.file);
     numbers.is_binary = !layout_.is_text;
-    numbers.swapped = mesh_.coordinates.swapped = layout_.swapped;
-    if (!layout_.is_text) mesh_.coordinates.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+    numbers.swapped = mesh_.in_file.swapped = layout_.swapped;
+    if (!layout_.is_text) mesh_.in_file.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
     numbers.jump(layout_.data);
     for (const Plot3dBlock& block : layout_.blocks) {
         first_.push_back(static_cast<std::int64_t>(space_.x[0].size()));
@@ -119,14 +126,33 @@ int Plot3dReader::direction_across(std::size_t block) const {
         if (its.n[static_cast<std::size_t>(d)] == 2 && upper(next) != upper({0, 0, 0})) return d;
     }
     mesh_.file.fail(space_.offset[0][static_cast<std::size_t>(first_[block])],
-                    "block " + std::to_string(block + 1) + " (" + std::to_string(its.n[0]) + " x " + std::to_string(its.n[1]) +
-                        " x " + std::to_string(its.n[2]) + ") is not one cell thick");
+                    "block " + std::to_string(block + 1) + " (" + std::to_string(its.n[0]) + " x " +
+                        std::to_string(its.n[1]) + " x " + std::to_string(its.n[2]) + ") is not one cell thick");
 }
 
 std::int32_t Plot3dReader::plane_point(std::size_t block, const Index3& index, int across) const {
     Index3 in_plane = index;
     in_plane[static_cast<std::size_t>(across)] = 0;
     return point_of_[static_cast<std::size_t>(first_[block] + number(layout_.blocks[block], in_plane))];
+}
+
+// The mesh's point at this place; if there is none, the number that it is going to have.
+std::int32_t Plot3dReader::point_on_side(double x, double y) {
+    const double size = 4 * same_place_; // of a square: a point has neighbours in its own and at most three more
+    const auto square = [size](double at) { return size > 0 ? static_cast<std::int64_t>(std::floor(at / size)) : 0; };
+    for (std::int64_t i = square(x - same_place_); i <= square(x + same_place_); ++i) {
+        for (std::int64_t j = square(y - same_place_); j <= square(y + same_place_); ++j) {
+            const auto range = on_sides_.equal_range({i, j});
+            for (auto other = range.first; other != range.second; ++other) {
+                const auto point = static_cast<std::size_t>(other->second);
+                if (std::fabs(mesh_.x[point] - x) <= same_place_ && std::fabs(mesh_.y[point] - y) <= same_place_) {
+                    return other->second;
+                }
+            }
+        }
+    }
+    on_sides_.emplace(Square(square(x), square(y)), mesh_.points());
+    return mesh_.points();
 }
 
 void Plot3dReader::build_block(std::size_t block) {
@@ -143,9 +169,9 @@ void Plot3dReader::build_block(std::size_t block) {
             std::int32_t& point = point_of_[static_cast<std::size_t>(here)];
             point = mesh_.points();
             if (index[p] == 0 || index[q] == 0 || index[p] + 1 == its.n[p] || index[q] + 1 == its.n[q]) {
-                const Place place = {space_.x[static_cast<std::size_t>(planes_.first)][static_cast<std::size_t>(here)],
-                                     space_.x[static_cast<std::size_t>(planes_.second)][static_cast<std::size_t>(here)]};
-                point = on_sides_.emplace(place, point).first->second;
+                point =
+                    point_on_side(space_.x[static_cast<std::size_t>(planes_.first)][static_cast<std::size_t>(here)],
+                                  space_.x[static_cast<std::size_t>(planes_.second)][static_cast<std::size_t>(here)]);
             }
             if (point == mesh_.points()) {
                 add_plane_point(mesh_, space_, planes_, here, partner);
@@ -183,8 +209,12 @@ void Plot3dReader::build_sides(std::size_t block, int across) {
     for (int direction = 0; direction < 3; ++direction) {
         if (direction == across) continue;
         for (const bool at_end : {false, true}) {
-            NmfPatch whole = {std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min"), block, direction,
-                              at_end, {0, 0, 0}, {its.n[0] - 1, its.n[1] - 1, its.n[2] - 1}};
+            NmfPatch whole = {std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min"),
+                              block,
+                              direction,
+                              at_end,
+                              {0, 0, 0},
+                              {its.n[0] - 1, its.n[1] - 1, its.n[2] - 1}};
             const auto d = static_cast<std::size_t>(direction);
             const auto along = static_cast<std::size_t>(3 - direction - across);
             whole.low[d] = whole.high[d] = at_end ? its.n[d] - 1 : 0;
@@ -206,7 +236,8 @@ void Plot3dReader::build_sides(std::size_t block, int across) {
 }
 
 void Plot3dReader::add_patch(const NmfPatch& patch, int across) {
-    const std::int32_t a = plane_point(patch.block, patch.low, across), b = plane_point(patch.block, patch.high, across);
+    const std::int32_t a = plane_point(patch.block, patch.low, across),
+                       b = plane_point(patch.block, patch.high, across);
     if (a == b) return; // a pole
     mesh_.add_face(a, b, mesh_.add_marker(patch.name), mesh_.point_offset[static_cast<std::size_t>(a)]);
 }
@@ -218,7 +249,8 @@ bool begins_with_number(const TextFile& file) {
 
 bool has_usual_extension(const std::string& path) {
     const std::string extension = std::filesystem::path(path).extension().string();
-    for (const char* usual : {".p3d", ".p2d", ".xyz", ".x", ".grd", ".p3dfmt", ".p2dfmt", ".ufmt", ".fmt", ".g", ".gu"}) {
+    for (const char* usual :
+         {".p3d", ".p2d", ".xyz", ".x", ".grd", ".p3dfmt", ".p2dfmt", ".ufmt", ".fmt", ".g", ".gu"}) {
         if (extension == usual) return true;
     }
     return false;
@@ -236,14 +268,15 @@ void read(Mesh& mesh, const ReadOptions&) {
     Plot3dLayout layout;
     std::string reason;
     if (!find_plot3d_layout(mesh.file, layout, reason)) {
-        mesh.file.fail(mesh.file.text().size(), "no layout of PLOT3D fits the file" + (reason.empty() ? "" : ": " + reason));
+        mesh.file.fail(mesh.file.text().size(),
+                       "no layout of PLOT3D fits the file" + (reason.empty() ? "" : ": " + reason));
     }
     Plot3dReader(mesh, layout).read();
 }
 
 } // namespace
 
-const Format plot3d_format = {"plot3d", ".p3d", "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted", probe, read,
-                              nullptr};
+const Format plot3d_format = {"plot3d", ".p3d", "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted",
+                              probe,    read,   nullptr};
 
 } // namespace cli

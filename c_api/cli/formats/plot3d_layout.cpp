@@ -84,8 +84,8 @@ public:
         layout.data = end_of_whole_[static_cast<std::size_t>(n_sizes) - 1];
         if (wanted == total_) return true;
         if (reason.empty() && layout.has_count == (whole_[0] == 1)) {
-            reason = "with " + sizes(layout) + " the file would have " + std::to_string(wanted) + " numbers, but it has " +
-                     std::to_string(total_);
+            reason = "with " + sizes(layout) + " the file would have " + std::to_string(wanted) +
+                     " numbers, but it has " + std::to_string(total_);
         }
         return false;
     }
@@ -119,7 +119,8 @@ public:
         if (!close()) return false;
         for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {
             const std::int64_t points = layout_.blocks[block].points();
-            const std::int64_t bytes = points * (layout_.dimensions * layout_.real_bytes + (layout_.has_iblank ? word : 0));
+            const std::int64_t bytes =
+                points * (layout_.dimensions * layout_.real_bytes + (layout_.has_iblank ? word : 0));
             const std::size_t begin = at_;
             const bool opened = open(bytes);
             layout_.blocks[block].data = at_;
@@ -156,7 +157,8 @@ private:
         if (left() < layout_.record_bytes) return false;
         const char* const at = text_.data() + at_;
         const bool four = layout_.record_bytes == 4;
-        const std::int64_t length = four ? load<std::uint32_t>(at, layout_.swapped) : load<std::int64_t>(at, layout_.swapped);
+        const std::int64_t length =
+            four ? load<std::uint32_t>(at, layout_.swapped) : load<std::int64_t>(at, layout_.swapped);
         at_ += static_cast<std::size_t>(layout_.record_bytes);
         return length == length_;
     }

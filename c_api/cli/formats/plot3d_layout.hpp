@@ -1,4 +1,5 @@
-// How a PLOT3D file is laid out. Nothing in it says so: a layout is right if the file is exactly as long as it asks for.
+// How a PLOT3D file is laid out. Nothing in it says so: a layout is right if the file is exactly as long as it asks
+// for.
 #pragma once
 
 #include "text_file.hpp"

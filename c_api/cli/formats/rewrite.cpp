@@ -29,10 +29,10 @@ public:
     Changes(const Mesh& mesh, const double* x, const double* y) : mesh_(mesh), x_(x), y_(y) {
         find_tolerances();
         const auto n = static_cast<std::size_t>(mesh.points());
-        for (const CoordinateSlot& slot : mesh.coordinates.slots) {
+        for (const CoordinateSlot& slot : mesh.in_file.slots) {
             const auto point = static_cast<std::size_t>(slot.point);
             if (point >= n) {
-                move_between(slot, mesh.coordinates.between[point - n]);
+                move_between(slot, mesh.in_file.between[point - n]);
             } else if (!same_bits(x[point], mesh.x[point]) || !same_bits(y[point], mesh.y[point])) {
                 move(slot, point);
             }
@@ -72,7 +72,8 @@ private:
         const Complex offset = Complex(between.x, between.y) - mean_before;
         Complex turned = offset;
         if (between.n_corners == 2) {
-            const auto a = static_cast<std::size_t>(between.corners[0]), b = static_cast<std::size_t>(between.corners[1]);
+            const auto a = static_cast<std::size_t>(between.corners[0]),
+                       b = static_cast<std::size_t>(between.corners[1]);
             if (before(a) != before(b)) turned *= (after(b) - after(a)) / (before(b) - before(a));
         }
         const Complex step = (mean_after - mean_before) + (turned - offset);
@@ -82,7 +83,7 @@ private:
     void grow(const CoordinateSlot& slot, double dx, double dy, double tolerance) {
         Direction direction = {{1, 0}};
         if (slot.rule == takes_y) direction = {{0, 1}};
-        if (slot.rule >= 0) direction = mesh_.coordinates.directions[static_cast<std::size_t>(slot.rule)];
+        if (slot.rule >= 0) direction = mesh_.in_file.directions[static_cast<std::size_t>(slot.rule)];
         const double change = dx * direction.along[0] + dy * direction.along[1];
         if (change != 0) add(slot, read_number(mesh_, slot.offset) + change, tolerance);
     }
@@ -119,7 +120,7 @@ private:
 
 NumberStyle style_of(const Mesh& mesh) {
     NumberStyle style;
-    for (const CoordinateSlot& slot : mesh.coordinates.slots) {
+    for (const CoordinateSlot& slot : mesh.in_file.slots) {
         style.see(std::string_view(mesh.file.text()).substr(slot.offset, number_length(mesh, slot.offset)));
     }
     return style;
@@ -130,7 +131,7 @@ NumberStyle style_of(const Mesh& mesh) {
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
     const std::string& text = mesh.file.text();
     const Changes changes(mesh, x, y);
-    const bool is_text = mesh.coordinates.kind == NumberKind::text;
+    const bool is_text = mesh.in_file.kind == NumberKind::text;
     const NumberStyle style = is_text ? style_of(mesh) : NumberStyle();
     std::size_t copied = 0;
     for (const Change& change : changes.list) {
@@ -139,7 +140,7 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
             out << style.print(change.value, change.tolerance);
         } else {
             char number[8];
-            store_real(number, change.value, mesh.coordinates);
+            store_real(number, change.value, mesh.in_file);
             out.write(number, static_cast<std::streamsize>(change.length));
         }
         copied = change.offset + change.length;
@@ -148,7 +149,7 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
 }
 
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y) {
-    if (mesh.coordinates.kind != NumberKind::real32) return;
+    if (mesh.in_file.kind != NumberKind::real32) return;
     for (double& value : x) value = static_cast<double>(static_cast<float>(value));
     for (double& value : y) value = static_cast<double>(static_cast<float>(value));
 }

@@ -1,8 +1,8 @@
 // SU2 mesh files (https://su2code.github.io/docs_v7/Mesh-File): two dimensions, triangles and quadrilaterals.
 //
-// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY= value", two counts after
-// NPOIN, 2 to 4 numbers per point, elements with or without their number, periodic blocks and FFD boxes between or after.
-// Of several zones (NZONE, IZONE) one is read; lines of the others are passed over, and stay.
+// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY= value", two counts
+// after NPOIN, 2 to 4 numbers per point, elements with or without their number, periodic blocks and FFD boxes between
+// or after. Of several zones (NZONE, IZONE) one is read; lines of the others are passed over, and stay.
 #include "formats/format.hpp"
 
 #include "failure.hpp"
@@ -27,7 +27,8 @@ struct Heading { // a line KEY= value
 bool nearly_marker_tag(const std::string& key) {
     std::string letters;
     for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'A' || c > 'Z'; }), letters.end());
+    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'A' || c > 'Z'; }),
+                  letters.end());
     return letters == "MARKERTAG";
 }
 
@@ -119,7 +120,8 @@ void Su2Reader::choose_zone(const Heading& heading) {
     zones_ = count(heading);
     zones_line_ = lines_.offset();
     if (options_.zone.empty() && zones_ > 1) {
-        lines_.fail("the file has " + std::to_string(zones_) + " zones: choose one with --zone; the others stay as they are");
+        lines_.fail("the file has " + std::to_string(zones_) +
+                    " zones: choose one with --zone; the others stay as they are");
     }
     if (options_.zone.empty()) return;
     if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
@@ -131,7 +133,8 @@ void Su2Reader::choose_zone(const Heading& heading) {
 std::int32_t Su2Reader::begin_zone(const Heading& heading) {
     const std::int32_t zone = count(heading);
     if (zone != ++zones_begun_ || zone > zones_) {
-        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " + plural(zones_, "zone") + " that NZONE= announces");
+        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " + plural(zones_, "zone") +
+                        " that NZONE= announces");
     }
     return zone;
 }
@@ -180,15 +183,16 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
         lines_.expected("element type 3 (line) in a marker", words[0]);
     }
     if (type == element_vertex) {
-        mesh_.remark("vertex elements of marker " + quoted(mesh_.markers[static_cast<std::size_t>(marker)]) + " are ignored");
+        mesh_.remark("vertex elements of marker " + quoted(mesh_.markers[static_cast<std::size_t>(marker)]) +
+                     " are ignored");
         return;
     }
     const std::vector<std::int32_t>& ends = points_of(words, 2);
     mesh_.add_face(ends[0], ends[1], marker, lines_.offset());
 }
 
-// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1, RECEIVE_FROM= 1, ...; then n lines
-// such as "1 point transformation".
+// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1, RECEIVE_FROM= 1, ...; then n
+// lines such as "1 point transformation".
 void Su2Reader::pass_over_halo(std::int32_t n) {
     mesh_.remark("SEND_RECEIVE blocks are ignored (and kept)");
     for (std::int32_t i = 0; i < n; ++i) {
@@ -273,7 +277,8 @@ bool probe(const TextFile& file) {
     const std::string_view line = lines.line().substr(0, 64);
     const std::size_t equals = line.find('=');
     const std::string_view key = trimmed(line.substr(0, equals));
-    return equals != std::string_view::npos && key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
+    return equals != std::string_view::npos &&
+           key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
 }
 
 void read(Mesh& mesh, const ReadOptions& options) { Su2Reader(mesh, options).read(); }
@@ -287,7 +292,8 @@ void create(std::ostream& out, const Mesh& mesh) {
         out << ' ' << cell << '\n';
     }
     out << "NPOIN= " << mesh.points() << '\n';
-    for (std::size_t i = 0; i < mesh.x.size(); ++i) out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << ' ' << i << '\n';
+    for (std::size_t i = 0; i < mesh.x.size(); ++i)
+        out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << ' ' << i << '\n';
     out << "NMARK= " << mesh.markers.size() << '\n';
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         const auto number = static_cast<std::int32_t>(marker);

@@ -103,7 +103,8 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
             if (exists(a, b)) visit(a, b);
         });
         for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
-            if (exists(mesh.face_points[i], mesh.face_points[i + 1])) visit(mesh.face_points[i], mesh.face_points[i + 1]);
+            if (exists(mesh.face_points[i], mesh.face_points[i + 1]))
+                visit(mesh.face_points[i], mesh.face_points[i + 1]);
         }
     };
     for_each_side([&](std::int32_t a, std::int32_t b) { ++start[low(a, b) + 1]; });
@@ -124,7 +125,9 @@ void name_open_boundary(Mesh& mesh, const std::string& name) {
     };
     std::vector<std::pair<std::int32_t, std::int32_t>> open;
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        const auto key = [](const std::pair<std::int32_t, std::int32_t>& side) { return edge_of(side.first, side.second); };
+        const auto key = [](const std::pair<std::int32_t, std::int32_t>& side) {
+            return edge_of(side.first, side.second);
+        };
         const auto begin = sides.begin() + static_cast<std::ptrdiff_t>(start[point]);
         const auto end = sides.begin() + static_cast<std::ptrdiff_t>(start[point + 1]);
         std::sort(begin, end, [key](const auto& a, const auto& b) { return key(a) < key(b); });

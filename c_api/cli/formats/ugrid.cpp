@@ -1,6 +1,6 @@
-// AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one cell
-// thick: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file beside the
-// mesh gives their tags, else the tags themselves.
+// AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
+// cell thick: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file
+// beside the mesh gives their tags, else the tags themselves.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -71,11 +71,13 @@ Layout layout_of(const TextFile& file) {
     layout.real_bytes = ends_with(file.path(), "b4.ugrid") ? 4 : 8;
     Counts n = {};
     const std::string kind = little ? "little-endian" : "big-endian";
-    if (!binary_counts(file, layout.swapped, n)) file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
+    if (!binary_counts(file, layout.swapped, n))
+        file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
     const std::int64_t wanted = binary_size(n, layout.real_bytes);
     if (wanted > static_cast<std::int64_t>(file.text().size())) {
-        file.fail(file.text().size(), "of " + std::to_string(n[nodes]) + " nodes in " + kind + " byte order the file would have " +
-                                          std::to_string(wanted) + " bytes, but it has " + std::to_string(file.text().size()));
+        file.fail(file.text().size(), "of " + std::to_string(n[nodes]) + " nodes in " + kind +
+                                          " byte order the file would have " + std::to_string(wanted) +
+                                          " bytes, but it has " + std::to_string(file.text().size()));
     }
     return layout;
 }
@@ -104,8 +106,8 @@ class UgridReader {
 public:
     UgridReader(Mesh& mesh, const Layout& layout) : mesh_(mesh), layout_(layout), numbers_(mesh.file) {
         numbers_.is_binary = !layout.is_text;
-        numbers_.swapped = mesh.coordinates.swapped = layout.swapped;
-        if (!layout.is_text) mesh.coordinates.kind = layout.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+        numbers_.swapped = mesh.in_file.swapped = layout.swapped;
+        if (!layout.is_text) mesh.in_file.kind = layout.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
     }
 
     void read() {
@@ -204,6 +206,7 @@ void read(Mesh& mesh, const ReadOptions&) {
 
 } // namespace
 
-const Format ugrid_format = {"ugrid", ".ugrid", "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4", probe, read, nullptr};
+const Format ugrid_format = {"ugrid", ".ugrid", "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
+                             probe,   read,     nullptr};
 
 } // namespace cli

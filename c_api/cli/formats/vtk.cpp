@@ -1,5 +1,5 @@
-// VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html), unstructured grids of versions 1
-// to 5.1, in text and binary, with triangles and quadrilaterals in one plane z = constant.
+// VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html), unstructured grids of
+// versions 1 to 5.1, in text and binary, with triangles and quadrilaterals in one plane z = constant.
 //
 // VTK knows no boundaries: each loop of boundary edges is a marker, boundary1, boundary2, ... by the least point in it.
 #include "formats/format.hpp"
@@ -50,7 +50,9 @@ void VtkReader::read() {
         numbers_.is_binary = false;
         const std::string name(numbers_.word());
         if (name.empty()) {
-            numbers_.expected(!points_read_ ? "a section POINTS" : !cells_read_ ? "a section CELLS" : "a section CELL_TYPES");
+            numbers_.expected(!points_read_  ? "a section POINTS"
+                              : !cells_read_ ? "a section CELLS"
+                                             : "a section CELL_TYPES");
         }
         read_section(name);
     }
@@ -67,7 +69,7 @@ void VtkReader::read_head() {
     const std::string_view format = numbers_.next_line();
     if (format != "ASCII" && format != "BINARY") numbers_.expected("ASCII or BINARY");
     binary_ = format == "BINARY";
-    numbers_.swapped = mesh_.coordinates.swapped = binary_ && little_endian_machine(); // always big-endian
+    numbers_.swapped = mesh_.in_file.swapped = binary_ && little_endian_machine(); // always big-endian
     if (numbers_.word() != "DATASET") numbers_.expected("DATASET");
     if (numbers_.word() != "UNSTRUCTURED_GRID") numbers_.expected("UNSTRUCTURED_GRID");
 }
@@ -113,7 +115,7 @@ void VtkReader::read_points() {
     const std::string type(numbers_.word());
     if (type != "float" && type != "double") numbers_.expected("points of type float or double");
     const int bytes = type == "float" ? 4 : 8;
-    if (binary_) mesh_.coordinates.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
+    if (binary_) mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
     begin_numbers();
     double z_of_all = 0;
     for (std::int64_t i = 0; i < n; ++i) {
@@ -192,7 +194,8 @@ void VtkReader::build() {
     std::vector<std::int32_t> cell;
     for (std::size_t i = 0; i < types_.size(); ++i) {
         const std::int64_t type = types_[i], begin = starts_[i], n = starts_[i + 1] - begin;
-        if (begin < 0 || n < 1 || begin > total - n) numbers_.fail("OFFSETS of cell " + std::to_string(i) + " are out of range");
+        if (begin < 0 || n < 1 || begin > total - n)
+            numbers_.fail("OFFSETS of cell " + std::to_string(i) + " are out of range");
         const std::size_t offset = offsets_[static_cast<std::size_t>(begin)];
         if (type >= vertex && type <= poly_line) continue; // no part of the mesh
         const bool is_read = (type == triangle && n == 3) || ((type == quad || type == pixel) && n == 4) ||
@@ -207,8 +210,8 @@ void VtkReader::build() {
             const std::int64_t at = type == pixel && k >= 2 ? begin + 5 - k : begin + k; // a pixel goes line by line
             const std::int64_t point = points_[static_cast<std::size_t>(at)];
             if (point < 0 || point >= mesh_.points()) {
-                mesh_.file.fail(offset, "expected points between 0 and " + std::to_string(mesh_.points() - 1) + ", found " +
-                                            std::to_string(point));
+                mesh_.file.fail(offset, "expected points between 0 and " + std::to_string(mesh_.points() - 1) +
+                                            ", found " + std::to_string(point));
             }
             cell.push_back(static_cast<std::int32_t>(point));
         }
@@ -222,7 +225,8 @@ bool probe(const TextFile& file) { return file.text().compare(0, 22, "# vtk Data
 void read(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
 
 void create(std::ostream& out, const Mesh& mesh) {
-    out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points() << " double\n";
+    out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points()
+        << " double\n";
     for (std::size_t i = 0; i < mesh.x.size(); ++i) out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
     out << "CELLS " << mesh.cells() << ' ' << mesh.cell_points.size() + static_cast<std::size_t>(mesh.cells()) << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
