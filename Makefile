@@ -8,7 +8,7 @@
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
-#   make demo             fits, solves and morphs the shipped airfoil mesh; leaves a picture
+#   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures, and a table of engines; MESHES=directory: of the SU2 files there, too
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
@@ -56,6 +56,8 @@ all: rules
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit
 	@sh fortran/join.sh >$(BUILD)/harmorph.f90
+	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
+	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
 	@echo '$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
 	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
 	@objects() { \
@@ -76,7 +78,7 @@ rules:
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/*/*.cpp; program $(PROGRAM); \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@mv $(BUILD)/rules.new $(BUILD)/rules.mk
@@ -115,13 +117,14 @@ bench-mpi: all
 
 demo: all
 	$(PROGRAM) demo $(BUILD)/demo
-	@ls $(BUILD)/demo/*.svg
+	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
-	share/harmorph/harmorph_mpi.c share/harmorph/naca0012.su2
+	share/harmorph/harmorph_mpi.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
+	share/harmorph/naca0012.su2
 
 install: all
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
@@ -133,7 +136,8 @@ install: all
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/read_su2.c c_api/read_su2.h \
+	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 uninstall:

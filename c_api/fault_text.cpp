@@ -60,7 +60,9 @@ private:
 hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
     hm_status const status = static_cast<hm_status>(fault.status);
     if (err == nullptr) return status;
-    Index const base = fault.counts == Counts::mesh ? bases.mesh : fault.counts == Counts::curves ? bases.curves : 0;
+    bool const of_mesh = fault.counts == Counts::mesh || fault.counts == Counts::mesh_and_marker;
+    Index const base = of_mesh ? bases.mesh : fault.counts == Counts::curves ? bases.curves : 0;
+    bool const both = fault.counts == Counts::mesh;  // count from the base
     auto const numbered = [&](Index item) { return Offset{item} + base; };
     err->code = status;
     err->item = fault.item == none ? none : static_cast<Index>(numbered(fault.item));
@@ -69,7 +71,7 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
     for (const char* c = fault.sentence; *c != '\0'; ++c) {
         switch (*c) {
             case '#': sentence.put_integer(numbered(fault.item)); break;
-            case '@': sentence.put_integer(fault.counts == Counts::curves ? fault.other : numbered(fault.other)); break;
+            case '@': sentence.put_integer(both ? numbered(fault.other) : fault.other); break;
             case '~': sentence.put_real(fault.value); break;
             case '%': sentence.put(fault.argument); break;
             default: sentence.put(*c);

@@ -138,8 +138,8 @@ Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* blo
 Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
     BasisCounts const all = analysis.basis_counts();
     if (first < 0 || n < 0 || n > all.functions() - first) {
-        return fault.refuse(Status::bad_argument, "there are no # functions from function @ (from 0) on", Counts::from_zero, n,
-                            first);
+        return fault.refuse(Status::bad_argument, "from function # (from 0) on there are no @ functions", Counts::from_zero, first,
+                            n);
     }
     counts = all.share(first, n);
     return Status::ok;
@@ -161,6 +161,7 @@ const char* hm_status_name(hm_status status) {
         case HM_NOT_CONVERGED: return "HM_NOT_CONVERGED";
         case HM_MOVED: return "HM_MOVED";
         case HM_SHORT: return "HM_SHORT";
+        case HM_BACKTRACKS: return "HM_BACKTRACKS";
         case HM_CANCELLED: return "HM_CANCELLED";
         case HM_BAD_ARGUMENT: return "HM_BAD_ARGUMENT";
         case HM_BAD_MESH: return "HM_BAD_MESH";
@@ -248,7 +249,7 @@ hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, c
     auto const close = [&](Index its_piece, bool loop) { closed = its_piece == piece ? loop : closed; };
     Index const n_pieces = a.boundary.for_each_piece(is_on, visit, close);
     if (piece < 0 || piece >= n_pieces) {
-        fault.refuse(Status::bad_condition, "these markers have # pieces of boundary, there is no piece @", Counts::from_zero,
+        fault.refuse(Status::bad_condition, "these markers have # pieces of boundary, there is no piece @ (from 0)", Counts::from_zero,
                      n_pieces, piece);
         return tell(err, fault);
     }

@@ -68,6 +68,27 @@ hm_quality_report report_of(Quality const& quality, Crossing const& crossing, Me
     return filled;
 }
 
+// The basis, and room for all of its curves.
+Status open_curves(const hm_basis* basis, hm_curves* out, const hm_curve* curve, Index capacity, Basis& b,
+                   Fault& fault) noexcept {
+    if (curve == nullptr) return fault.refuse(Status::bad_argument, "curve is NULL");
+    HARMORPH_TRY(check_report(out, fault));
+    HARMORPH_TRY(open_basis(basis, b, fault));
+    Index const n = b.header->counts.curves;
+    if (capacity >= n) return Status::ok;
+    return fault.refuse(Status::bad_argument, "curve has room for #, the basis has @", Counts::from_zero, capacity, n);
+}
+
+hm_curves curves_of(Basis const& basis, const double* control, hm_curve* curve) noexcept {
+    Index const n = basis.header->counts.curves;
+    for (Index i = 0; i < n; ++i) {
+        Curve const its = basis.curve(i);
+        curve[i] = {sizeof(hm_curve), its.degree, its.n_indices, its.indices, its.knots};
+    }
+    return {sizeof(hm_curves), 0, basis.header->counts.control, control,
+            basis.weights.empty() ? nullptr : basis.weights.data(), n, curve};
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -124,20 +145,21 @@ hm_status hm_basis_info_get(const hm_basis* basis, hm_basis_info* info, hm_error
 hm_status hm_basis_curves(const hm_basis* basis, hm_curves* out, hm_curve* curve, int32_t capacity, hm_error* err) {
     Fault fault;
     Basis b;
-    if (curve == nullptr) fault.refuse(Status::bad_argument, "curve is NULL");
-    if (!failed(fault.status) && !failed(check_report(out, fault)) && !failed(open_basis(basis, b, fault))) {
-        Index const n = b.header->counts.curves;
-        if (capacity < n) {
-            fault.refuse(Status::bad_argument, "curve has room for #, the basis has @", Counts::from_zero, capacity, n);
-            return tell(err, fault);
-        }
-        for (Index i = 0; i < n; ++i) {
-            Curve const its = b.curve(i);
-            curve[i] = {sizeof(hm_curve), its.degree, its.n_indices, its.indices, its.knots};
-        }
-        hm_curves const filled = {sizeof(hm_curves), 0, b.header->counts.control, b.control.data(),
-                                  b.weights.empty() ? nullptr : b.weights.data(), n, curve};
-        write_struct(filled, out);
+    if (!failed(open_curves(basis, out, curve, capacity, b, fault))) {
+        write_struct(curves_of(b, b.control.data(), curve), out);
+    }
+    return tell(err, fault);
+}
+
+hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* control, hm_curves* out, hm_curve* curve,
+                          int32_t capacity, hm_error* err) {
+    Fault fault;
+    Basis b;
+    if (control == nullptr) fault.refuse(Status::bad_argument, "control is NULL");
+    if (!failed(fault.status) && !failed(open_curves(basis, out, curve, capacity, b, fault)) &&
+        !failed(check_move(b, move, fault))) {
+        for (Index k = 0; k < b.control.count(); ++k) control[k] = b.control[k] + move[k];
+        write_struct(curves_of(b, control, curve), out);
     }
     return tell(err, fault);
 }
@@ -170,10 +192,10 @@ hm_status hm_basis_values(const hm_basis* basis, int32_t function, int32_t numbe
     if (!failed(fault.status) && !failed(open_solved(basis, b, fault))) {
         Index const held = function - b.header->counts.first_held;
         if (function < 0 || held < 0 || held >= b.n_functions()) {
-            fault.refuse(Status::bad_argument, "there is no function #; the basis has @", Counts::from_zero, function,
+            fault.refuse(Status::bad_argument, "there is no function # (from 0); the basis has @", Counts::from_zero, function,
                          b.n_functions());
         } else if (number < 0 || number >= numbers_of(b.kind())) {
-            fault.refuse(Status::bad_argument, "values have no number #; they have @", Counts::from_zero, number,
+            fault.refuse(Status::bad_argument, "values have no number # (from 0); they have @", Counts::from_zero, number,
                          numbers_of(b.kind()));
         } else {
             b.column(number * b.n_functions() + held, values);

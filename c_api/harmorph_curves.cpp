@@ -13,7 +13,7 @@ Status open_curve(const hm_curves* curves, Index number, Curve& curve, Index& ba
     HARMORPH_TRY(view_curves(curves, view, fault));
     base = view.set.index_base;
     if (number < 0 || number >= view.count()) {
-        return fault.refuse(Status::bad_argument, "there is no curve #; the set has @", Counts::from_zero, number, view.count());
+        return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @", Counts::from_zero, number, view.count());
     }
     HARMORPH_TRY(view.curve(number, curve, fault));
     return check_curve(curve, number, fault);
@@ -88,8 +88,11 @@ Status run_fit(const hm_curves** curves, void* memory, Size bytes, const hm_poin
     filled.closed = static_cast<std::int32_t>(made.closure);
     filled.first_point = made.first_point;
     filled.base_points = made.base_points;
+    filled.reason = static_cast<std::int32_t>(made.reason);
+    filled.corners = made.corners;
+    filled.backtrack_point = made.backtrack_point;
     write_struct(filled, report);
-    return Status::ok;
+    return fault.status;
 }
 
 }  // namespace

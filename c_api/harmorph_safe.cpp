@@ -39,7 +39,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_rungs);
     for (Index i = 0; i < o.n_others; ++i) {
-        if (o.others[i] == nullptr) return fault.refuse(Status::bad_argument, "basis # of others is NULL", Counts::from_zero, i);
+        if (o.others[i] == nullptr) return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL", Counts::from_zero, i);
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }
     options.others = others.first(o.n_others);

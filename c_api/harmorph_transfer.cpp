@@ -33,7 +33,7 @@ Status open_target(hm_basis* basis, Analysis const& analysis, Basis& fine, Fault
     BasisCounts const counts = analysis.basis_counts();
     bool const its_own = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
                          fine.header->topology == analysis.topology &&
-                         fine.header->conditions == analysis.conditions_print();
+                         fine.header->conditions == analysis.conditions_fingerprint();
     if (its_own) return Status::ok;
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }

@@ -132,10 +132,10 @@ Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexc
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of curve # is not set", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is not set", Counts::from_zero, number);
     }
     if (c.knots == nullptr) {
-        return fault.refuse(Status::bad_argument, "knots of curve # is NULL", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "knots of curve # (from 0) is NULL", Counts::from_zero, number);
     }
     out = Curve{};
     out.degree = c.degree;
@@ -155,13 +155,13 @@ namespace {
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
     const char* wrong = nullptr;
     if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || c.n_curves != 0)) {
-        wrong = "condition # has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
+        wrong = "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
     } else if (c.kind != HM_RIGID && c.body != 0) {
-        wrong = "condition # has body, which is of HM_RIGID only, but its kind is @";
+        wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
     } else if (c.kind != HM_RIGID && !(c.x == 0 && c.y == 0)) {
-        wrong = "condition # has x or y, which are of HM_RIGID only, but its kind is @";
+        wrong = "condition # (from 0) has x or y, which are of HM_RIGID only, but its kind is @";
     } else if (c.kind != HM_PERIODIC_PAIR && c.partner != 0) {
-        wrong = "condition # has partner, which is of HM_PERIODIC_PAIR only, but its kind is @";
+        wrong = "condition # (from 0) has partner, which is of HM_PERIODIC_PAIR only, but its kind is @";
     }
     if (wrong == nullptr) return Status::ok;
     return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
@@ -172,14 +172,14 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of condition # is not set", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set", Counts::from_zero, number);
     }
     if (c.kind < HM_ON_CURVE || c.kind > HM_PERIODIC_PAIR) {
-        return fault.refuse(Status::bad_argument, "condition # has the unknown kind @", Counts::from_zero, number, c.kind);
+        return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @", Counts::from_zero, number, c.kind);
     }
     constexpr Index most_bodies = Index{1} << 20;
     if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
-        return fault.refuse(Status::bad_condition, "condition # names rigid body @: bodies count from 0 without gaps",
+        return fault.refuse(Status::bad_condition, "condition # (from 0) names rigid body @ (from 0), which there cannot be",
                             Counts::from_zero, number, c.body);
     }
     HARMORPH_TRY(check_fields(c, number, fault));

@@ -5,6 +5,9 @@
 !     CALL HMOPEN (W, LW, IERR, MSG)
 !     CALL HMMESH (W, NP, X, Y, INC, NC, NPC, CELLS, NF, FACES, MARKS, IERR, MSG)      CELLS(NPC,NC), FACES(2,NF),
 !                                                                                      MARKS(NF)
+!     CALL HMTYPE (W, ITYPE, IERR, MSG)                          after HMMESH with NF = 0, for a boundary given by types
+!                                                                of points: ITYPE(NP) is 0 for inner points, for others
+!                                                                a mark. A face between two types has the larger one
 !  or CALL HMBLOK (W, NI, NJ, X, Y, MARKS, IERR, MSG)      structured; MARKS(4) of sides i=1, i=NI, j=1, j=NJ, 0: a cut
 !     CALL HMWALL (W, MARK, NMAX, IPTS, N, LOOP, IERR, MSG)      a marker's points IPTS(N) in order; LOOP 1: closed
 !     CALL HMFIT  (W, MARK, NCP, IDEG, ICLOS, DMAX, IERR, MSG)   curve through a marker; ICLOS as hm_closed_auto, ...
@@ -47,11 +50,11 @@
 ! HMSAFE wants HMSOLV before it in the same W, and X, Y as they were then.
 module harmorph77_state
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, &
-        c_intptr_t, c_loc, c_null_char, c_null_ptr, c_ptr, c_size_t, c_sizeof
+        c_intptr_t, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
     use harmorph
     implicit none
     public
-    private :: c_intptr_t, c_null_char
+    private :: c_intptr_t
 
     integer, parameter :: most_curves = 16, most_conditions = 64
 
@@ -104,13 +107,10 @@ contains
         type(hm_c_error), intent(in) :: e
         integer, intent(out) :: ierr
         character(len=*), intent(inout) :: msg
-        integer :: k
-        ierr = int(status)
-        msg = ""
-        do k = 1, min(len(msg), size(e%text))
-            if (e%text(k) == c_null_char) exit
-            msg(k:k) = e%text(k)
-        end do
+        type(hm_error) :: reason
+        reason = hm_error_of(status, e)
+        ierr = reason%code
+        msg = reason%text
     end subroutine
 
     ! Are there so many words between `used` and `top`, the last free one?
@@ -344,6 +344,45 @@ subroutine hmmesh(w, np, x, y, inc, nc, npc, cells, nf, faces, marks, ierr, msg)
     its%mesh%cell_points = c_loc(cells)
     its%mesh%face_points = c_loc(faces)
     its%mesh%face_markers = c_loc(marks)
+end subroutine
+
+! Faces, their points and then their marks, go into W.
+subroutine hmtype(w, itype, ierr, msg)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(in) :: itype(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    integer(c_int32_t), pointer :: cells(:, :), numbers(:)
+    integer(c_int32_t), allocatable :: faces(:, :), marks(:)
+    integer(c_int64_t) :: n
+    integer :: corners
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. .not. c_associated(its%mesh%cell_points)) &
+        call complain("HMMESH comes before HMTYPE", ierr, msg)
+    if (ierr /= hm_ok) return
+    corners = merge(3, 4, its%mesh%cell_layout == hm_cells_triangles)
+    call c_f_pointer(its%mesh%cell_points, cells, [corners, int(its%mesh%n_cells)])
+    if (any(cells < 1 .or. cells > its%mesh%n_points)) then
+        call complain("CELLS has a point that the mesh has not", ierr, msg)
+        return
+    end if
+    call hm_faces_of_types(cells, itype(:its%mesh%n_points), faces, marks)
+    n = size(marks, kind=c_int64_t)
+    its%own = words_of(c_sizeof(its))
+    call forget(its)
+    if (.not. fits(its, (3 * n + 1) / 2, its%words, ierr, msg)) return
+    call c_f_pointer(c_loc(w(its%used + 1)), numbers, [3 * n])
+    its%own = its%own + (3 * n + 1) / 2
+    call forget(its)
+    numbers(:2 * n) = reshape(faces, [2 * n])
+    numbers(2 * n + 1:) = marks
+    its%mesh%n_faces = int(n, c_int32_t)
+    if (n == 0) return
+    its%mesh%face_points = c_loc(numbers)
+    its%mesh%face_markers = c_loc(numbers(2 * n + 1))
 end subroutine
 
 subroutine hmblok(w, ni, nj, x, y, marks, ierr, msg)
@@ -810,7 +849,8 @@ subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
     at = points_of(x, y, inc)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(at), c_null_ptr, c_null_ptr, report, e), e, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_quality(its%basis, its%mesh, c_loc(at), c_null_ptr, c_null_ptr, report, e), e, &
+        ierr, msg)
     if (ierr < 0) return
     ninv = int(report%inverted)
     amin = report%min_area

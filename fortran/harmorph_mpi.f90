@@ -12,6 +12,7 @@
 ! from 1, in the whole mesh; ghosts are allowed, and have dj_dx = dj_dy = 0. The bits are those of one process.
 module harmorph_mpi
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_int32_t, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_fortran_env, only: error_unit
     use mpi_f08, only: mpi_comm, mpi_comm_rank, mpi_comm_size
     use harmorph
     implicit none
@@ -84,7 +85,8 @@ contains
         if (present(stat)) then
             stat = done
         else if (done < 0) then
-            error stop "harmorph: hm_mpi_solve: " // trim(reason%text)
+            write(error_unit, "(4a)") "harmorph: hm_mpi_solve: ", hm_status_name(done), ": ", trim(reason%text)
+            error stop "harmorph: refused"
         end if
     end subroutine
 
@@ -100,7 +102,7 @@ contains
         integer(c_int32_t) :: status
         status = c_exchange(rows%address(), share%address(), int(size(points), c_int32_t), points, &
             int(comm%mpi_val, c_int), e)
-        call hm_finish(status, e, stat, err)
+        call hm_finish("hm_mpi_exchange", status, e, stat, err)
     end subroutine
 
     ! gradient(2, functions): the same on all processes.
@@ -126,7 +128,7 @@ contains
         end if
         if (size(dj_dx) > 0 .and. size(dj_dy) > 0) dj = hm_c_points(c_loc(dj_dx), c_loc(dj_dy), 1_c_int64_t)
         status = c_adjoint(basis%address(), dj, room, c_null_ptr, int(comm%mpi_val, c_int), e)
-        call hm_finish(status, e, stat, err)
+        call hm_finish("hm_mpi_adjoint", status, e, stat, err)
     end subroutine
 
     ! ---- The same with the integers of older interfaces

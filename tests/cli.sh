@@ -95,7 +95,7 @@ awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
 runs "--version" 0 --version
-for command in fit solve morph export check transfer demo; do
+for command in fit solve morph export check transfer explore demo; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
 done
@@ -121,7 +121,7 @@ has_keys "check: keys" points cells triangles quads inverted min_area min_qualit
 check "check: counts" says '"points": 624, "cells": 624, "triangles": 96, "quads": 528, "inverted": 0'
 check "check: markers" says '"markers": [{"name": "body", "faces": 48}, {"name": "far", "faces": 48}]'
 runs "fit" 0 fit "$ring" --marker=body --points 12 --closed periodic -o "$curve" --json
-has_keys "fit: keys" points degree max_error rms_error
+has_keys "fit: keys" points degree closed reason corners base_points backtracks max_error rms_error
 check "fit: periodic file" grep -c 'closed periodic' "$curve"
 runs "solve" 0 solve "$ring" --curve body="$curve" -o "$basis" --json --repeat 2
 has_keys "solve: keys" points cells functions boundary_error partition_defect min_value max_value residual \
@@ -149,7 +149,7 @@ refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --cu
 leaves_nothing "refused engines leave no file" "$tmp/none.basis"
 runs "morph" 0 morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/small.su2" --vtu "$tmp/small.vtu" \
     --svg "$tmp/small.svg" --repeat 3 --json
-has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds
+has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
 check "morph: the mesh is valid" says '"inverted": 0'
 check "morph: the mesh moved" sh -c "! cmp -s '$ring' '$tmp/small.su2'"
 check "morph: VTU is whole" grep -c '</VTKFile>' "$tmp/small.vtu"
@@ -207,7 +207,7 @@ refuses "--storage: what there is" 2 'double, single' solve "$ring" --curve body
 refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --json
 leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
 has_keys "morph that inverts cells: JSON all the same" \
-    inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds
+    inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
 runs "morph that inverts cells, --force" 1 morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --force
 check "--force writes" test -s "$tmp/large.su2"
 refuses "check counts inverted cells" 1 'inverted' check "$tmp/large.su2"
@@ -220,7 +220,7 @@ check "not converged, --force writes" test -s "$tmp/loose.basis"
 # ---- SU2 as other programs write it ------------------------------------------------------------------------------
 
 runs "odd file: check" 0 check "$tmp/odd.su2" --json
-check "odd file: markers" says '{"name": "the body", "faces": 48}, {"name": "17", "faces": 48}]'
+check "odd file: markers" says '[{"name": "17", "faces": 48}, {"name": "the body", "faces": 48}]'
 check "odd file: says that FFD boxes stay" says 'FFD'
 check "odd file: says that periodic blocks are ignored" says 'SEND_RECEIVE'
 runs "odd file: fit" 0 fit "$tmp/odd.su2" --marker 'the body' --points 12 -o "$tmp/odd.curve"
@@ -477,8 +477,8 @@ turn 3 4.5 >"$tmp/away.txt"
 turn 60 >"$tmp/turn60.txt"
 refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" -o "$tmp/turned.su2"
 runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/turned.su2" --json
-has_keys "--safe: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds \
-    step_fraction steps resolves rung
+has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction steps \
+    resolves rung last_step_admissible reached_moves moved_curve
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
 check "--safe: not by the linear morph" sh -c "! grep -q '\"rung\": \"linear\"' '$tmp/out'"
@@ -494,6 +494,10 @@ check "--other: helps" says '"rung": "other"'
 refuses "--other of other conditions" 3 'other bases' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe \
     --other "$tmp/rigid.basis"
 refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --other "$basis"
+runs "--safe --reached" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" --safe --reached "$tmp/rigid.reached"
+check "--safe --reached: a body's movement" awk '$1 == "rigid" { n++; ok = $2 == "block" && ($3 - .5) ^ 2 + ($4 + .25) ^ 2 < 1e-24 &&
+    ($5 - 90) ^ 2 < 1e-20 && ($6 - 1.25) ^ 2 < 1e-24 } END { exit !(ok && n == 1) }' "$tmp/rigid.reached"
+refuses "--reached without --safe" 2 '--reached' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --reached "$tmp/x"
 refuses "--safe: a boundary that crosses itself" 1 'crosses itself' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/away.txt" --safe -o "$tmp/away.su2"
 leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/away.su2"
@@ -502,24 +506,125 @@ check "--safe: a boundary that crosses itself: nothing moved, nothing is off" sa
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
-has_keys "--safe: short of the target: JSON all the same" inverted admissible_step self_crossing boundary_error min_quality \
-    mean_quality morph_seconds step_fraction steps resolves rung
+has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality mean_quality \
+    morph_seconds step_fraction steps resolves rung last_step_admissible reached_moves moved_curve
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
     -o "$tmp/outside.su2" --json
 check "--safe: short of the target: only part of the way" grep -E '"step_fraction": 0\.[0-9]*[1-9]' "$tmp/out"
 check "--safe: short of the target: the boundary is the B-spline's, as far as it went" \
     grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
+check "--safe: short of the target, --force: the moves that it has" says "\"reached_moves\": \"$tmp/outside.su2.reached\""
+runs "--safe: the reached moves are read by morph" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.su2.reached" --safe \
+    -o "$tmp/reached.su2"
+for corner in "4 5" "8 5" "8 7" "4 7"; do
+    check "--safe: the reached moves put the block where the mesh has it ($corner)" \
+        near $(place $corner "$tmp/reached.su2") $(place $corner "$tmp/outside.su2")
+done
 runs "--safe: short of the target, --force: the last valid mesh" 0 check "$tmp/outside.su2"
 check "--safe: short of the target, --force: which moved" sh -c "! cmp -s '$box' '$tmp/outside.su2'"
+leaves_nothing "refused commands leave no file" "$tmp/x"
+
+# ---- Markers by name ---------------------------------------------------------------------------------------------------
+
+# The same mesh with its markers in another order, with other names, and with two sides' faces exchanged.
+markers_of() { awk -v tag="$1" '/^MARKER_TAG=/ { on = $2 == tag } on' "$box"; }
+{ sed '/^MARKER_TAG/,$d' "$box"; for tag in out block high in:let low; do markers_of $tag; done; } >"$tmp/shuffled.su2"
+sed 's/MARKER_TAG= block/MARKER_TAG= brick/' "$box" >"$tmp/renamed.su2"
+sed 's/MARKER_TAG= low/MARKER_TAG= swap/; s/MARKER_TAG= high/MARKER_TAG= low/; s/MARKER_TAG= swap/MARKER_TAG= high/' "$box" \
+    >"$tmp/exchanged.su2"
+check "markers in another order: another file" sh -c "! cmp -s '$box' '$tmp/shuffled.su2'"
+runs "markers in another order: solve" 0 solve "$tmp/shuffled.su2" $on_block --slip low -o "$tmp/shuffled.basis"
+runs "markers in another order: the basis serves both" 0 morph "$box" "$tmp/shuffled.basis" --move "$tmp/turn40.txt" \
+    -o "$tmp/shuffled-turned.su2"
+check "markers in another order: what slips slides" near $(place 5 0 "$tmp/shuffled-turned.su2") '*' 0
+check "markers in another order: what is fixed stays" near $(place 5 12 "$tmp/shuffled-turned.su2") 5 12
+runs "markers in another order: the body that is named moves" 0 morph "$tmp/shuffled.su2" "$tmp/rigid.basis" \
+    --move "$tmp/rigid.txt" --safe -o "$tmp/shuffled-moved.su2"
+check "markers in another order: where it is to be" near $(place 4 5 "$tmp/shuffled-moved.su2") 7.75 3.25
+refuses "a marker of another name" 3 "its markers are 'block', 'high', 'in:let', 'low', 'out'; those of $tmp/renamed.su2 are 'brick'" \
+    morph "$tmp/renamed.su2" "$tmp/rigid.basis" --move "$no_moves"
+refuses "the same names on other points" 3 'other points are on its markers' morph "$tmp/exchanged.su2" "$tmp/rigid.basis" \
+    --move "$no_moves"
+sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
+refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/unnamed.basis" --move "$no_moves"
+{ cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
+refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" --move "$no_moves"
+refuses "messages name markers: slip" 2 "marker 'low' slips, but is not straight" solve "$tmp/bent.su2" $on_block --slip low -o "$tmp/x"
+refuses "messages name markers: periodic" 2 "marker 'block', the periodic partner of 'low', has a condition" solve "$box" --rigid block \
+    --periodic low:block -o "$tmp/x"
+refuses "messages name markers: one piece" 2 "periodic marker 'block' is not one open piece" solve "$box" --rigid high \
+    --periodic block:low -o "$tmp/x"
+
+# ---- Curves out and in ---------------------------------------------------------------------------------------------------
+
+shape() { awk -f "$(dirname "$0")/read_curves.awk" "$1"; } # FILE: its curves in numbers, by a reader of its own
+same_shape() { shape "$1" >"$tmp/shape.1" && shape "$2" >"$tmp/shape.2" && test -s "$tmp/shape.1" && cmp "$tmp/shape.1" "$tmp/shape.2"; }
+for ending in curve igs step; do
+    runs "curve out: $ending" 0 fit "$ring" --marker body --points 12 -o "$tmp/out.$ending"
+    check "curve out: $ending: re-read" same_shape "$tmp/out.$ending" "$tmp/out.curve"
+    runs "moved curve: $ending" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --curve-out "$tmp/moved.$ending"
+    check "moved curve: $ending: re-read" same_shape "$tmp/moved.$ending" "$tmp/moved.curve"
+done
+check "moved curve: control points and their moves" sh -c "awk '
+    FILENAME ~ /turn40/ { x[\$1] = \$2; y[\$1] = \$3; next }
+    /^points/ { n = \$2; k = 0; next }
+    k < n { k++; wx = (k == 1 || k == 4 ? 4 : 8) + x[k]; wy = (k < 3 ? 5 : 7) + y[k]
+        bad += (\$1 - wx) ^ 2 + (\$2 - wy) ^ 2 > 1e-24 } END { exit bad || n != 4 }' '$tmp/turn40.txt' '$tmp/moved.curve'"
+runs "moved curve: beside the mesh" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" -o "$tmp/with.su2" --json
+check "moved curve: beside the mesh: says where" says "\"moved_curve\": \"$tmp/with.su2.curve\""
+check "moved curve: beside the mesh: the same" cmp "$tmp/with.su2.curve" "$tmp/moved.curve"
+runs "moved curve: solved on the moved mesh" 0 solve "$tmp/with.su2" --curve block="$tmp/with.su2.curve" -o "$tmp/with.basis" --json
+check "moved curve: the moved mesh is on it" grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
+runs "bodies alone have no curve" 0 morph "$box" "$tmp/rigid.basis" --move "$no_moves" -o "$tmp/alone.su2" --json
+check "bodies alone have no curve: says so" says '"moved_curve": ""'
+
+runs "Selig out" 0 fit "$meshes/naca0012.su2" --marker airfoil -o "$tmp/foil.dat"
+check "Selig out: counter-clockwise from and to the trailing edge" awk 'NR == 1 { next } NR == 2 { ok = $1 == 1 && $2 == 0; x = $1; y = $2; next }
+    { area += x * $2 - $1 * y; x = $1; y = $2 } END { exit !(ok && x == 1 && y == 0 && area > 0) }' "$tmp/foil.dat"
+runs "Selig in" 0 fit "$tmp/foil.dat" -o "$tmp/foil.curve" --json
+check "Selig in: a sharp trailing edge" says '"closed": "tied", "reason": "corner"'
+check "Selig in: the curve again" awk '{ match($0, /"max_error": [^,]*/); exit !(substr($0, RSTART + 13, RLENGTH - 13) + 0 < 2e-5) }' "$tmp/out"
+runs "a curve in, for other control points" 0 fit "$tmp/out.curve" --points 9 -o "$tmp/nine.curve"
+check "a curve in: nine points" grep -x 'points 9' "$tmp/nine.curve"
+awk 'NR == 1 { next } { x[++n] = $1; y[n] = $2 } END { half = 1; for (k = 1; k <= n; k++) if (x[k] < x[half]) half = k
+    print "LEDNICER\n " half ". " n - half + 1 ".\n"; for (k = half; k >= 1; k--) print x[k], y[k]; print ""
+    for (k = half; k <= n; k++) print x[k], y[k] }' "$tmp/foil.dat" >"$tmp/lednicer.dat"
+runs "Lednicer in" 0 fit "$tmp/lednicer.dat" -o "$tmp/lednicer.curve"
+check "Lednicer in: as Selig" cmp "$tmp/lednicer.curve" "$tmp/foil.curve"
+refuses "--marker with a section" 2 '--marker' fit "$tmp/foil.dat" --marker airfoil -o "$tmp/x"
+bad_section() { # bad_section NAME LINE CONTENT
+    printf "$3" >"$tmp/bad.dat"
+    refuses "$1" 3 "$tmp/bad.dat:$2: " fit "$tmp/bad.dat" --points 4 -o "$tmp/x"
+}
+bad_section "section: a word for a number" 3 'name\n1 0\n.5 o\n'
+bad_section "section: a lower side that ends early" 8 'name\n3. 3.\n0 0\n.5 .1\n1 0\n0 0\n.5 -.1\n'
+bad_section "section: two points" 4 'name\n1 0\n0 0\n'
+printf 'name\n' >"$tmp/bad.dat"
+refuses "section: a name alone" 3 "$tmp/bad.dat" fit "$tmp/bad.dat" -o "$tmp/x"
+
+# A square: with as many points for 16 control points of degree 5 the curve runs back at a corner.
+awk 'BEGIN { print "square"; for (k = 0; k < 20; k++) { s = int(k / 5); t = (k % 5) / 5
+    print s == 0 ? t : s == 1 ? 1 : s == 2 ? 1 - t : 0, s == 0 ? 0 : s == 1 ? t : s == 2 ? 1 : 1 - t } }' >"$tmp/square.dat"
+runs "fit that runs back" 0 fit "$tmp/square.dat" --degree 5 --points 16 -o "$tmp/square.curve" --json
+check "fit that runs back: is said" says '"backtracks": true'
+check "fit that runs back: and where" says 'the curve runs back'
+runs "fit that does not" 0 fit "$tmp/square.dat" --points 12 -o "$tmp/square.curve" --json
+check "fit that does not: is not said" says '"backtracks": false'
 leaves_nothing "refused commands leave no file" "$tmp/x"
 
 # ---- The demo on the shipped mesh --------------------------------------------------------------------------------
 
 runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
-for file in airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.vtu morph.svg function.svg; do
+for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg function.svg \
+    far.txt far.su2 fine.su2 fine.basis report.html page.html; do
     check "demo leaves $file" test -s "$tmp/demo/$file"
 done
+check "demo: the mesh as it is shipped" cmp "$tmp/demo/mesh.su2" "$meshes/naca0012.su2"
+runs "demo: far.txt is too far for one step" 1 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" --move "$tmp/demo/far.txt"
+runs "demo: check of the fine mesh" 0 check "$tmp/demo/fine.su2" --json
+check "demo: the fine mesh has four times the cells" says "\"cells\": $((4 * $(sed -n 's/^NELEM= *//p' "$tmp/demo/mesh.su2" | tr -d '\r')))"
+runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" --move "$tmp/demo/moves.txt"
 refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"
 
 echo "$passed passed, $failed failed"

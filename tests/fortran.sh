@@ -8,11 +8,13 @@ dir=$build/fortran
 rm -rf "$dir"
 mkdir -p "$dir"
 passed=0 failed=0
-strict=-std=f2018 loose= legacy= checks= long= openmp=
+strict=-std=f2008 legacy= checks= long= openmp= address=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
-    strict="-std=f2018 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
-    loose=-Wno-conversion checks=-fcheck=all long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
+    strict="-std=f2008 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
+    checks=-fcheck=all,no-array-temps long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
+    address="-fsanitize=address -fno-omit-frame-pointer"
 fi
+loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
 check() {   # what, command...
     what=$1; shift
     if "$@" >"$dir/log" 2>&1; then
@@ -24,24 +26,92 @@ check() {   # what, command...
     fi
 }
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
+tests="use places"
 build_and_run() {   # where, flags...: its own modules and objects in each place
     place=$dir/$1; shift
     mkdir -p "$place"
     check "module with $*" quietly $FC $strict $FFLAGS "$@" -J"$place" -c "$build/harmorph.f90" -o "$place/harmorph.o"
-    check "use.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -J"$place" -c tests/use.f90 -o "$place/use.o"
-    check "link with $*" $FC $FFLAGS "$@" "$place/use.o" "$place/harmorph.o" "$build/libharmorph.a" -o "$place/use"
-    (cd "$place" && ./use) || failed=$((failed + 1))
+    for test in use_meshes $tests; do
+        check "$test.f90 with $*" quietly $FC $strict $loose $FFLAGS "$@" -I"$place" -J"$place" -c tests/$test.f90 \
+            -o "$place/$test.o"
+    done
+    for test in $tests; do
+        check "link of $test with $*" $FC $FFLAGS "$@" "$place/$test.o" "$place/use_meshes.o" "$place/harmorph.o" \
+            "$build/libharmorph.a" -o "$place/$test"
+        (cd "$place" && ./$test) || failed=$((failed + 1))
+    done
 }
-stops() { ! "$dir/checked/use" "$1" >"$dir/out" 2>&1 && grep -q "$2" "$dir/out"; }
+stops() { ! "$dir/checked/$1" "$2" >"$dir/out" 2>&1 && grep -q "$3" "$dir/out"; }
 
+# Fortran 2008 is what the module needs (strict); later ones must take it, too.
 build_and_run checked $checks -g
-for words in "refused the basis is empty: there is nothing to save" "assign_mesh a mesh cannot be assigned" \
-    "assign_plan a plan cannot be assigned" \
-    "assign_basis a basis cannot be assigned"; do
-    check "stop: $words" stops "${words%% *}" "${words#* }"
+for standard in f2018 gnu; do
+    if [ -n "$checks" ]; then
+        mkdir -p "$dir/$standard"
+        check "module with -std=$standard" quietly $FC -std=$standard -Wall -Wextra -Werror -J"$dir/$standard" \
+            -fsyntax-only "$build/harmorph.f90"
+    fi
 done
+while read -r program mode words; do check "stop: $words" stops $program $mode "$words"; done <<END
+use refused harmorph: basis%save: HM_BAD_ARGUMENT: the basis is empty: there is nothing to save
+use assign_mesh a mesh cannot be assigned
+use assign_plan a plan cannot be assigned
+use assign_basis a basis cannot be assigned
+places refused harmorph: mesh%points: HM_BAD_ARGUMENT: x and y are the same array
+END
 if [ -n "$long" ]; then build_and_run long $long; fi
 if [ -n "$openmp" ]; then build_and_run openmp $openmp; fi
+if [ -n "$address" ]; then
+    echo 'end' >"$dir/empty.f90"
+    if $FC $address "$dir/empty.f90" -o "$dir/empty" 2>/dev/null && "$dir/empty"; then
+        build_and_run address -O1 -g $address
+    else
+        echo "skipped: the address sanitizer, which $FC has not"
+    fi
+fi
+
+# Another compiler, which passes arrays in other ways. FLANG=... says which.
+for flang in $FLANG flang flang-new flang-new-22 flang-new-20 flang-new-19 flang-19; do
+    command -v "$flang" >/dev/null && break
+    flang=
+done
+if [ -n "$flang" ]; then
+    (strict= loose= FC=$flang FFLAGS=-O1 passed=0 failed=0
+        quietly() { "$@"; }   # warnings of one compiler are not those of another
+        build_and_run flang
+        echo "$passed passed, $failed failed"
+        [ $failed = 0 ]) || failed=$((failed + 1))
+else
+    echo "skipped: flang, which is not installed (Debian: flang-19)"
+fi
+
+# What a mesh keeps must be an array that outlives the call: the compiler says so.
+refused_by_compiler() {   # declaration of x, actual argument
+    cat >"$dir/kept.f90" <<END
+use harmorph
+$1 :: x(10)
+double precision, target :: y(10)
+type(hm_mesh) :: mesh
+call mesh%points($2, y)
+end
+END
+    $FC $FFLAGS -I"$dir/checked" -J"$dir" -fsyntax-only "$dir/kept.f90"
+}
+is_refused_by_compiler() { ! refused_by_compiler "$@"; }
+check "an array with TARGET is taken" refused_by_compiler "double precision, target" x
+check "an array without TARGET is refused" is_refused_by_compiler "double precision" x
+check "an expression is refused" is_refused_by_compiler "double precision, target" "2 * x"
+check "a copy in parentheses is refused" is_refused_by_compiler "double precision, target" "(x)"
+stat_and_err_last() { ! tr '\n' '~' <"$build/harmorph.f90" | sed 's/&~ *//g' | tr '~' '\n' |
+    grep -E '^ *subroutine .*\bstat\b' | grep -v 'stat, err)$'; }
+check "stat and err are the last arguments of every call" stat_and_err_last
+# "(from 0)" behind each number of this kind is what the module looks for, to make it count from 1.
+unmarked_numbers() {
+    grep -ohE '"[^"]*[#@][^"]*"' c_api/*.cpp src/*/*.cpp | sed 's/[#@] (from 0)//g' |
+        grep -E '(curve|condition|function|knot|index|entry|level|part|parameter|body|piece|basis) [#@]'
+}
+all_marked() { ! unmarked_numbers; }
+check "texts say which numbers count from 0" all_marked
 
 check "layout.c" $CC -std=c99 -pedantic -Wall -Wextra -Werror -Ic_api $CFLAGS -c tests/layout.c -o "$dir/layout_c.o"
 check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c tests/layout.f90 -o "$dir/layout.o"

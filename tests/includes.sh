@@ -51,7 +51,7 @@ for directory in tests/*/; do
 done
 
 # The program is a client of the C header alone.
-for file in c_api/cli/*.?pp c_api/cli/formats/*; do
+for file in c_api/cli/*.[ch]pp c_api/cli/formats/*; do
     verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats)/')"
 done
 echo "$passed passed, $failed failed"

@@ -36,7 +36,7 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 

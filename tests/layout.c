@@ -37,7 +37,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_fit_report
     case 7:
         PUT(sizeof(TYPE)); AT(struct_size); AT(max_error); AT(rms_error); AT(max_error_point); AT(closed);
-        AT(first_point); AT(base_points);
+        AT(first_point); AT(base_points); AT(reason); AT(corners); AT(backtrack_point); AT(reserved);
         break;
 #undef TYPE
 #define TYPE hm_condition
@@ -114,13 +114,15 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         break;
 #undef TYPE
     case 19:
-        PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_SHORT); PUT(HM_CANCELLED);
+        PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_SHORT);
+        PUT(HM_BACKTRACKS); PUT(HM_CANCELLED);
         PUT(HM_BAD_ARGUMENT); PUT(HM_BAD_MESH); PUT(HM_BAD_CURVE); PUT(HM_BAD_CONDITION); PUT(HM_BAD_BASIS);
         PUT(HM_BLOCK_TOO_SMALL); PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED); PUT(HM_CROSSING);
         break;
     case 20:
         PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CLOSED_AUTO);
-        PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
+        PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
+        PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
         PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
         PUT(HM_COMPACT); PUT(HM_NODAL_GRADIENT); PUT(HM_BOUNDED);
         PUT(HM_NODAL_GRADIENT_PLAIN); PUT(HM_DIRECT); PUT(HM_MULTIGRID); PUT(HM_FAS); PUT(HM_AGGLOMERATE_AUTO);

@@ -54,7 +54,8 @@ program layout
         c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed)])
     call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
-        c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points)])
+        c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &
+        c_loc(fit_report%reason), c_loc(fit_report%corners), c_loc(fit_report%backtrack_point), c_loc(fit_report%reserved)])
     call compare("hm_condition", 8, c_sizeof(condition), c_loc(condition), [c_loc(condition%struct_size), &
         c_loc(condition%marker), c_loc(condition%kind), c_loc(condition%first_curve), c_loc(condition%n_curves), &
         c_loc(condition%body), c_loc(condition%partner), c_loc(condition%x), c_loc(condition%y)])
@@ -115,11 +116,13 @@ program layout
         c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%heights), &
         c_loc(safe_report%angle_point), c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), &
         c_loc(safe_report%reserved)])
-    call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, hm_cancelled, &
+    call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, &
+        hm_backtracks, hm_cancelled, &
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
-        hm_closed_auto, hm_open, hm_tied, hm_periodic, hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
+        hm_closed_auto, hm_open, hm_tied, hm_periodic, &
+        hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
         hm_periodic_pair, hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_nodal_gradient, &
         hm_bounded, hm_nodal_gradient_plain, hm_direct, &
         hm_multigrid, hm_fas, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, &

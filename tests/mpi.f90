@@ -5,6 +5,7 @@ program partitions
     use mpi_f08
     use harmorph
     use harmorph_mpi
+    use o_mesh
     implicit none
     integer, parameter :: ni = 49, nj = 17, wall = 1, far = 2, m = 10
     real(dp), target :: x(ni, nj), y(ni, nj)
@@ -52,19 +53,7 @@ program partitions
 
 contains
     subroutine make_problem()
-        real(dp) :: angle, r
-        integer :: i, j
-        do j = 1, nj
-            do i = 1, ni
-                angle = 6.283185307179586_dp * modulo(i - 1, ni - 1) / (ni - 1)
-                r = exp(3._dp * (j - 1) / (nj - 1))
-                x(i, j) = (r + 0.6_dp / r) * cos(angle)
-                y(i, j) = (r - 0.6_dp / r) * sin(angle)
-            end do
-        end do
-        call mesh%points(x, y)
-        call mesh%line(wall, 1, ni, 1, 1)
-        call mesh%line(far, 1, ni, nj, nj)
+        call make_o_mesh(x, y, mesh, wall, far)
         call curves%fit(x(:ni - 1, 1), y(:ni - 1, 1), loop=.true., n_control=m)
     end subroutine
 

@@ -50,16 +50,32 @@ solver_lines() {   # as they stand in the example, up to indentation
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
 check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
 check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
+check "from the command line" path 3 "^inverted cells   0"
+check "from the command line: morphed meshes are valid" sh -c \
+    'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
+# The first block, where it lies: packages are there, and the tests are those that run.
+first_lines() {
+    mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1
+    { echo 'PATH=$dir/bin:$PATH'
+      echo 'make() { [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }'
+      echo set -e
+      awk '/^```/ { inside = !inside && $0 == "```" && !n++; next } inside' README.md; } >"$dir/first.sh"
+    grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
+}
+check "the first two commands" first_lines
+# No other block holds commands: those of the program stand in blocks that are run.
+no_other_commands() { ! awk '/^```/ { inside = !inside && $0 != "```sh"; next } inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .; }
+check "commands stand in blocks that are run" no_other_commands
 
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
 export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
 several_processes() {
     block fortran 3 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
     (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
-        for file in "$build/harmorph.f90" "$source/fortran/harmorph_mpi.f90" readme_mpi.f90; do
+        for file in "$build/harmorph.f90" "$source/fortran/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -c "$file" || exit 1
         done &&
-        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1
+        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1
     case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
     $MPIRUN $local -np 2 "$dir/readme_mpi" >"$dir/out" 2>&1
     cat "$dir/out"

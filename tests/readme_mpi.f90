@@ -4,6 +4,7 @@ program parts
     use mpi_f08
     use harmorph
     use harmorph_mpi
+    use o_mesh
     implicit none
     integer, parameter :: ni = 65, nj = 17, wall = 1, far = 2, n = ni * nj
     real(dp), target :: whole_x(ni, nj), whole_y(ni, nj)
@@ -13,23 +14,13 @@ program parts
     type(hm_curves) :: curves
     type(hm_plan) :: plan
     type(hm_basis) :: basis
-    real(dp) :: angle, r, change
-    integer :: rank, n_processes, i, j
+    real(dp) :: change
+    integer :: rank, n_processes, i
 
     call MPI_Init()
     call MPI_Comm_rank(MPI_COMM_WORLD, rank)
     call MPI_Comm_size(MPI_COMM_WORLD, n_processes)
-    do j = 1, nj
-        do i = 1, ni
-            angle = 6.283185307179586_dp * modulo(i - 1, ni - 1) / (ni - 1)
-            r = exp(3._dp * (j - 1) / (nj - 1))
-            whole_x(i, j) = (r + 0.6_dp / r) * cos(angle)
-            whole_y(i, j) = (r - 0.6_dp / r) * sin(angle)
-        end do
-    end do
-    call mesh%points(whole_x, whole_y)
-    call mesh%line(wall, 1, ni, 1, 1)
-    call mesh%line(far, 1, ni, nj, nj)
+    call make_o_mesh(whole_x, whole_y, mesh, wall, far)
     call curves%fit(whole_x(:ni - 1, 1), whole_y(:ni - 1, 1), loop=.true., n_control=12)
 
     points = [(i, i = n * rank / n_processes + 1, n * (rank + 1) / n_processes)]

@@ -1,171 +1,5 @@
 ! Every procedure of the Fortran module, with assertions. With an argument: does what must stop the program (see
 ! fortran.sh): refused, assign_mesh, assign_plan, assign_basis.
-module use_meshes
-    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
-    use harmorph
-    implicit none
-    integer, parameter :: dp = c_double
-    integer, parameter :: around = 96, rings = 33, n_points = around * rings, n_cells = around * (rings - 1)
-    integer, parameter :: body = 7, far_field = 9, n_control = 14
-    integer :: passed = 0, failed = 0
-    integer :: phases_seen = 0, cancel_in = -1, tasks_seen = 0
-
-contains
-
-    subroutine check(holds, what)
-        logical, intent(in) :: holds
-        character(len=*), intent(in) :: what
-        if (holds) then
-            passed = passed + 1
-        else
-            failed = failed + 1
-            print "(2a)", "use: ", what
-        end if
-    end subroutine
-
-    ! Round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind.
-    subroutine place(column, ring, x, y)
-        integer, intent(in) :: column, ring
-        real(dp), intent(out) :: x, y
-        complex(dp) :: z
-        z = 1.2_dp * 1.12_dp**ring * exp(cmplx(0, 6.283185307179586_dp * modulo(column, around) / around, dp)) - 0.08_dp
-        z = 0.25_dp * (z + 1 / z)
-        x = real(z, dp)
-        y = aimag(z)
-    end subroutine
-
-    subroutine make_points(x, y)
-        real(dp), intent(out) :: x(n_points), y(n_points)
-        integer :: i, j
-        do j = 0, rings - 1
-            do i = 0, around - 1
-                call place(i, j, x(1 + i + around * j), y(1 + i + around * j))
-            end do
-        end do
-    end subroutine
-
-    subroutine make_cells(cells, faces, markers)
-        integer(c_int32_t), intent(out) :: cells(4, n_cells), faces(2, 2 * around), markers(2 * around)
-        integer :: i, j, next
-        do i = 0, around - 1
-            next = modulo(i + 1, around)
-            do j = 0, rings - 2
-                cells(:, 1 + i + around * j) = 1 + [i + around * j, i + around * (j + 1), next + around * (j + 1), &
-                    next + around * j]
-            end do
-            faces(:, 1 + i) = 1 + [i, next]
-            faces(:, 1 + around + i) = 1 + around * (rings - 1) + [i, next]
-        end do
-        markers(:around) = body
-        markers(around + 1:) = far_field
-    end subroutine
-
-    ! A smooth, repeatable movement.
-    function some_move() result(move)
-        real(dp) :: move(2, n_control)
-        integer :: k
-        do k = 1, n_control
-            move(:, k) = 0.01_dp * [sin(1.7_dp * k), cos(2.9_dp * k)]
-        end do
-    end function
-
-    subroutine solve(mesh, basis, first, options)
-        type(hm_mesh), intent(in) :: mesh
-        type(hm_basis), intent(inout) :: basis
-        integer, intent(in), optional :: first                  ! what the mesh counts from
-        type(hm_options), intent(in), optional :: options
-        type(hm_curves) :: curves
-        type(hm_plan) :: plan
-        integer, allocatable :: wall(:)
-        real(dp), target :: x(n_points), y(n_points)
-        logical :: loop
-        call make_points(x, y)
-        call plan%analyse(mesh)
-        call plan%boundary([body], wall, loop)
-        if (present(first)) wall = wall - first + 1
-        call curves%fit(x(wall), y(wall), loop, n_control=n_control)
-        call plan%analyse(mesh, curves, [hm_condition(body)], options=options)
-        call plan%factor()
-        call basis%free()
-        call plan%solve(basis)
-    end subroutine
-
-    ! The control points' movements that turn them about the origin.
-    function turn(control, degrees) result(move)
-        real(dp), intent(in) :: control(:, :), degrees
-        real(dp) :: move(2, size(control, 2)), c, s
-        c = cos(degrees * 0.017453292519943295_dp)
-        s = sin(degrees * 0.017453292519943295_dp)
-        move(1, :) = (c - 1) * control(1, :) - s * control(2, :)
-        move(2, :) = s * control(1, :) + (c - 1) * control(2, :)
-    end function
-
-    ! Squares in a channel of 20 by 10 with a hole of 4 by 2: markers 1 to 4 below, right, above, left; 5: the hole.
-    subroutine make_channel(x, y, cells, n_cells, faces, markers, n_faces)
-        real(dp), intent(out) :: x(:), y(:)
-        integer(c_int32_t), intent(out) :: cells(:, :), faces(:, :), markers(:)
-        integer, intent(out) :: n_cells, n_faces
-        integer :: i, j, side
-        integer(c_int32_t) :: corner(5)
-        logical :: outside(4)
-        x = [((i, i = 0, 20), j = 0, 10)]
-        y = [((j, i = 0, 20), j = 0, 10)]
-        n_cells = 0
-        n_faces = 0
-        do j = 1, 10
-            do i = 1, 20
-                if (in_hole(i, j)) cycle
-                corner = i + 21 * (j - 1) + [0, 1, 22, 21, 0]
-                n_cells = n_cells + 1
-                cells(:, n_cells) = corner(:4)
-                outside = [j == 1, i == 20, j == 10, i == 1]
-                do side = 1, 4
-                    if (outside(side)) call add_face(side)
-                end do
-                if (in_hole(i, j - 1)) call add_face(1, 5)
-                if (in_hole(i + 1, j)) call add_face(2, 5)
-                if (in_hole(i, j + 1)) call add_face(3, 5)
-                if (in_hole(i - 1, j)) call add_face(4, 5)
-            end do
-        end do
-
-    contains
-
-        logical function in_hole(i, j)
-            integer, intent(in) :: i, j
-            in_hole = i >= 9 .and. i <= 12 .and. j >= 5 .and. j <= 6
-        end function
-
-        subroutine add_face(side, marker)
-            integer, intent(in) :: side
-            integer, intent(in), optional :: marker
-            n_faces = n_faces + 1
-            faces(:, n_faces) = corner(side:side + 1)
-            markers(n_faces) = int(side, c_int32_t)
-            if (present(marker)) markers(n_faces) = int(marker, c_int32_t)
-        end subroutine
-    end subroutine
-
-    subroutine watch(phase, fraction, cancel)
-        integer, intent(in) :: phase
-        real(c_double), intent(in) :: fraction
-        logical, intent(inout) :: cancel
-        phases_seen = ibset(phases_seen, phase)
-        if (fraction < 0 .or. fraction > 1) phases_seen = ibset(phases_seen, 20)
-        cancel = phase == cancel_in
-    end subroutine
-
-    subroutine run_backwards(n_threads, n_tasks, tasks)
-        integer, intent(in) :: n_threads, n_tasks
-        type(hm_tasks), intent(in) :: tasks
-        integer :: k
-        do k = n_tasks, 1, -1
-            call tasks%run(k)
-        end do
-        tasks_seen = tasks_seen + n_tasks * min(n_threads, 1)
-    end subroutine
-end module
-
 program use
     use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
     use harmorph
@@ -210,6 +44,7 @@ program use
     call transfers()
     call meshes_in_parts()
     call single_precision()
+    call numbers_in_errors()
     call refusals()
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
@@ -315,6 +150,7 @@ contains
         integer :: k
         real(dp) :: one(n_points), total(n_points), u, distance
         real(dp), target :: x_moved(n_points), y_moved(n_points)
+        real(dp), allocatable, target :: work(:)
         logical :: loop
 
         call plan%analyse(mesh)
@@ -401,9 +237,13 @@ contains
             given_points=info%curve_point, given_curves=info%point_curve, given_u=info%point_u)
         call plan%factor()
         call plan%solve(basis, stat=stat, err=err)
-        call check(stat == hm_bad_basis, "a basis of another analysis: " // err%text)
-        call basis%free()
-        call plan%solve(basis)
+        call check(stat == hm_ok, "a basis of another analysis is made anew: " // err%text)
+        allocate(work(plan%basis_words()))
+        call moved%init(plan, work)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(moved, stat=stat, err=err)
+        call check(stat == hm_bad_basis, "but not in the caller's memory: " // err%text)
         call plan%analyse(mesh, curves, [hm_condition(body)], given_points=[1], given_curves=[2], given_u=[0._dp], &
             stat=stat)
         call check(stat < 0, "a given curve that does not exist")
@@ -504,8 +344,11 @@ contains
         call basis%displacement(move, state(1, :), state(2, :))
         call basis%adjoint(state(1, :), state(2, :), gradient)
         call check(maxval(abs(gradient - expected)) <= 0, "adjoint of xy(1,:), xy(2,:)")
-        call basis%morph(move, x_new(n_points:1:-1), y_new(n_points:1:-1), stat=stat, err=err)
-        call check(stat == hm_bad_argument, "arrays that run backwards: " // err%text)
+        state(1, n_points:1:-1) = x
+        state(2, n_points:1:-1) = y
+        call basis%morph(move, state(1, n_points:1:-1), state(2, n_points:1:-1))
+        call check(same(state(1, n_points:1:-1), x_new) .and. same(state(2, n_points:1:-1), y_new), &
+            "arrays that run backwards")
 
         ! Meshes of interleaved points; of triangles; of rows; of lists; from 0.
         call other%points(xy(1, :), xy(2, :))
@@ -519,7 +362,6 @@ contains
 
         start = 1 + 4 * [(k, k = 0, n_cells)]
         rows = reshape(cells, shape(rows))
-        call other%cells(rows, start)
         list = [[(k, k = 1, around), 1], [(k, k = n_points - around + 1, n_points), n_points - around + 1]]
         list_start = [1, around + 2, 2 * around + 3]
         list_markers = [body, far_field]
@@ -532,8 +374,7 @@ contains
         call check(same(x_new, dx) .and. same(y_new, dy), "a mesh of rows and lists")
 
         call other%free()
-        call other%count_from(0)
-        call other%points(x, y)
+        call other%points(x, y, first=0)
         shifted = cells - 1
         call other%cells(shifted)
         list = list - 1
@@ -562,6 +403,7 @@ contains
     subroutine structured_blocks()
         integer, parameter :: ni = around + 1, nj = rings
         real(dp), target :: xs(ni, nj), ys(ni, nj), padded(2, 0:ni + 1, 0:nj + 1), flat(ni * nj), flat_y(ni * nj)
+        real(dp) :: layers(2, 0:ni + 1, 0:nj + 1)
         real(dp) :: x_new(ni, nj), y_new(ni, nj), move(2, n_control), gradient(2, n_control), expected(2, n_control), &
             error
         real(dp) :: dx(ni, nj), dy(ni, nj), value(ni, nj), one(ni * nj)
@@ -615,11 +457,14 @@ contains
         call again%morph(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
         call check(all(abs(padded(1, 1:ni, 1:nj) - x_new) <= 0) .and. all(abs(padded(:, 0, :) + 7) <= 0), &
             "ghost layers")
-        call again%displacement(move, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj))
-        call again%adjoint(padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj), gradient)
+        layers = padded
+        padded(1, 1:ni, 1:nj) = xs
+        padded(2, 1:ni, 1:nj) = ys
+        call again%displacement(move, layers(1, 1:ni, 1:nj), layers(2, 1:ni, 1:nj))
+        call again%adjoint(layers(1, 1:ni, 1:nj), layers(2, 1:ni, 1:nj), gradient)
         call check(maxval(abs(gradient - expected)) <= 0, "their adjoint")
-        call again%admissible_step(inner, padded(1, 1:ni, 1:nj), padded(2, 1:ni, 1:nj), same_step)
-        call check(same([step%admissible], [same_step%admissible]), "their admissible step")
+        call again%admissible_step(inner, layers(1, 1:ni, 1:nj), layers(2, 1:ni, 1:nj), same_step)
+        call check(same([step%admissible], [same_step%admissible]), "their admissible step, from where the mesh is now")
         call again%morph(move, xs, ys)
         call check(all(abs(xs - x_new) <= 0), "a block in place")
         call inner%free()
@@ -630,8 +475,10 @@ contains
                 call place(i - 1, j - 1, flat(i + ni * (j - 1)), flat_y(i + ni * (j - 1)))
             end do
         end do
-        call inner%structured(ni, nj)
         call inner%points(flat, flat_y)
+        call inner%structured(ni, nj - 1, stat, err)
+        call check(stat == hm_bad_argument, "not all points are in the block: " // err%text)
+        call inner%structured(ni, nj)
         call inner%line(body, 1, ni, 1, 1)
         call inner%line(far_field, 1, ni, nj, nj)
         call plan%analyse(inner, curves, [hm_condition(body)])
@@ -640,14 +487,15 @@ contains
         call plan%solve(again)
         call again%morph(move, flat, flat_y)
         call check(same(flat, reshape(x_new, [ni * nj])), "a block in one row")
-        call inner%points(flat, flat_y(2:), stat)
+        call inner%points(flat, flat_y(2:), stat=stat)
         call check(stat == hm_bad_argument, "x and y of different lengths")
-        call inner%points(xs, ys(:, 2:), stat)
+        call inner%points(xs, ys(:, 2:), stat=stat)
         call check(stat == hm_bad_argument, "x and y of different shapes")
     end subroutine
 
     subroutine default_reals()
-        real(c_float) :: x4(n_points), y4(n_points), dx4(n_points), dy4(n_points), x_new4(n_points), y_new4(n_points)
+        real(c_float), target :: x4(n_points), y4(n_points), dx4(n_points), dy4(n_points)
+        real(c_float) :: x_new4(n_points), y_new4(n_points)
         real(c_float) :: block_x(around, rings), block_y(around, rings), block_dx(around, rings)
         real(c_float) :: block_dy(around, rings)
         real(c_float) :: move4(2, n_control), gradient4(2, n_control), values4(n_points), block_values(around, rings)
@@ -707,7 +555,7 @@ contains
         call check(all(abs(reshape(block_dx, shape(x4)) - x4) <= 0), "to another array")
         call mesh4%free()
 
-        ! New default-real coordinates of a mesh that a plan knows: points again, and the plan sees them.
+        ! Default-real coordinates of a mesh that a plan knows: the plan reads them as they are now.
         x4 = real(x, c_float)
         y4 = real(y, c_float)
         call mesh4%points(x4, y4)
@@ -715,10 +563,10 @@ contains
         call mesh4%faces(faces, markers)
         call plan%analyse(mesh4, curves, [hm_condition(body)])
         x4 = -x4
-        call mesh4%points(x4, y4)
         call plan%factor(stat=stat, err=err)
         call check(stat == hm_bad_mesh, "a plan sees that its mesh was mirrored: " // err%text)
-        call mesh4%points(block_x, block_y)
+        x4 = -x4
+        call mesh4%free()
         call plan%factor()
         call its%free()
         call plan%solve(its)
@@ -749,7 +597,9 @@ contains
         call check(same(a, b), "8-byte integers")
         rows8 = reshape(cells8, shape(rows8))
         start8 = 1 + 4 * [(int(k, c_int64_t), k = 0, n_cells)]
+        call mesh8%points(x, y)
         call mesh8%cells(rows8, start8)
+        call mesh8%faces(faces8, markers8)
         call plan%analyse(mesh8)
         call plan%report(report)
         call check(report%quads == n_cells, "rows of 8-byte integers")
@@ -757,9 +607,10 @@ contains
         list_start8 = [1, around + 1, 2 * around + 1]
         list_markers8 = [body, far_field]
         call mesh8%lists(lists8, list_start8, list_markers8)
-        call plan%analyse(mesh8)
-        call check(.true., "lists and faces together")
+        call plan%analyse(mesh8, stat=stat, err=err)
+        call check(stat == hm_ok, "lists and faces together: " // err%text)
         cells8(2, 5) = 2_c_int64_t**40
+        call mesh8%points(x, y)
         call mesh8%cells(cells8)
         call plan%analyse(mesh8, stat=stat, err=err)
         call check(stat == hm_bad_mesh .and. err%item == 5, "a point number beyond 4 bytes is refused: " // err%text)
@@ -1369,7 +1220,8 @@ contains
             2 * info%bytes < whole%bytes + whole%bytes / 2, "a basis in single precision is smaller")
         call narrow%displacement(move, its_dx, its_dy)
         call check(same(its_dx(info%curve_point), dx(info%curve_point)), "the wall moves bit by bit as before")
-        call check(maxval(abs(its_dx - dx)) > 0 .and. maxval(abs(its_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
+        call check(maxval(abs(its_dx - dx)) > 0 .and. &
+            maxval(abs(its_dx - dx)) < 1e-7_dp * maxval(abs(move)) * n_control, &
             "the rest nearly so")
         call narrow%adjoint(its_dx, its_dy, gradient)
         call check(abs(sum(gradient * move) / (sum(its_dx**2) + sum(its_dy**2)) - 1) < 1e-13_dp, "and its transpose")
@@ -1489,6 +1341,48 @@ contains
             "sums in default reals")
     end subroutine
 
+    ! Numbers in texts and items count from 1, whatever C says.
+    subroutine numbers_in_errors()
+        type(hm_curves) :: curves, copy
+        real(dp) :: move(2, n_control), its_x(around), its_y(around), nan
+        nan = transfer(9221120237041090560_c_int64_t, nan)
+        its_x = x(:around)
+        its_y = y(:around)
+        its_x(1) = nan
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%item == 1, "the first point of a fit")
+        call check(err%text == "point 1 is not finite", "in words: " // err%text)
+        its_x = x(:around)
+        its_x(11) = its_x(10)
+        its_y(11) = its_y(10)
+        call curves%fit(its_x, its_y, .true., stat=stat, err=err)
+        call check(err%text == "points 10 and 11 follow each other and coincide", "two points of a fit: " // err%text)
+        call check(err%item == 10, "the first of them")
+        call curves%set(reshape([0, 0, 1, 0, 2, 1, 3, 0] * 1._dp, [2, 4]))
+        call curves%add(1, [0, 0, 1, 1] * 1._dp, [1_c_int32_t, 2_c_int32_t])
+        call curves%add(2, [0, 0, 0, 2, 1, 1, 1] * 1._dp)
+        call curves%check(stat, err)
+        call check(err%text == "knot 5 of curve 2 is smaller than the one before it", "a knot: " // err%text)
+        call check(err%item == 5, "its number")
+        copy = curves
+        copy%curve(2)%knots = [0, 0, 0, 1, 2, 2, 2] * 1._dp
+        copy%control(1, 2) = nan
+        call copy%check(stat, err)
+        call check(err%text == "control point 2 of curve 1 is not finite", "a control point: " // err%text)
+        call check(err%item == 2, "control points count from 1 in C, too")
+        copy = curves
+        copy%curve(2)%degree = 0
+        copy%curve(2)%knots = [0, 0, 1, 1, 1] * 1._dp
+        call copy%check(stat, err)
+        call check(err%text == "curve 2 has degree 0; 1 to 5 are possible", "a degree: " // err%text)
+        call check(err%item == 2, "of the second curve")
+        move = 0
+        move(2, n_control) = nan
+        call basis%displacement(move, x, y, stat=stat, err=err)
+        call check(index(err%text, "movement of function 14 ") > 0, "a movement: " // err%text)
+        call check(err%item == n_control, "of the last function")
+    end subroutine
+
     subroutine refusals()
         type(hm_basis) :: empty
         type(hm_plan) :: plan
@@ -1524,23 +1418,30 @@ contains
         call check(stat == hm_bad_argument, "too little room for values")
         call plan%solve(empty, report, stat)
         call check(stat == hm_bad_argument, "an empty plan")
+        call bad%cells(cells, stat, err)
+        call check(stat == hm_bad_argument, "cells before points: " // err%text)
+        call bad%points(x, y)
         call bad%cells(five, stat)
         call check(stat == hm_bad_argument, "cells of five points")
-        call bad%cells(cells(:, ::2), stat)
-        call check(stat == hm_bad_argument, "cells that are not contiguous")
         call bad%faces(faces, markers(2:), stat)
         call check(stat == hm_bad_argument, "faces and markers do not fit")
         call bad%lists(faces(:, 1), markers(:2), markers(:2), stat)
         call check(stat == hm_bad_argument, "lists and markers do not fit")
-        call bad%points(x(:0), y(:0), stat)
+        call bad%points(x(:0), y(:0), stat=stat)
         call check(stat == hm_bad_argument, "no points")
+        call bad%free()
         call plan%analyse(bad, stat=stat, err=err)
         call check(stat == hm_bad_argument .or. stat == hm_bad_mesh, "an empty mesh: " // err%text)
         call basis%curves(curves)
         call plan%analyse(mesh, curves, [hm_condition(1234)], stat=stat, err=err)
         call check(stat == hm_bad_condition, "a marker that no face has: " // err%text)
-        call plan%analyse(mesh, curves, [hm_condition(body, first_curve=2)], stat=stat, err=err)
+        call check(index(err%text, "condition 1 ") > 0, "it is of the first condition: " // err%text)
+        call check(err%item == 1234, "the item is the marker")
+        call plan%analyse(mesh, curves, [hm_condition(far_field, hm_fixed), hm_condition(body, first_curve=2)], &
+            stat=stat, err=err)
         call check(stat == hm_bad_condition, "a curve that does not exist: " // err%text)
+        call check(index(err%text, "condition 2 ") > 0, "the text counts conditions from 1: " // err%text)
+        call check(err%item == 2, "and so does the item")
         call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed, body=2)], &
             stat=stat, err=err)
         call check(stat == hm_bad_condition .and. index(err%text, "body") > 0, "of another kind: " // err%text)

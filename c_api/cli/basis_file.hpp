@@ -1,4 +1,9 @@
-// Basis files: the library's block as it is.
+// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names of the mesh's markers,
+// which the block has by number only:
+//
+//     harmorph markers 2        (behind a line feed)
+//     far field                 marker 0
+//     airfoil                   marker 1; names stand in alphabetical order
 #pragma once
 
 #include "library.hpp"
@@ -9,7 +14,7 @@
 
 namespace cli {
 
-// A basis read from a file and attached to its mesh.
+// A basis read from a file and attached to its mesh. Refused by name: a file without names, a mesh with other markers.
 class Basis {
 public:
     Basis(const std::string& path, const Mesh& mesh);
@@ -36,6 +41,6 @@ private:
     std::vector<hm_condition> conditions_;
 };
 
-void write_basis(std::ostream& out, const hm_basis* basis);
+void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh);
 
 } // namespace cli

@@ -1,11 +1,14 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
 #include "commands.hpp"
+#include "curve_file.hpp"
 #include "formats/format.hpp"
 #include "json.hpp"
 #include "morph.hpp"
 #include "moves_file.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "page_data.hpp"
+#include "page_text.hpp"
 #include "pictures.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
@@ -27,10 +30,38 @@ PointData displacement_data(const Field& displacement) {
     return data;
 }
 
-void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+// Files that go with the morphed mesh; beside it unless the user says where. Empty: not written.
+struct Companions {
+    std::string curve, reached;
+};
+
+Companions companions_of(const Arguments& arguments, const Basis& basis, const Morph& morph) {
+    const auto path = [&](const char* option, const char* ending, bool by_default) -> std::string {
+        if (arguments.has(option)) return arguments.text(option);
+        const bool beside = by_default && arguments.has("-o") && !is_device(arguments.text("-o"));
+        return beside ? arguments.text("-o") + ending : "";
+    };
+    const bool is_short = !morph.refusal.empty();
+    Companions names = {path("--curve-out", ".curve", true), path("--reached", ".reached", is_short)};
+    if (basis.info().curves == 0) names.curve.clear(); // bodies alone
+    return names;
+}
+
+void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph, bool safe) {
+    const hm_basis_info& info = basis.info();
+    const PageSelection selection = select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
+    out << report_page.before_data << "<script>\nconst page_data = ";
+    write_report_data(out, mesh, basis, selection, morph, safe);
+    out << ";\n</script>\n" << report_page.after_data;
+}
+
+void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph,
+                 const Companions& companions) {
     OutputFiles files;
     const Field& moved = morph.moved;
     if (arguments.has("-o")) write_moved(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
+    if (!companions.curve.empty()) write_curve_file(files, companions.curve, morph.moved_curves(basis));
+    if (!companions.reached.empty()) write_moves(files.add(companions.reached), morph.moves, basis, mesh);
     if (arguments.has("--vtu")) {
         write_vtu(files.add(arguments.text("--vtu")), mesh, moved.x, moved.y, displacement_data(morph.displacement));
     }
@@ -45,33 +76,44 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     files.commit();
 }
 
+// Also of a mesh that is not valid: it shows why.
+void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const Morph& morph) {
+    OutputFiles files;
+    write_report(files.add(arguments.text("--report")), mesh, basis, morph, arguments.has("--safe"));
+    files.commit();
+}
+
 const char* rung_name(std::int32_t rung) {
     static const char* const names[] = {"linear", "other", "substeps", "untangled"};
     return names[rung];
 }
 
-void print_json(const Morph& morph, bool safe) {
+void print_json(const Morph& morph, bool safe, const Companions& written) {
     JsonObject object;
-    object.add("inverted", morph.quality.inverted).add("admissible_step", morph.step.admissible);
+    object.add("inverted", morph.quality.inverted);
+    if (!safe) object.add("admissible_step", morph.step.admissible);
     object.add("self_crossing", morph.quality.self_crossing != 0).add("boundary_error", morph.boundary_error);
     object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
     object.add("morph_seconds", morph.seconds);
     if (safe) {
         object.add("step_fraction", morph.safe.step_fraction).add("steps", morph.safe.steps);
         object.add("resolves", morph.safe.resolves).add("rung", std::string(rung_name(morph.safe.rung)));
+        object.add("last_step_admissible", morph.safe.admissible).add("reached_moves", written.reached);
     }
+    object.add("moved_curve", written.curve);
     std::printf("%s\n", object.text().c_str());
 }
 
-void print_for_people(const Morph& morph, bool safe) {
-    const double admissible = morph.step.admissible;
+void print_for_people(const Morph& morph, bool safe, const Companions& written) {
+    const double admissible = safe ? morph.safe.admissible : morph.step.admissible;
     if (safe) {
         std::printf("target           %s %% of the way in %s, solved again %d times; rung: %s\n",
                     brief(100 * morph.safe.step_fraction).c_str(), plural(morph.safe.steps, "step").c_str(),
                     morph.safe.resolves, rung_name(morph.safe.rung));
     }
     std::printf("inverted cells   %d\n", morph.quality.inverted);
-    const std::string step = std::isinf(admissible) ? "unlimited" : brief(admissible) + " of this one";
+    const std::string step = std::isinf(admissible) ? "unlimited"
+                             : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
     std::printf("admissible step  %s\n", step.c_str());
     std::printf("boundary         %s; %s off the B-spline at most\n",
                 morph.quality.self_crossing != 0 ? "crosses itself" : "does not cross itself",
@@ -79,6 +121,15 @@ void print_for_people(const Morph& morph, bool safe) {
     std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
                 brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
     std::printf("seconds          %s\n", brief(morph.seconds).c_str());
+    if (!written.curve.empty()) std::printf("moved curve      %s\n", written.curve.c_str());
+    if (written.reached.empty()) return;
+    std::printf("reached moves    %s", written.reached.c_str());
+    if (morph.refusal.empty()) {
+        std::printf("\n");
+    } else {
+        std::printf(": the movement that the mesh has, which is not %s %% of each line of the file, as bodies turn on the way\n",
+                    brief(100 * morph.safe.step_fraction).c_str());
+    }
 }
 
 std::string reason(const Morph& morph, const Mesh& mesh) {
@@ -124,13 +175,19 @@ void run(const Arguments& arguments) {
     const std::vector<double> moves = read_moves(moves_path, basis, mesh);
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
+    if (!safe && arguments.has("--reached")) arguments.refuse("--reached goes with --safe: without it all of MOVES is reached");
     const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
     const bool reached = morph.valid() && morph.refusal.empty();
-    if (reached || arguments.has("--force")) write_files(arguments, mesh, basis, morph);
+    Companions written;
+    if (reached || arguments.has("--force")) {
+        written = companions_of(arguments, basis, morph);
+        write_files(arguments, mesh, basis, morph, written);
+    }
+    if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
-        print_json(morph, safe);
+        print_json(morph, safe, written);
     } else {
-        print_for_people(morph, safe);
+        print_for_people(morph, safe, written);
     }
     if (!reached) throw Failure(exit_unusable, morph.refusal.empty() ? reason(morph, mesh) : morph.refusal);
 }
@@ -144,17 +201,24 @@ const Command morph_command = {
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for bodies of solve --rigid\n"
     "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the\n"
     "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
-    "The morphed mesh keeps the text of its file; only coordinates that changed are new.\n",
+    "The morphed mesh keeps the text of its file; only coordinates that changed are new. Beside it, in MESH.curve, is the\n"
+    "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, and then not by a fraction of it, as\n"
+    "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     {{"--move", "MOVES", "movement of the control points (required)"},
      {"-o", "MESH", "morphed mesh to write, SU2"},
+     {"--curve-out", "CURVE", "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+     {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
+                          "along the wall; written even if the morphed mesh is not valid"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
+     {"--reached", "MOVES", "for --safe: where to write the movement that the mesh has (default where it falls short of the\n"
+                            "target: -o with .reached behind)"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},
      threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
@@ -163,8 +227,9 @@ const Command morph_command = {
      zone_option,
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
-                         "morph_seconds; with --safe step_fraction (1: all of the movement),\n"
-                         "steps, resolves, rung (linear, other, substeps, untangled)"}},
+                         "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but step_fraction\n"
+                         "(1: all of the movement), steps, resolves, rung (linear, other, substeps, untangled),\n"
+                         "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};
 

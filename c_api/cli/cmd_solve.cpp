@@ -70,8 +70,8 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
     std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
                 report.max_distance_point);
-    std::printf("seconds          %s set-up, %s factorisation, %s solution\n", brief(times.setup).c_str(),
-                brief(times.factor).c_str(), brief(times.solve).c_str());
+    std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(), brief(times.factor).c_str(),
+                report.factor_entries > 0 ? "factorisation" : "agglomeration", brief(times.solve).c_str());
     std::printf("megabytes        %s plan, %s basis%s\n", brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
                 brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
                 stored.in_single() ? " in single precision" : "");
@@ -102,7 +102,7 @@ void run(const Arguments& arguments) {
     const Stored stored(arguments, mesh, solver.basis());
     OutputFiles files;
     if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
-    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis());
+    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
@@ -137,7 +137,7 @@ const Command solve_command = {
      zone_option,
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
                          "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
-                         "factor_seconds, solve_seconds, plan_bytes, basis_bytes, storage"}},
+                         "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes, storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};

@@ -2,6 +2,7 @@
 
 #include "formats/format.hpp"
 #include "harmorph.h"
+#include "marker_names.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +12,8 @@ namespace cli {
 namespace {
 
 const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
-                                   &export_command, &check_command, &transfer_command, &convert_command, &demo_command};
+                                   &export_command, &check_command, &transfer_command, &explore_command,
+                                   &convert_command, &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
@@ -65,6 +67,7 @@ void run_command(const std::vector<std::string>& words) {
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {
     Mesh mesh = read_mesh_file(path, options);
+    number_by_name(mesh);
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;
 }

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "curves.hpp"
+#include "output_file.hpp"
 
 #include <iosfwd>
 #include <string>
@@ -18,5 +19,12 @@ namespace cli {
 
 Curves read_curves(const std::string& path);
 void write_curves(std::ostream& out, const Curves& curves);
+
+// In the format that the path ends with; for the help of commands.
+#define CURVE_FORMATS                                                                                                    \
+    "the name's end chooses: .igs, .iges IGES (entity 126); .stp, .step STEP; .dat points on the\n"                      \
+    "curve as Selig's files have them; else the text file that solve --curve reads"
+bool ends_with(const std::string& path, const std::string& ending); // in either case of letters
+void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves);
 
 } // namespace cli

@@ -31,6 +31,9 @@ std::vector<std::int32_t> default_indices(std::int32_t n, std::int32_t degree, s
 // Do repeated indices close the curve as said?
 bool closes(const Curve& curve);
 
+// Out of the library's arrays.
+Curves copied(const hm_curves& from);
+
 const char* closed_name(std::int32_t closed); // "open", "tied", "periodic"
 
 // The library's view of curves. It points into them: they must stay as they are.

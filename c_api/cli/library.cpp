@@ -1,6 +1,8 @@
 #include "library.hpp"
 
 #include "failure.hpp"
+#include "marker_names.hpp"
+#include "numbers.hpp"
 
 #include <sstream>
 
@@ -20,28 +22,22 @@ ExitCode exit_code(hm_status status) {
     }
 }
 
-// The word before a number in a sentence: "cell" for 12 in "cell 12 is inverted".
-std::string word_before(std::int32_t number, const std::string& sentence) {
+// The line of the first cell, face or point that the sentence names; the library counts as the file does.
+std::string place(const std::string& sentence, const Mesh& mesh) {
     std::istringstream words(sentence);
-    std::string before, word;
+    std::string kind, word;
     while (words >> word) {
         if (word.find_last_not_of(",.:;") != std::string::npos) word.resize(word.find_last_not_of(",.:;") + 1);
-        if (word == std::to_string(number)) return before;
-        before = word;
+        const std::vector<std::size_t>* const offsets = kind == "cell" || kind == "cells"     ? &mesh.cell_offset
+                                                        : kind == "face" || kind == "faces"   ? &mesh.face_offset
+                                                        : kind == "point" || kind == "points" ? &mesh.point_offset
+                                                                                              : nullptr;
+        std::int32_t number = -1;
+        if (offsets != nullptr && parse(word, number) && number >= 0 && static_cast<std::size_t>(number) < offsets->size()) {
+            return mesh.file.place((*offsets)[static_cast<std::size_t>(number)]);
+        }
+        kind = word;
     }
-    return "";
-}
-
-// The library counts as the file does. What error.item counts stands in its sentence.
-std::string place(const hm_error& error, const Mesh& mesh) {
-    const std::string kind = word_before(error.item, error.text);
-    const auto line_of = [&](const std::vector<std::size_t>& offsets) {
-        const bool exists = error.item >= 0 && static_cast<std::size_t>(error.item) < offsets.size();
-        return exists ? mesh.file.place(offsets[static_cast<std::size_t>(error.item)]) : mesh.file.path();
-    };
-    if (kind == "cell" || kind == "cells") return line_of(mesh.cell_offset);
-    if (kind == "face" || kind == "faces") return line_of(mesh.face_offset);
-    if (kind == "point" || kind == "points") return line_of(mesh.point_offset);
     return mesh.file.path();
 }
 
@@ -61,8 +57,9 @@ void refuse(const hm_error& error, const std::string& path) {
 }
 
 void refuse(const hm_error& error, const Mesh& mesh) {
-    const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE;
-    throw Failure(exit_code(error.code), (of_the_mesh ? place(error, mesh) + ": " : std::string()) + error.text);
+    const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
+    throw Failure(exit_code(error.code), (of_the_mesh ? place(error.text, mesh) + ": " : std::string()) +
+                                             name_markers(error.text, mesh.markers));
 }
 
 } // namespace cli

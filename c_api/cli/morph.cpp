@@ -80,6 +80,16 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     judge(basis, mesh, threads);
 }
 
+Curves Morph::moved_curves(const Basis& basis) const {
+    const auto n = static_cast<std::size_t>(basis.info().curves);
+    if (n == 0) return {};
+    std::vector<hm_curve> curve(n, sized<hm_curve>());
+    auto view = sized<hm_curves>();
+    std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
+    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(), basis.info().curves);
+    return copied(view);
+}
+
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     round_as_file(mesh, moved.x, moved.y); // what is judged is what can be written
     const hm_mesh view = mesh.view();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "basis_file.hpp"
+#include "curves.hpp"
 #include "threads.hpp"
 
 #include <string>
@@ -23,7 +24,7 @@ hm_step_report admissible_step(const Basis& basis, const Mesh& mesh, const Field
                                const Threads& threads);
 
 struct Morph {
-    std::vector<double> moves; // of the control points, as far as the mesh followed: dx,dy pairs
+    std::vector<double> moves; // of control points and bodies, as far as the mesh followed: see hm_morph
     Field displacement, moved;
     hm_step_report step;
     hm_quality_report quality; // relative to the mesh as it was
@@ -38,6 +39,7 @@ struct Morph {
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
           const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
+    Curves moved_curves(const Basis& basis) const; // where the basis's curves are on the moved mesh
 
 private:
     void judge(const Basis& basis, const Mesh& mesh, const Threads& threads);

@@ -87,10 +87,20 @@ std::vector<double> read_moves(const std::string& path, const Basis& basis, cons
     return MovesReader(file, basis, mesh).read();
 }
 
-void write_moves(std::ostream& out, const std::vector<double>& moves) {
-    out << "# control point, dx, dy\n";
-    for (std::size_t point = 0; 2 * point < moves.size(); ++point) {
+void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh) {
+    const auto n_control = static_cast<std::size_t>(basis.curves().n_control);
+    if (n_control > 0) out << "# control point, dx, dy\n";
+    for (std::size_t point = 0; point < n_control; ++point) {
         out << point + 1 << ' ' << exact(moves[2 * point]) << ' ' << exact(moves[2 * point + 1]) << '\n';
+    }
+    std::vector<bool> written(static_cast<std::size_t>(basis.info().bodies));
+    for (const hm_condition& condition : basis.conditions()) {
+        if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)]) continue;
+        written[static_cast<std::size_t>(condition.body)] = true; // another marker of the same body says no more
+        const double* const its = &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
+        out << "# body, dx, dy, degrees, scale\nrigid " << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' '
+            << exact(its[0]) << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi) << ' '
+            << exact(std::hypot(1 + its[2], its[3])) << '\n';
     }
 }
 

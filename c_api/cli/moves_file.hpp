@@ -12,6 +12,6 @@
 namespace cli {
 
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh); // pairs [2*functions]
-void write_moves(std::ostream& out, const std::vector<double>& moves); // of control points
+void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh);
 
 } // namespace cli

@@ -22,13 +22,6 @@ std::string real_path(const std::string& path) {
     return target.empty() ? path : target.string();
 }
 
-// Devices and pipes must not be renamed over: they are written to directly.
-bool is_device(const std::string& path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 // Beside the final place, so that the renaming stays on one disk.
 std::string temporary_name(const std::string& path) {
     std::ostringstream name;
@@ -37,6 +30,13 @@ std::string temporary_name(const std::string& path) {
 }
 
 } // namespace
+
+// Devices and pipes must not be renamed over: they are written to directly.
+bool is_device(const std::string& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 OutputFile::OutputFile(const std::string& path) : path_(is_device(path) ? path : real_path(path)) {
     std::error_code ignored;

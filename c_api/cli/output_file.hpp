@@ -7,6 +7,9 @@
 
 namespace cli {
 
+// A device or a pipe, into which one writes; nothing belongs beside it.
+bool is_device(const std::string& path);
+
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);

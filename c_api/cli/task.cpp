@@ -179,23 +179,13 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
 Task task_of(const Basis& basis) {
     Task task;
     const hm_basis_info& info = basis.info();
-    const hm_curves& curves = basis.curves();
     task.options.operator_kind = info.operator_kind;
     task.options.scheme = info.scheme;
     task.options.engine = info.engine;
     task.options.exponent_quarters = info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
     task.options.offset_correction = info.offset_correction;
     task.conditions = basis.conditions();
-    task.curves.control.assign(curves.control, curves.control + 2 * curves.n_control);
-    if (curves.weights) task.curves.weights.assign(curves.weights, curves.weights + curves.n_control);
-    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
-        const hm_curve& from = curves.curve[i];
-        Curve curve;
-        curve.degree = from.degree;
-        curve.indices.assign(from.indices, from.indices + from.n_indices);
-        curve.knots.assign(from.knots, from.knots + from.n_indices + from.degree + 1);
-        task.curves.curves.push_back(curve);
-    }
+    task.curves = copied(basis.curves());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         if (info.point_curve[k] >= info.curves) continue; // on a rigid body
         task.given_points.push_back(info.curve_point[k]);

@@ -4,6 +4,7 @@
 ! in profile storage, Cholesky. Nothing here knows of harmorph.
 module potential
     use, intrinsic :: iso_fortran_env, only: dp => real64
+    use read_su2, only: read_su2_mesh, su2_marker, su2_mesh
     implicit none
     integer, parameter :: airfoil = 1, far_field = 2
     integer :: np, nc, nf, nt, nw, nu           ! points, cells, faces, triangles, faces of the airfoil, unknowns
@@ -20,52 +21,24 @@ module potential
 
 contains
 
-    ! Of SU2's format what naca0012.su2 needs.
     subroutine read_mesh(file)
         character(len=*), intent(in) :: file
-        character(len=80) :: line
-        integer :: unit, i, k, m, n, kind, node(4), mark
-        open(newunit=unit, file=file, status="old", action="read")
-        nf = 0
-        mark = 0
-        allocate(faces(2, 10000), marks(10000))
-        do
-            read(unit, "(a)", iostat=i) line
-            if (i /= 0) exit
-            k = index(line, "=")
-            select case (line(:max(k - 1, 1)))
-            case ("NELEM")
-                read(line(k + 1:), *) nc
-                allocate(cells(4, nc))
-                do i = 1, nc
-                    read(unit, "(a)") line
-                    read(line, *) kind
-                    m = merge(3, 4, kind == 5)
-                    read(line, *) kind, node(:m)
-                    if (m == 3) node(4) = node(3)
-                    cells(:, i) = node + 1
-                end do
-            case ("NPOIN")
-                read(line(k + 1:), *) np
-                allocate(x(np), y(np))
-                do i = 1, np
-                    read(unit, *) x(i), y(i)
-                end do
-            case ("MARKER_TAG")
-                mark = merge(airfoil, far_field, index(line, "airfoil") > 0)
-            case ("MARKER_ELEMS")
-                read(line(k + 1:), *) n
-                do i = nf + 1, nf + n
-                    read(unit, *) kind, faces(:, i)
-                end do
-                faces(:, nf + 1:nf + n) = faces(:, nf + 1:nf + n) + 1
-                marks(nf + 1:nf + n) = mark
-                nf = nf + n
-            end select
+        type(su2_mesh) :: from
+        integer :: k, m
+        call read_su2_mesh(file, from)
+        np = size(from%x)
+        nc = size(from%start) - 1
+        nf = size(from%markers)
+        x = from%x
+        y = from%y
+        allocate(cells(4, nc))
+        do k = 1, nc
+            m = from%start(k + 1) - from%start(k)
+            cells(:m, k) = from%cells(from%start(k):from%start(k + 1) - 1)
+            if (m == 3) cells(4, k) = cells(3, k)
         end do
-        close(unit)
-        faces = faces(:, :nf)
-        marks = marks(:nf)
+        faces = from%faces
+        marks = merge(airfoil, far_field, from%markers == su2_marker(from, "airfoil"))
         call prepare()
     end subroutine
 

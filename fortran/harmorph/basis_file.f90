@@ -1,29 +1,10 @@
-! Functions in files: written once, read without solving.
-module harmorph_basis_file
-    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, c_sizeof
-    use harmorph_constants, only: hm_bad_basis
-    use harmorph_structs, only: hm_c_basis_info, hm_c_error
-    use harmorph_calls, only: hm_c_basis_info_get
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_mesh, only: hm_mesh
-    use harmorph_basis_core, only: attach_block, need_basis, room_for
-    use harmorph_basis_calls, only: basis_calls
-    implicit none
-    private
 
-    type, extends(basis_calls), public :: basis_in_file
-    contains
-        procedure :: write => basis_write
-        procedure :: read => basis_read
-        procedure :: save => basis_save
-        procedure :: load => basis_load
-        procedure :: bytes => basis_bytes
-    end type
+! ---- Functions in files: written once, read without solving
 
 contains
     ! How long the basis is, in memory and in a file.
     integer(c_int64_t) function basis_bytes(self)
-        class(basis_in_file), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_c_basis_info) :: info
         type(hm_c_error) :: e
         info%struct_size = int(c_sizeof(info), c_int64_t)
@@ -33,7 +14,7 @@ contains
 
     ! To where the unit stands, opened with access="stream", form="unformatted".
     subroutine basis_write(self, unit, stat, err)
-        class(basis_in_file), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         integer, intent(in) :: unit
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -47,12 +28,12 @@ contains
             write(unit, iostat=failed, iomsg=reason) bytes
             if (failed /= 0) call done%refuse("the basis cannot be written: " // reason, hm_bad_basis)
         end if
-        call done%finish(stat, err)
+        call done%finish("basis%write", stat, err)
     end subroutine
 
     ! From where the unit stands: so many bytes, or all that the file still has.
     subroutine basis_read(self, unit, mesh, bytes, stat, err)
-        class(basis_in_file), intent(inout) :: self
+        class(hm_basis), intent(inout) :: self
         integer, intent(in) :: unit
         type(hm_mesh), intent(in), optional :: mesh
         integer(c_int64_t), intent(in), optional :: bytes
@@ -77,11 +58,11 @@ contains
             if (failed /= 0) call done%refuse("the basis cannot be read: " // reason, hm_bad_basis)
         end if
         call attach_block(self, mesh, done)
-        call done%finish(stat, err)
+        call done%finish("basis%read", stat, err)
     end subroutine
 
     subroutine basis_save(self, file, stat, err)
-        class(basis_in_file), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         character(len=*), intent(in) :: file
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -89,14 +70,14 @@ contains
         integer :: unit
         call done%refuse_if(.not. c_associated(self%address()), "the basis is empty: there is nothing to save")
         call open_stream(unit, file, "write", done)
-        call done%finish(stat, err)
+        call done%finish("basis%save", stat, err)
         if (.not. done%ok()) return
         call self%write(unit, stat, err)
         close(unit)
     end subroutine
 
     subroutine basis_load(self, file, mesh, stat, err)
-        class(basis_in_file), intent(inout) :: self
+        class(hm_basis), intent(inout) :: self
         character(len=*), intent(in) :: file
         type(hm_mesh), intent(in), optional :: mesh
         integer, intent(out), optional :: stat
@@ -104,7 +85,7 @@ contains
         type(outcome) :: done
         integer :: unit
         call open_stream(unit, file, "read", done)
-        call done%finish(stat, err)
+        call done%finish("basis%load", stat, err)
         if (.not. done%ok()) return
         call self%read(unit, mesh, stat=stat, err=err)
         close(unit)
@@ -121,4 +102,3 @@ contains
             status=merge("replace", "old    ", action == "write"))
         if (failed /= 0) call done%refuse(reason, hm_bad_basis)
     end subroutine
-end module

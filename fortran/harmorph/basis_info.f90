@@ -1,17 +1,5 @@
-! What a basis tells of itself: its sizes and method, the curves and conditions that it was solved with.
-module harmorph_basis_info
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int32_t, c_int64_t, c_sizeof
-    use harmorph_constants
-    use harmorph_structs, only: hm_c_basis_info, hm_c_condition, hm_c_curve, hm_c_curves
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_curve_set, only: copy_curves
-    use harmorph_curves, only: hm_curves
-    use harmorph_problem, only: hm_condition
-    use harmorph_basis_core, only: need_basis
-    use harmorph_basis_file, only: basis_in_file
-    implicit none
-    private
+
+! ---- What a basis tells of itself: its sizes and method, the curves and conditions that it was solved with
 
     type, public :: hm_basis_info
         integer(c_int64_t) :: bytes = 0
@@ -26,16 +14,9 @@ module harmorph_basis_info
         integer :: storage = hm_double                          ! hm_single: made by basis%single
     end type
 
-    type, extends(basis_in_file), public :: basis_with_info
-    contains
-        procedure :: info => basis_info
-        procedure :: curves => basis_curves
-        procedure :: conditions => basis_conditions
-    end type
-
 contains
     subroutine basis_info(self, info, stat, err)
-        class(basis_with_info), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_basis_info), intent(out) :: info
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -70,12 +51,12 @@ contains
             info%offset_correction = c%offset_correction /= 0
             info%storage = int(c%storage)
         end if
-        call done%finish(stat, err)
+        call done%finish("basis%info", stat, err)
     end subroutine
 
     ! The curves the basis was solved with.
     subroutine basis_curves(self, curves, stat, err)
-        class(basis_with_info), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_curves), intent(inout) :: curves
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -91,12 +72,12 @@ contains
             done%status = hm_c_basis_curves(self%address(), set, list, int(info%curves, c_int32_t), done%error)
         end if
         if (done%status >= 0) call copy_curves(set, list, curves)
-        call done%finish(stat, err)
+        call done%finish("basis%curves", stat, err)
     end subroutine
 
     ! The conditions the basis was solved with.
     subroutine basis_conditions(self, conditions, stat, err)
-        class(basis_with_info), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_condition), allocatable, intent(out) :: conditions(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -118,6 +99,5 @@ contains
                 int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y), k = 1, &
                 int(n))]
         end if
-        call done%finish(stat, err)
+        call done%finish("basis%conditions", stat, err)
     end subroutine
-end module

@@ -1,10 +1,16 @@
-! The C functions of harmorph.h, for those who want them as they are, and for the modules that follow.
-module harmorph_calls
-    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t
-    use harmorph_structs
-    implicit none
-    public
-    private :: c_double, c_int32_t, c_int64_t, c_ptr, c_size_t
+
+! ---- The functions of harmorph.h -------------------------------------------------------------------------------------
+
+    public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, &
+        hm_c_curve_point, hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, &
+        hm_c_analysis_report, hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, &
+        hm_c_basis_init, hm_c_plan_factor, hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, &
+        hm_c_basis_info_get, hm_c_basis_curves, hm_c_basis_conditions, hm_c_basis_values, hm_c_single_size, &
+        hm_c_single_init, hm_c_transfer_size, hm_c_transfer, hm_c_morph, hm_c_adjoint, hm_c_boundary_error, &
+        hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
+        hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
+        hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, &
+        hm_c_morph_safe
 
     interface
         integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
@@ -368,4 +374,3 @@ module harmorph_calls
             type(hm_c_error), intent(inout) :: err
         end function
     end interface
-end module

@@ -1,29 +1,30 @@
-! The constants of harmorph.h, by the same names.
-module harmorph_constants
-    implicit none
-    public
 
-    character(len=*), parameter :: hm_header_version = "0.1.0"
-    integer, parameter :: hm_abi = 2
+! ---- The constants of harmorph.h, by the same names ------------------------------------------------------------------
 
-    integer, parameter :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3
-    integer, parameter :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
-    integer, parameter :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
+
+    character(len=*), parameter, public :: hm_header_version = "0.1.0"
+    integer, parameter, public :: hm_abi = 2
+
+    integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &
+        hm_backtracks = 4
+    integer, parameter, public :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
+    integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
         hm_not_positive = -8
-    integer, parameter :: hm_unsupported = -9, hm_crossing = -10
+    integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
-    integer, parameter :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
-    integer, parameter :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
-    integer, parameter :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
-    integer, parameter :: hm_periodic_pair = 5
-    integer, parameter :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
-    integer, parameter :: hm_compact = 0, hm_nodal_gradient = 1, hm_bounded = 2, hm_nodal_gradient_plain = 3
-    integer, parameter :: hm_direct = 0, hm_multigrid = 1, hm_fas = 2
-    integer, parameter :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
-    integer, parameter :: hm_double = 0, hm_single = 1
-    integer, parameter :: hm_start_coarsest = 0, hm_start_zero = 1
-    integer, parameter :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
-    integer, parameter :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
-    integer, parameter :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
-    integer, parameter :: hm_rung_linear = 0, hm_rung_other = 1, hm_rung_substeps = 2, hm_rung_untangled = 3
-end module
+    integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
+    integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
+    integer, parameter, public :: hm_fit_asked = 0, hm_fit_no_loop = 1, hm_fit_no_corner = 2, hm_fit_corner = 3
+    integer, parameter, public :: hm_fit_base = 4
+    integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
+    integer, parameter, public :: hm_periodic_pair = 5
+    integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
+    integer, parameter, public :: hm_compact = 0, hm_nodal_gradient = 1, hm_bounded = 2, hm_nodal_gradient_plain = 3
+    integer, parameter, public :: hm_direct = 0, hm_multigrid = 1, hm_fas = 2
+    integer, parameter, public :: hm_agglomerate_auto = 0, hm_agglomerate_isotropic = 1, hm_agglomerate_directional = 2
+    integer, parameter, public :: hm_double = 0, hm_single = 1
+    integer, parameter, public :: hm_start_coarsest = 0, hm_start_zero = 1
+    integer, parameter, public :: hm_kernel_auto = 0, hm_kernel_baseline = 1, hm_kernel_avx2 = 2, hm_kernel_avx512 = 3
+    integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
+    integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
+    integer, parameter, public :: hm_rung_linear = 0, hm_rung_other = 1, hm_rung_substeps = 2, hm_rung_untangled = 3

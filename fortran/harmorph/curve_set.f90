@@ -1,13 +1,5 @@
-! Curves as plain data: read them, change them, assign them. And the C structs that point into them.
-module harmorph_curve_set
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_loc, c_sizeof
-    use harmorph_constants, only: hm_bad_curve
-    use harmorph_structs, only: hm_c_curve, hm_c_curves
-    use harmorph_outcome, only: outcome
-    use harmorph_lists, only: small
-    implicit none
-    private
-    public :: c_curves_of, copy_curves
+
+! ---- Curves as plain data: read them, change them, assign them. And the C structs that point into them ---------------
 
     type, public :: hm_curve
         integer :: degree = 3
@@ -15,12 +7,20 @@ module harmorph_curve_set
         real(c_double), allocatable :: knots(:)
     end type
 
-    type, public :: curve_set
+    type, public :: hm_curves
         real(c_double), allocatable :: control(:, :)            ! (2,n_control)
         real(c_double), allocatable :: weights(:)               ! not allocated: not rational
         type(hm_curve), allocatable :: curve(:)
     contains
         procedure :: set => curves_set
+        procedure :: check => curves_check
+        procedure :: basis => curves_basis
+        procedure :: point => curves_point
+        procedure :: project => curves_project
+!@each real
+        procedure, private :: fit_@FORM@
+        generic :: fit => fit_@FORM@
+!@end
         procedure, private :: curves_add_all, curves_add_some_i4, curves_add_some_i8
         generic :: add => curves_add_all, curves_add_some_i4, curves_add_some_i8
     end type
@@ -28,7 +28,7 @@ module harmorph_curve_set
 contains
     ! Control points (2,n), and their weights where the curves are rational; forgets all curves.
     subroutine curves_set(self, control, weights)
-        class(curve_set), intent(inout) :: self
+        class(hm_curves), intent(inout) :: self
         real(c_double), intent(in) :: control(:, :)
         real(c_double), intent(in), optional :: weights(:)
         if (allocated(self%curve)) deallocate(self%curve)
@@ -39,7 +39,7 @@ contains
 
     ! A curve through all control points in order.
     subroutine curves_add_all(self, degree, knots)
-        class(curve_set), intent(inout) :: self
+        class(hm_curves), intent(inout) :: self
         integer, intent(in) :: degree
         real(c_double), intent(in) :: knots(:)
         call add_curve(self, hm_curve(degree=degree, knots=knots))
@@ -47,7 +47,7 @@ contains
 
     ! A curve through these; repeats close it, see harmorph.h.
     subroutine curves_add_some_i4(self, degree, knots, indices)
-        class(curve_set), intent(inout) :: self
+        class(hm_curves), intent(inout) :: self
         integer, intent(in) :: degree
         real(c_double), intent(in) :: knots(:)
         integer(c_int32_t), intent(in) :: indices(:)
@@ -55,7 +55,7 @@ contains
     end subroutine
 
     subroutine curves_add_some_i8(self, degree, knots, indices)
-        class(curve_set), intent(inout) :: self
+        class(hm_curves), intent(inout) :: self
         integer, intent(in) :: degree
         real(c_double), intent(in) :: knots(:)
         integer(c_int64_t), intent(in) :: indices(:)
@@ -63,7 +63,7 @@ contains
     end subroutine
 
     subroutine add_curve(self, curve)
-        class(curve_set), intent(inout) :: self
+        class(hm_curves), intent(inout) :: self
         type(hm_curve), intent(in) :: curve
         type(hm_curve), allocatable :: grown(:)
         integer :: n
@@ -77,7 +77,7 @@ contains
 
     ! C structs that point into the curves; `list` must outlive `set`. Both are empty if refused.
     subroutine c_curves_of(curves, set, list, done)
-        class(curve_set), intent(in), target :: curves
+        class(hm_curves), intent(in), target :: curves
         type(hm_c_curves), intent(out) :: set
         type(hm_c_curve), intent(out), allocatable, target :: list(:)
         type(outcome), intent(inout) :: done
@@ -108,7 +108,7 @@ contains
 
     ! What C cannot see: whether the arrays have the lengths that the numbers say.
     subroutine check_lengths(curves, done)
-        class(curve_set), intent(in) :: curves
+        class(hm_curves), intent(in) :: curves
         type(outcome), intent(inout) :: done
         integer :: k, n
         if (.not. allocated(curves%control) .or. .not. allocated(curves%curve)) then
@@ -136,8 +136,8 @@ contains
     subroutine copy_curves(set, list, curves)
         type(hm_c_curves), intent(in) :: set
         type(hm_c_curve), intent(in) :: list(:)
-        class(curve_set), intent(inout) :: curves
-        type(curve_set) :: made
+        class(hm_curves), intent(inout) :: curves
+        type(hm_curves) :: made
         real(c_double), pointer :: control(:, :), numbers(:)
         integer(c_int32_t), pointer :: indices(:)
         integer :: k
@@ -165,4 +165,3 @@ contains
         if (allocated(made%weights)) call move_alloc(made%weights, curves%weights)
         call move_alloc(made%curve, curves%curve)
     end subroutine
-end module

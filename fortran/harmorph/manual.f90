@@ -1,37 +1,124 @@
-! harmorph for Fortran: morphs an airfoil and its CFD mesh together. MIT licence. Compile this file with your solver
-! (gfortran -c harmorph.f90) and link libharmorph.a. harmorph.h says what is computed; here is how Fortran asks for it.
+! harmorph for Fortran: morphs an airfoil and its CFD mesh together. MIT licence.
+!
+! Compile this file with the flow solver (gfortran -c harmorph.f90; Fortran 2008 or later) and link libharmorph.a.
+! Tested with gfortran 12 and flang 19. The head of this file is the manual; harmorph.h has the mathematics and the
+! options in full, under the same names.
+!
+! ORDER OF CALLS
 !
 !     type(hm_mesh) :: mesh;  type(hm_curves) :: curves;  type(hm_plan) :: plan;  type(hm_basis) :: basis
-!     call mesh%points(x, y)                       the solver's own arrays, viewed, not copied: give them TARGET
+!     call mesh%points(x, y)                       begins a mesh; the arrays have TARGET and are not copied
 !     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
-!     call mesh%faces(face_points, markers)        or lists; line(...) for the sides of a block
+!     call mesh%faces(face_points, markers)        or lists, point_types; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
 !     call curves%fit(x(wall), y(wall), loop)      or curves%set and curves%add
 !     call plan%analyse(mesh, curves, [hm_condition(wing), hm_condition(tunnel, hm_slip)], options=options)
-!     call plan%factor()
+!     call plan%factor()                           matrix and factor, on the coordinates as they are now
 !     call plan%solve(basis)                       then plan%free(): the basis and the mesh are all that a morph needs
-!     call basis%morph(move, x, y)                 move(2,functions); also morph_to, displacement, velocity, adjoint
+!     call basis%displacement(move, dx, dy)        move(2,functions): of each control point; nothing moves yet
 !     call basis%admissible_step(mesh, dx, dy, report);  call basis%quality(mesh, x, y, report);  assess: both
+!     call basis%morph(move, x, y)                 in place; also morph_to, morph_at, velocity, adjoint
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
 !
-! Operators     hm_options: the default is the conformal one; hm_laplace are the paper's harmonic functions.
-! Layouts       Coordinates are x(:), y(:), or structured x(:,:), y(:,:). Any constant distance from point to point is
-!               used as it lies: xy(1,:), xy(2,:) are not copied. Default reals, and blocks inside their ghost layers,
-!               work too but are converted in a copy at each call. Connectivity is contiguous; 8-byte integers are
-!               converted.
-! Mesh          hm_mesh keeps the places of the arrays given to points, cells, faces and lists: they must outlive mesh
-!               and plan and not be expressions. Of what had to be converted it has a copy: after such coordinates
-!               change, call points again.
+! A basis serves any number of morphs. Solving into a basis that was used before makes it anew. The functions belong to
+! the mesh they were solved on; morph_to(move, x0, y0, x, y) from the first mesh adds up no errors, morph moves on from
+! x, y.
+!
+! THE MESH
+!
+! Coordinates   x(:), y(:), or structured x(:,:), y(:,:), of double precision or default reals. The mesh keeps where the
+!               arrays lie, and every call reads the coordinates as they are at that moment: the arrays must outlive
+!               mesh and plan, and must not be allocated anew. Sections as xy(1,:), xy(2,:) are used as they lie;
+!               default reals, blocks inside ghost layers and nodes whose size is no multiple of 8 bytes are converted
+!               at each call. The arguments of points are pointers with intent(in): the compiler refuses ("no specific
+!               subroutine for the generic points") an array without TARGET, and expressions. Vector subscripts,
+!               x([1,2]), which gfortran passes as a copy, are not possible.
+! Derived types With coordinates inside nodes, give the addresses, the bytes from node to node, and the number of nodes:
+!                   type(node_type), allocatable, target :: node(:)
+!                   call mesh%points_at(c_loc(node(1)%x), c_loc(node(1)%y), storage_size(node) / 8, size(node))
+!                   call basis%morph_at(move, c_loc(node(1)%x), c_loc(node(1)%y), storage_size(node) / 8, size(node))
+!               (use, intrinsic :: iso_c_binding, only: c_loc). points(node%x, node%y) does the same where the compiler
+!               passes components in place (flang); gfortran 12 does not, which is found out and refused. It also passes
+!               POINTER dummy arguments that point to components wrongly to any procedure: use morph_at there, too.
+! Connectivity  Integers of 4 or 8 bytes, sections and expressions: the mesh has copies of them (12 to 16 bytes a cell).
+!               Further calls of cells add cells, whose numbers run on: triangles, then quads. Further faces, lists and
+!               lines are added, too. points begins anew. A plan shares the copies: it goes on if the mesh is freed or
+!               changed.
+! Boundary      Each boundary edge has a marker, any integer: by faces(points(2,n), markers(n)); by lists(points, start,
+!               markers), points in order, the first one again at the end of a closed list; by line(...) of a block; or
+!               by point_types(types(n)): 0 for inner points, otherwise a marker; an edge between two types has the
+!               larger one. Edges on no marker must be a cut, as O- and C-meshes have, with both sides at the same
+!               coordinates. Markers without a condition are fixed.
+! Orientation   Clockwise, counter-clockwise or mixed. A cell is inverted if a corner of it has no positive area, where
+!               the sense in which most of the mesh's area runs counts as positive. analyse with curves refuses such
+!               meshes.
 ! Numbering     Everything counts from 1: points, cells, control points, functions, numbers of a value, curves, bodies,
-!               pieces, conditions, parts. (Texts of errors count curves, conditions and functions from 0.)
-! stat, err     stat: 0 done, above 0 a warning, below 0 refused: arrays are as before; a plan or basis that was to be
-!               made anew is empty. Without stat, what is refused stops the program with the reason. err holds it too.
-! Memory        Blocks are allocated here and freed by the type's finalisation or free(). Or give `work`, as many 8-byte
-!               numbers as the procedure whose name ends in _words says; it must not move while in use.
-! Assignment    Of a mesh, plan or basis: stops the program, as two owners would free one block. Curves are plain data.
-! Threads       hm_openmp(n), where this file is compiled with OpenMP; or your own procedure in an hm_executor.
-! Parts         Codes on several processes: share_of, init_share, extract, pack, unpack, adjoint_scale, _sums, _finish,
+!               pieces, conditions, parts, and all of them in errors. points(x, y, first=0): points and cells count from
+!               0 in the caller's lists and in reports.
+!
+! CURVES AND CONDITIONS
+!
+! curves%fit    B-spline by least squares through ordered points; loop: the last is joined to the first, which is not
+!               repeated. plan%boundary gives the points of a marker in this order. n_control (20), degree (3), closed.
+!               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
+! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. hm_condition(marker, kind):
+!               hm_fixed; hm_slip, along straight lines; hm_free, with the Laplace and weighted operators; hm_rigid with
+!               body=, x=, y=; hm_periodic_pair with partner=. A point of several markers has the smallest kind of
+!               theirs.
+! hm_options    0 or null is the default of each: operator_kind hm_conformal (keeps angles; complex functions) or
+!               hm_laplace (the paper's harmonic ones), scheme, engine, precision, tolerance, executor, progress, ...
 !               see harmorph.h.
+! move          move(2, functions): dx, dy of each control point; after them, for each rigid body, its translation, then
+!               s - 1 with s = scale * (cos a, sin a) for a turn by a.
+!
+! REPORTS
+!
+! hm_mesh_report    plan%report: points, used_points, cells, triangles, quads, edges, boundary_edges, boundary_loops;
+!                   inverted, first_inverted (-1: none); min_area (of a corner: half the cross product of its edges),
+!                   min_quality, mean_quality (0 .. 1).
+! hm_fit_report     max_error, rms_error (distances of the points), max_error_point; closed: hm_open, hm_tied,
+!                   hm_periodic; first_point, where the curve begins; base_points on a blunt base, a second curve.
+! hm_solve_report   residual and residual_function (relative, largest); boundary_error, where the functions on the
+!                   curves differ from the B-spline's; partition_defect, of their sum from 1; min_value, max_value;
+!                   max_distance, of a wall point from its curve, which is kept; unknowns, functions, curve_points,
+!                   iterations, ...
+! hm_step_report    admissible: the largest s for which x + t dx has no inverted cell for all t < s; cell, point: what
+!                   limits it (-1: nothing does).
+! hm_quality_report inverted, first_inverted, min_area; min_quality, mean_quality, min_quality_cell (size-skew, 0 .. 1);
+!                   self_crossing 1: the boundary crosses itself, at crossing_points(4), two faces.
+! hm_safe_report    rung: hm_rung_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
+!                   hm_short); admissible, cell, point of the last step tried; steps, resolves, other (0: none),
+!                   untangled; quality, angles and first-layer heights of the mesh reached.
+! hm_transfer_report  points, outside, max_distance, wall_correction: how well the coarse mesh resolves the functions.
+!
+! ERRORS
+!
+! stat, err     The last arguments of every call. stat: 0 done; above 0 done, with a warning (hm_not_converged,
+!               hm_moved, hm_short); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
+!               made anew is empty. err%code is stat, err%text one sentence, err%item the first offending point, cell,
+!               marker, ... (-1: none), err%value what was found. Without stat, a refused call prints its name and the
+!               reason, and stops the program. Warnings without stat are not told.
+!
+! MEMORY AND OWNERSHIP
+!
+! Blocks        They are allocated here and freed by the type's finalisation or free(). Or give `work`, an array with
+!               TARGET of as many 8-byte numbers as the procedure whose name ends in _words says; it must stay while in
+!               use.
+! Kept          As they lie: coordinates, work, the block of basis%attach, options%history. Procedures given as progress
+!               or executor must outlive the plan. Everything else is copied. A basis keeps nothing of mesh, curves or
+!               plan.
+! Assignment    Of a mesh, plan or basis: stops the program, as two owners would free one block. Curves are plain data.
+! Threads       hm_openmp(n), where this file is compiled with OpenMP; or your own procedure in an hm_executor. The
+!               results have the same bits for any number of threads.
+! Parts         Codes on several processes: share_of, init_share, extract, pack, unpack, adjoint_scale, _sums, _finish,
+!               see harmorph.h; harmorph_mpi.f90 does it with MPI.
+module harmorph
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, &
+        c_funloc, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, &
+        c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    private

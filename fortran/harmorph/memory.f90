@@ -1,19 +1,14 @@
-! Blocks of memory: the caller's, or allocated here.
-module harmorph_memory
-    use, intrinsic :: iso_c_binding, only: c_double, c_int64_t, c_loc, c_null_ptr, c_ptr, c_size_t
-    use harmorph_constants, only: hm_block_too_small
-    use harmorph_outcome, only: outcome
-    implicit none
-    private
-    public :: words_of
 
-    type, public :: block_of_memory
+! ---- Blocks of memory: the caller's, or allocated here ---------------------------------------------------------------
+
+    type :: block_of_memory
         integer(c_int64_t), pointer, private :: words(:) => null()      ! what was allocated here
         type(c_ptr) :: start = c_null_ptr
         integer(c_size_t) :: bytes = 0
     contains
         procedure :: take
         procedure :: give_back
+        procedure :: allocated_here
     end type
 
 contains
@@ -27,16 +22,22 @@ contains
     subroutine take(self, bytes, work, done)
         class(block_of_memory), intent(inout) :: self
         integer(c_size_t), intent(in) :: bytes
-        real(c_double), intent(inout), target, optional :: work(:)
+        real(c_double), pointer, intent(in), optional :: work(:)
         type(outcome), intent(inout) :: done
         integer :: failed
         if (done%status < 0) return
         self%bytes = bytes
         if (present(work)) then
+            if (.not. associated(work)) then
+                call done%refuse("work is not associated")
+                return
+            end if
             self%bytes = 8 * size(work, kind=c_size_t)
-            if (.not. is_contiguous(work)) then
-                call done%refuse("work is not contiguous")
-            else if (self%bytes < bytes) then
+            if (size(work) > 1) call done%refuse_if( &
+                bytes_between(c_loc(work(1)), c_loc(work(min(2, size(work))))) /= 8, "work is not contiguous")
+            if (done%status < 0) then
+                self%bytes = 0
+            else if (self%bytes < bytes .or. size(work) == 0) then
                 call done%refuse("work is too small", hm_block_too_small, real(bytes - self%bytes, c_double))
             else
                 self%start = c_loc(work(1))
@@ -52,6 +53,11 @@ contains
         end if
     end subroutine
 
+    pure logical function allocated_here(self)
+        class(block_of_memory), intent(in) :: self
+        allocated_here = associated(self%words)
+    end function
+
     subroutine give_back(self)
         class(block_of_memory), intent(inout) :: self
         if (associated(self%words)) deallocate(self%words)
@@ -59,4 +65,3 @@ contains
         self%start = c_null_ptr
         self%bytes = 0
     end subroutine
-end module

@@ -1,12 +1,9 @@
-! How calls end: a status and C's error for each, told by stat and err or by stopping the program.
-module harmorph_outcome
-    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int32_t, c_null_char, c_ptr
-    use harmorph_constants
-    use harmorph_structs, only: hm_c_error
-    use harmorph_calls, only: hm_c_abi_version, hm_c_status_name, hm_c_version
-    implicit none
-    private
-    public :: hm_abi_version, hm_version, hm_status_name, hm_finish
+
+! ---- How calls end: a status and C's error for each, told by stat and err or by stopping the program -----------------
+
+    public :: hm_abi_version, hm_version, hm_status_name, hm_error_of, hm_finish
+
+    character(len=*), parameter :: from_zero = " (from 0)"       ! what C's texts have behind numbers that count from 0
 
     type, public :: hm_error
         integer :: code = hm_ok
@@ -16,7 +13,7 @@ module harmorph_outcome
     end type
 
     ! Each call has one, passes its parts to C, and ends with finish.
-    type, public :: outcome
+    type :: outcome
         integer(c_int32_t) :: status = hm_ok
         type(hm_c_error) :: error
     contains
@@ -64,26 +61,78 @@ contains
     end subroutine
 
     ! The end of every call: tells the caller, or stops the program.
-    subroutine finish(self, stat, err)
+    subroutine finish(self, call, stat, err)
         class(outcome), intent(in) :: self
+        character(len=*), intent(in) :: call
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        call hm_finish(self%status, self%error, stat, err)
+        call hm_finish(call, self%status, self%error, stat, err)
     end subroutine
 
-    subroutine hm_finish(status, e, stat, err)
+    subroutine hm_finish(call, status, e, stat, err)
+        character(len=*), intent(in) :: call                    ! its name, for the program's last words
         integer(c_int32_t), intent(in) :: status
         type(hm_c_error), intent(in) :: e
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        character(len=:), allocatable :: text
-        if (present(err)) err = hm_error(int(status), int(e%item), e%value, sentence(e))
+        type(hm_error) :: reason
+        if (present(err)) err = hm_error_of(status, e)
         if (present(stat)) then
             stat = int(status)
         else if (status < 0) then
-            text = "harmorph: " // hm_status_name(int(status)) // ": " // trim(sentence(e))
-            error stop text
+            reason = hm_error_of(status, e)
+            write(error_unit, "(7a)") "harmorph: ", call, ": ", hm_status_name(int(status)), ": ", trim(reason%text)
+            error stop "harmorph: refused"
         end if
+    end subroutine
+
+    ! C's error, where all numbers count from 1.
+    function hm_error_of(status, e) result(error)
+        integer(c_int32_t), intent(in) :: status
+        type(hm_c_error), intent(in) :: e
+        type(hm_error) :: error
+        error = hm_error(int(status), int(e%item), e%value, sentence(e))
+        if (counts_from_zero(error%text, error%item)) error%item = error%item + 1
+        call count_from_one(error%text)
+    end function
+
+    ! Whether the first place where the text names this number says that it counts from 0.
+    pure logical function counts_from_zero(text, number)
+        character(len=*), intent(in) :: text
+        integer, intent(in) :: number
+        character(len=12) :: digits
+        integer :: begin, end, found
+        counts_from_zero = .false.
+        write(digits, "(i0)") number
+        end = 0
+        do
+            found = index(text(end + 1:), trim(digits))
+            if (found == 0) return
+            begin = end + found
+            end = begin + len_trim(digits) - 1
+            if (verify(text(end + 1:end + 1), "0123456789") == 0) cycle
+            if (begin > 1) then
+                if (verify(text(begin - 1:begin - 1), "0123456789-.") == 0) cycle
+            end if
+            counts_from_zero = text(end + 1:min(end + len(from_zero), len(text))) == from_zero
+            return
+        end do
+    end function
+
+    ! 7 (from 0) is 8.
+    pure subroutine count_from_one(text)
+        character(len=*), intent(inout) :: text
+        character(len=12) :: digits
+        integer :: begin, end, number
+        do
+            end = index(text, from_zero) - 1
+            if (end < 1) return
+            begin = verify(text(:end), "-0123456789", back=.true.) + 1
+            number = 0
+            if (begin <= end) read(text(begin:end), *) number
+            write(digits, "(i0)") number + 1
+            text = text(:begin - 1) // trim(digits) // text(end + 1 + len(from_zero):)
+        end do
     end subroutine
 
     pure function sentence(e) result(text)
@@ -127,4 +176,3 @@ contains
             text(k:k) = letters(k)
         end do
     end function
-end module

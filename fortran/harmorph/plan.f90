@@ -1,70 +1,92 @@
-! The whole plan: with functions taken over from a coarser mesh, and the working space of safe morphs.
-module harmorph_plan
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int64_t, c_size_t, c_sizeof
-    use harmorph_structs, only: hm_c_error, hm_transfer_report
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_memory, only: block_of_memory, words_of
-    use harmorph_mesh, only: c_mesh_of, hm_mesh
-    use harmorph_analysis, only: analysis_of, need_analysis
-    use harmorph_basis_core, only: make_basis, need_basis
-    use harmorph_basis, only: hm_basis
-    use harmorph_plan_core, only: plan_of
-    use harmorph_plan_calls, only: plan_calls
-    implicit none
-    private
 
-    type, extends(plan_calls), public :: hm_plan
+! ---- A plan: an analysed mesh, matrix and factor; the type, and what is common to the parts that follow --------------
+
+    type, public :: hm_safe_options                             ! of morph_safe; 0 are the defaults
+        integer :: max_resolves = 0
+        integer :: skipped_rungs = 0                            ! sum of 2**hm_rung_... of those not to be tried
+        real(c_double) :: heights = 0                           ! 0 .. 1: how far distances from walls are brought back
+        ! (2, :) like move: receives the movement that x_new has; short of the target it is not all of move.
+        real(c_double), pointer, contiguous :: reached(:, :) => null()
+    end type
+
+    type, public :: hm_plan
+        private
+        type(problem), pointer :: data => null()
+        type(block_of_memory) :: analysis_memory, plan_memory
+        type(c_ptr) :: analysis = c_null_ptr, plan = c_null_ptr
     contains
+        ! Analysis
+        procedure :: analyse => plan_analyse
+        procedure :: report => plan_report
+        procedure :: boundary => plan_boundary
+        procedure :: plan_words
+        procedure :: basis_words
+        procedure :: share_words
+        procedure :: share_of => plan_share_of
+        procedure :: drop_analysis
+        ! Matrix, factor and solution
+        procedure :: prepare => plan_prepare
+        procedure, private :: plan_factor
+        generic :: factor => plan_factor
+        procedure :: solve => plan_solve
+        procedure :: level => plan_level
+        ! Coordinates
+!@each form
+        procedure, private :: factor_@FORM@, morph_safe_@FORM@
+        generic :: factor => factor_@FORM@
+        generic :: morph_safe => morph_safe_@FORM@
+!@end
+        procedure :: morph_safe_words => plan_morph_safe_words
+        ! Coarse to fine
         procedure :: transfer => plan_transfer
         procedure :: transfer_words => plan_transfer_words
-        procedure :: morph_safe_words => plan_morph_safe_words
+        procedure :: free => plan_free
+        procedure, private :: plan_assign
+        generic :: assignment(=) => plan_assign
+        final :: plan_final
     end type
 
 contains
-    ! Functions solved on a coarse mesh, for this denser one of the same domain: the plan needs no factor.
-    subroutine plan_transfer(self, coarse, coarse_mesh, basis, report, work, stat, err)
-        class(hm_plan), intent(in) :: self
-        type(hm_basis), intent(in) :: coarse
-        type(hm_mesh), intent(in) :: coarse_mesh
-        type(hm_basis), intent(inout) :: basis
-        type(hm_transfer_report), intent(out), optional :: report
-        real(c_double), intent(inout), target, optional :: work(:)
-        integer, intent(out), optional :: stat
-        type(hm_error), intent(out), optional :: err
-        type(outcome) :: done
-        type(hm_transfer_report) :: its
-        type(block_of_memory) :: block
-        integer(c_size_t) :: bytes
-        call need_analysis(self, done)
-        call need_basis(coarse, done)
-        if (done%ok() .and. .not. c_associated(basis%address())) call make_basis(basis, self, done=done)
-        if (done%ok()) done%status = hm_c_transfer_size(analysis_of(self), c_mesh_of(coarse_mesh), bytes, done%error)
-        call block%take(bytes, work, done)
-        its%struct_size = int(c_sizeof(its), c_int64_t)
-        if (done%ok()) done%status = hm_c_transfer(basis%address(), block%start, block%bytes, analysis_of(self), &
-            coarse%address(), c_mesh_of(coarse_mesh), its, done%error)
-        if (present(report)) report = its
-        call block%give_back()
-        call done%finish(stat, err)
+    ! ---- Plan: memory
+
+    ! Saves memory: after prepare or factor, and basis%init, nobody needs the analysis.
+    subroutine drop_analysis(self)
+        class(hm_plan), intent(inout) :: self
+        self%analysis = c_null_ptr
+        call self%analysis_memory%give_back()
     end subroutine
 
-    integer(c_int64_t) function plan_transfer_words(self, coarse_mesh)
+    subroutine plan_free(self)
+        class(hm_plan), intent(inout) :: self
+        self%plan = c_null_ptr
+        call self%plan_memory%give_back()
+        call self%drop_analysis()
+        if (associated(self%data)) then
+            call release(self%data%arrays)
+            deallocate(self%data)
+        end if
+        nullify(self%data)
+    end subroutine
+
+    impure elemental subroutine plan_final(self)
+        type(hm_plan), intent(inout) :: self
+        call self%free()
+    end subroutine
+
+    subroutine plan_assign(to, from)
+        class(hm_plan), intent(inout) :: to
+        class(hm_plan), intent(in) :: from
+        if (associated(to%data) .or. associated(from%data) .or. .true.) error stop "harmorph: a plan cannot be assigned"
+    end subroutine
+
+    subroutine need_analysis(self, done)
         class(hm_plan), intent(in) :: self
-        type(hm_mesh), intent(in) :: coarse_mesh
-        type(hm_c_error) :: e
-        integer(c_size_t) :: bytes
-        plan_transfer_words = 0
-        if (hm_c_transfer_size(analysis_of(self), c_mesh_of(coarse_mesh), bytes, e) >= 0) &
-            plan_transfer_words = words_of(bytes)
+        type(outcome), intent(inout) :: done
+        call done%refuse_if(.not. c_associated(self%analysis), "the plan has no analysis: call analyse first")
+    end subroutine
+
+    integer(c_int32_t) function n_points_of(self)
+        class(hm_plan), intent(in) :: self
+        n_points_of = self%data%mesh%n_points
     end function
 
-    ! Working space of morph_safe; 0 without prepare or factor.
-    integer(c_int64_t) function plan_morph_safe_words(self)
-        class(hm_plan), intent(in) :: self
-        type(hm_c_error) :: e
-        integer(c_size_t) :: bytes
-        plan_morph_safe_words = 0
-        if (hm_c_morph_safe_size(plan_of(self), bytes, e) >= 0) plan_morph_safe_words = words_of(bytes)
-    end function
-end module

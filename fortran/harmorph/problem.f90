@@ -1,16 +1,5 @@
-! What a plan is made of: conditions and options as users say them, and as C has them, where it keeps them.
-module harmorph_problem
-    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_int32_t, c_int64_t, c_loc, c_sizeof
-    use harmorph_constants
-    use harmorph_structs
-    use harmorph_outcome, only: outcome
-    use harmorph_threads, only: call_progress, callback, c_executor_of, c_threads, hm_executor, hm_progress
-    use harmorph_mesh, only: c_mesh_of, hm_mesh
-    use harmorph_curve_set, only: c_curves_of
-    use harmorph_curves, only: hm_curves
-    implicit none
-    private
-    public :: set_problem
+
+! ---- What a plan is made of: conditions and options as users say them, and as C has them, where it keeps them --------
 
     type, public :: hm_options                ! 0 and null are the defaults
         integer :: operator_kind = hm_conformal, scheme = hm_compact, engine = hm_direct, kernel = hm_kernel_auto
@@ -37,7 +26,8 @@ module harmorph_problem
         real(c_double) :: x = 0, y = 0                          ! rigid: the point that the body turns about
     end type
 
-    type, public :: problem                   ! all that analysis and plan point to, beside the mesh's arrays
+    type :: problem                   ! all that analysis and plan point to, beside the mesh's arrays
+        type(mesh_arrays), pointer :: arrays => null()          ! shared with the mesh
         type(hm_c_mesh) :: mesh
         type(hm_curves) :: curves
         type(hm_c_curves) :: set
@@ -63,6 +53,8 @@ contains
         type(hm_options), intent(in), optional :: options
         type(outcome), intent(inout) :: done
         type(hm_options) :: its
+        call release(self%arrays)
+        self%arrays => shared(mesh)
         self%mesh = c_mesh_of(mesh)
         self%c%struct_size = int(c_sizeof(self%c), c_int64_t)
         self%c%mesh = c_loc(self%mesh)
@@ -87,7 +79,7 @@ contains
         end if
         if (associated(its%progress)) then
             self%options%progress = c_funloc(call_progress)
-            self%progress%procedure = c_funloc(its%progress)
+            self%progress%progress => its%progress
             self%options%progress_user = c_loc(self%progress)
         end if
         self%options%executor = c_executor_of(its%executor, self%threads)
@@ -129,7 +121,8 @@ contains
             list(k)%first_curve = int(conditions(k)%first_curve - 1, c_int32_t)
             list(k)%n_curves = int(conditions(k)%n_curves, c_int32_t)
             ! What a condition of another kind has of itself is not asked for.
-            if (conditions(k)%kind /= hm_on_curve .and. conditions(k)%first_curve == 1 .and. conditions(k)%n_curves == 1) &
+            if (conditions(k)%kind /= hm_on_curve .and. conditions(k)%first_curve == 1 .and. &
+                conditions(k)%n_curves == 1) &
                 list(k)%n_curves = 0
             list(k)%body = int(conditions(k)%body - 1, c_int32_t)
             list(k)%partner = int(conditions(k)%partner, c_int32_t)
@@ -137,4 +130,3 @@ contains
             list(k)%y = conditions(k)%y
         end do
     end function
-end module

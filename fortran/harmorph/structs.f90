@@ -1,10 +1,5 @@
-! The structs of harmorph.h; tests/layout.f90 compares them. Users have the reports as they are, and hm_c_* only where
-! they call C themselves.
-module harmorph_structs
-    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int32_t, c_int64_t, c_null_char, &
-        c_null_funptr, c_null_ptr, c_ptr
-    implicit none
-    private
+
+! ---- The structs of harmorph.h; users have the reports as they are, and hm_c_* only where they call C themselves -----
 
     type, bind(c), public :: hm_c_error
         integer(c_int32_t) :: code = 0, item = -1
@@ -59,6 +54,7 @@ module harmorph_structs
         integer(c_int64_t) :: struct_size = 0
         real(c_double) :: max_error = 0, rms_error = 0
         integer(c_int32_t) :: max_error_point = 0, closed = 0, first_point = 0, base_points = 0
+        integer(c_int32_t) :: reason = 0, corners = 0, backtrack_point = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_c_condition
@@ -153,4 +149,3 @@ module harmorph_structs
         real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0, heights = 0
         integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
     end type
-end module

@@ -1,11 +1,7 @@
-! Threads and progress: Fortran's procedures, and the C structs and functions that call them.
-module harmorph_threads
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int32_t, &
-        c_int64_t, c_loc, c_null_funptr, c_null_ptr, c_ptr, c_sizeof
-    use harmorph_structs, only: hm_c_executor
-    implicit none
-    private
-    public :: hm_run, hm_progress, hm_openmp, c_executor_of, call_progress
+
+! ---- Threads and progress: Fortran's procedures, and the C structs and functions that call them ----------------------
+
+    public :: hm_run, hm_progress, hm_openmp
 
     type, public :: hm_tasks                  ! the work of one call, for an executor
         private
@@ -44,12 +40,13 @@ module harmorph_threads
         integer :: n_threads = 1                                ! 1 .. 256
     end type
 
-    type, bind(c), public :: callback                 ! what C hands back as `user`
-        type(c_funptr) :: procedure = c_null_funptr
-        integer(c_int32_t) :: n_threads = 1
+    type :: callback                          ! what C hands back as `user`
+        procedure(hm_run), pointer, nopass :: run => null()
+        procedure(hm_progress), pointer, nopass :: progress => null()
+        integer :: n_threads = 1
     end type
 
-    type, bind(c), public :: c_threads                ! an executor of C, and the one of Fortran that it calls
+    type :: c_threads                ! an executor of C, and the one of Fortran that it calls
         type(hm_c_executor) :: c
         type(callback) :: its
     end type
@@ -90,10 +87,8 @@ contains
         type(c_funptr), value, intent(in) :: task
         type(c_ptr), value, intent(in) :: context
         type(callback), pointer :: its
-        procedure(hm_run), pointer :: run
         call c_f_pointer(user, its)
-        call c_f_procpointer(its%procedure, run)
-        call run(int(its%n_threads), int(n_tasks), hm_tasks(task, context))
+        call its%run(its%n_threads, int(n_tasks), hm_tasks(task, context))
     end subroutine
 
     function call_progress(user, phase, fraction) result(cancelled) bind(c, name="")
@@ -102,12 +97,10 @@ contains
         real(c_double), value, intent(in) :: fraction
         integer(c_int32_t) :: cancelled
         type(callback), pointer :: its
-        procedure(hm_progress), pointer :: progress
         logical :: cancel
         call c_f_pointer(user, its)
-        call c_f_procpointer(its%procedure, progress)
         cancel = .false.
-        call progress(int(phase), fraction, cancel)
+        call its%progress(int(phase), fraction, cancel)
         cancelled = merge(1_c_int32_t, 0_c_int32_t, cancel)
     end function
 
@@ -120,12 +113,9 @@ contains
         if (.not. present(executor)) return
         threads%c%struct_size = int(c_sizeof(threads%c), c_int64_t)
         threads%c%n_threads = int(executor%n_threads, c_int32_t)
-        threads%its%n_threads = threads%c%n_threads
-        if (associated(executor%run)) then
-            threads%c%run = c_funloc(call_executor)
-            threads%its%procedure = c_funloc(executor%run)
-        end if
+        threads%its%n_threads = executor%n_threads
+        threads%its%run => executor%run
+        if (associated(executor%run)) threads%c%run = c_funloc(call_executor)
         threads%c%user = c_loc(threads%its)
         address = c_loc(threads%c)
     end function
-end module

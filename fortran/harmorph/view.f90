@@ -1,17 +1,15 @@
-! Where coordinates lie. Calls come in four forms, _v8, _v4, _b8 and _b4: vectors x(:) or blocks x(:, :), of
-! real(c_double) or real(c_float). view_of makes one thing of them, put_back hands results to what had to be copied.
-module harmorph_view
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_float, c_int64_t, c_intptr_t, c_loc, c_null_ptr, c_ptr
-    use harmorph_structs, only: hm_c_points
-    implicit none
-    private
-    public :: c_address, c_points, view_of
 
-    type, public :: view
+! ---- Coordinates of one call -----------------------------------------------------------------------------------------
+!
+! Calls come in four forms, _v8, _v4, _b8 and _b4: vectors x(:) or blocks x(:, :), of real(c_double) or real(c_float).
+! view_of makes one thing of them, put_back hands results to what had to be copied. Nothing of it outlives the call, so
+! that the arrays may be temporary copies of the compiler.
+
+    type :: view
         type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
         integer(c_int64_t) :: stride = 1, n = 0
         integer :: ni = 0, nj = 0                               ! of a block
-        real(c_double), pointer :: copy(:, :, :) => null()      ! (n,1,2) or (ni,nj,2), where they must be converted
+        real(c_double), pointer :: copy(:, :, :) => null()      ! (n,1,2) or (ni,nj,2), where there must be one
         character(len=112) :: wrong = ""
     contains
         procedure :: drop
@@ -27,6 +25,7 @@ contains
     function view_of_v8(x, y) result(v)
         real(c_double), intent(in), target :: x(:), y(:)
         type(view) :: v
+        integer(c_intptr_t) :: bytes
         v%n = size(x, kind=c_int64_t)
         if (size(y, kind=c_int64_t) /= v%n) v%wrong = "x and y have different lengths"
         if (v%n == 0) v%wrong = "an array of coordinates is empty"
@@ -34,9 +33,25 @@ contains
         v%x = c_loc(x(1))
         v%y = c_loc(y(1))
         if (v%n == 1) return
-        v%stride = distance(c_loc(x(1)), c_loc(x(2)))
-        if (v%stride < 1 .or. v%stride /= distance(c_loc(y(1)), c_loc(y(2)))) &
-            v%wrong = "x and y must run upwards, with the same distance from point to point"
+        bytes = bytes_between(v%x, c_loc(x(2)))
+        v%stride = bytes / 8
+        if (bytes > 0 .and. mod(bytes, 8_c_intptr_t) == 0 .and. bytes == bytes_between(v%y, c_loc(y(2)))) return
+        call make_copy(v, shape(x), shape(y))
+        if (.not. associated(v%copy)) return
+        v%copy(:, 1, 1) = x
+        v%copy(:, 1, 2) = y
+    end function
+
+    ! By addresses, as points_at has them.
+    function view_at(place) result(v)
+        type(array_place), intent(in) :: place
+        type(view) :: v
+        v%n = place%n()
+        v%x = place%x
+        v%y = place%y
+        v%stride = place%stride()
+        v%wrong = place%wrong
+        if (v%wrong == "" .and. v%stride == 0) v%wrong = "bytes from point to point are not a multiple of 8"
     end function
 
     function view_of_b8(x, y) result(v)
@@ -81,7 +96,8 @@ contains
         if (any(shape_x /= shape_y)) v%wrong = "x and y have different shapes"
         if (any(shape_x == 0)) v%wrong = "an array of coordinates is empty"
         if (v%wrong /= "") return
-        extents = [shape_x, 1]                                  ! of a vector: n, 1
+        extents = 1                                             ! of a vector: n, 1
+        extents(:size(shape_x)) = shape_x
         allocate(v%copy(extents(1), extents(2), 2), stat=failed)
         if (failed /= 0) then
             nullify(v%copy)
@@ -89,22 +105,13 @@ contains
             return
         end if
         v%n = size(v%copy, kind=c_int64_t) / 2
+        v%stride = 1
         v%x = c_loc(v%copy(1, 1, 1))
         v%y = c_loc(v%copy(1, 1, 2))
         if (size(shape_x) == 1) return
         v%ni = shape_x(1)
         v%nj = shape_x(2)
     end subroutine
-
-    ! Distance of two numbers in memory; 0: not a whole number of them.
-    function distance(from, to) result(numbers)
-        type(c_ptr), intent(in) :: from, to
-        integer(c_int64_t) :: numbers
-        integer(c_intptr_t) :: bytes
-        bytes = transfer(to, bytes) - transfer(from, bytes)
-        numbers = 0
-        if (mod(bytes, 8_c_intptr_t) == 0) numbers = int(bytes / 8, c_int64_t)
-    end function
 
     ! As C has it.
     pure function c_points(v) result(points)
@@ -121,7 +128,7 @@ contains
         if (c_associated(points%x)) address = c_loc(points)
     end function
 
-    ! The end of a view, unless a mesh has taken the copy.
+    ! The end of a view.
     subroutine drop(self)
         class(view), intent(inout) :: self
         if (associated(self%copy)) deallocate(self%copy)
@@ -163,4 +170,3 @@ contains
         y = real(self%copy(:, :, 2), c_float)
         call self%drop()
     end subroutine
-end module

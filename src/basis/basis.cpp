@@ -17,6 +17,8 @@ Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     return sum;
 }
 
+std::uint64_t pair(Index a, Index b) noexcept { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); }
+
 }  // namespace
 
 std::uint64_t checksum_of(BasisHeader const& header) noexcept {
@@ -158,8 +160,7 @@ void Basis::unseal() const noexcept {
     header->checksum = 0;
 }
 
-std::uint64_t topology_print(Mesh const& mesh) noexcept {
-    auto const pair = [](Index a, Index b) { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); };
+Topology topology_fingerprint(Mesh const& mesh) noexcept {
     Hash front, back;
     front.add(pair(mesh.n_points, mesh.n_cells));
     mesh.for_each_cell([&](Index, Cell const& cell) {
@@ -167,10 +168,18 @@ std::uint64_t topology_print(Mesh const& mesh) noexcept {
         back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
     });
     front.add(back.value());
-    return front.value();
+    std::uint64_t sum = 0;  // does not depend on the order of the faces
+    mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {
+        Hash its;
+        its.add(pair(smaller(face.begin, face.end), larger(face.begin, face.end)));
+        its.add(static_cast<std::uint32_t>(face.marker));
+        sum += its.value();
+        return true;
+    });
+    return {front.value(), sum};
 }
 
-std::uint64_t coordinates_print(Points points, Index n_points) noexcept {
+std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept {
     Hash x, y;
     for (Index k = 0; k < n_points; ++k) {
         x.add(bits_of(points[k].x));

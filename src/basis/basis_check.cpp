@@ -129,8 +129,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     std::memcpy(static_cast<void*>(&header), block, sizeof header);
     if (header.byte_order != BasisHeader::native_order) return refuse("the basis was written with another byte order");
     if (header.format != BasisHeader::current_format) {
-        return fault.refuse(Status::bad_basis, "the basis has format version #, which this library does not read",
-                            Counts::from_zero, static_cast<Index>(header.format));
+        return fault.refuse(Status::bad_basis, "the basis has format version #, this library reads @: solve it again",
+                            Counts::from_zero, static_cast<Index>(header.format), Index{BasisHeader::current_format});
     }
     if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
     if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
@@ -148,8 +148,12 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                             Counts::from_zero, header.counts.points, header.counts.cells);
     }
-    if (header.topology != topology_print(*mesh)) return refuse("the basis belongs to another mesh: the cells differ");
-    if (header.coordinates == coordinates_print(mesh->points, mesh->n_points)) return Status::ok;
+    Topology const found = topology_fingerprint(*mesh);
+    if (header.topology.cells != found.cells) return refuse("the basis belongs to another mesh: the cells differ");
+    if (header.topology.markers != found.markers) {
+        return refuse("the basis belongs to another mesh: other points are on its markers, or markers have other numbers");
+    }
+    if (header.coordinates == coordinates_fingerprint(mesh->points, mesh->n_points)) return Status::ok;
     fault.refuse(Status::moved, "the mesh's coordinates are not those the basis was solved on");
     return Status::moved;
 }

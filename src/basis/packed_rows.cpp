@@ -13,7 +13,7 @@ ParcelLabel label_of(Basis const& share, Index n_points) noexcept {
 // Does the parcel have what the rows wait for?
 Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) noexcept {
     BasisHeader const& header = *rows.header;
-    if (header.topology != label.topology || header.conditions != label.conditions ||
+    if (!(header.topology == label.topology) || header.conditions != label.conditions ||
         header.coordinates != label.coordinates || label.numbers != numbers_of(header.counts.kind)) {
         return fault.refuse(Status::bad_basis, "the parcel comes from a basis of another problem");
     }
@@ -25,7 +25,7 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
         return fault.refuse(Status::bad_basis, "parcels are for rows of all functions, this is a share of them");
     }
     if (label.first != header.filled || label.n < 0 || label.n > rows.n_functions() - label.first) {
-        return fault.refuse(Status::bad_basis, "the parcel begins with function # (from 0), the next one to come is @",
+        return fault.refuse(Status::bad_basis, "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
                             Counts::from_zero, label.first, header.filled);
     }
     return Status::ok;
@@ -46,7 +46,7 @@ void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexce
 Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept {
     ParcelLabel label;
     if (words < label_words) return fault.refuse(Status::bad_basis, "the parcel is truncated");
-    std::memcpy(&label, parcel, sizeof label);
+    std::memcpy(static_cast<void*>(&label), parcel, sizeof label);
     if (label.magic != ParcelLabel::mark) return fault.refuse(Status::bad_basis, "this is not a parcel of rows");
     HARMORPH_TRY(check_label(label, rows, fault));
     Offset const length = Offset{label.numbers} * label.n;

@@ -19,7 +19,7 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
         }
     }
     if (has_faces(boundary, marker)) return Status::ok;
-    return fault.refuse(Status::bad_condition, "condition @ names marker #, which no boundary face has", Counts::from_zero,
+    return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face", Counts::from_zero,
                         marker, i);
 }
 
@@ -27,7 +27,7 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
 Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     Condition const& its = conditions[i];
     if (!is_finite(its.centre.x) || !is_finite(its.centre.y)) {
-        return fault.refuse(Status::bad_condition, "the centre in condition # is not finite", Counts::from_zero, i);
+        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite", Counts::from_zero, i);
     }
     Index previous = its.body == 0 ? 0 : none;
     for (Condition const& other : conditions) {
@@ -39,7 +39,7 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
         }
     }
     if (its.body >= 0 && previous != none) return Status::ok;
-    return fault.refuse(Status::bad_condition, "condition # names rigid body @: bodies count from 0 without gaps",
+    return fault.refuse(Status::bad_condition, "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
                         Counts::from_zero, i, its.body);
 }
 
@@ -78,7 +78,7 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         any_wall = true;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
-            return fault.refuse(Status::bad_condition, "condition # names curves that do not exist; there are @",
+            return fault.refuse(Status::bad_condition, "condition # (from 0) names curves that do not exist; there are @",
                                 Counts::from_zero, i, n_curves);
         }
     }

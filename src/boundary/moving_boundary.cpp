@@ -131,7 +131,7 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
                                 Counts::mesh, point);
         }
         if (curve < 0 || curve >= curves.count()) {
-            return fault.refuse(Status::bad_condition, "given parameter # is on curve @, which does not exist",
+            return fault.refuse(Status::bad_condition, "given parameter # (from 0) is on curve @ (from 0), which does not exist",
                                 Counts::from_zero, i, curve);
         }
         if (!(given.u[i] >= curves[curve].begin() && given.u[i] <= curves[curve].end())) {

@@ -57,8 +57,8 @@ private:
 
     Status curved(Index face, Fault& fault) const noexcept {
         if (!slips(face)) return Status::ok;
-        return fault.refuse(Status::bad_condition, "marker # slips, but is not straight at point @", Counts::mesh,
-                            boundary_.marker[face], boundary_.point[face]);
+        return fault.refuse(Status::bad_condition, "marker @ slips, but is not straight at point #",
+                            Counts::mesh_and_marker, boundary_.point[face], boundary_.marker[face]);
     }
 
     Status add_line(Index loop, Index first, Index n, Fault& fault) noexcept {

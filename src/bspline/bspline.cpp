@@ -11,32 +11,32 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
     };
     Index const n_knots = curve.n_indices + curve.degree + 1;
     for (Index k = 0; k < n_knots; ++k) {
-        if (!is_finite(curve.knots[k])) return refuse("knot # of curve @ (both counted from 0) is not finite", k);
+        if (!is_finite(curve.knots[k])) return refuse("knot # (from 0) of curve @ (from 0) is not finite", k);
         if (k > 0 && curve.knots[k] < curve.knots[k - 1])
-            return refuse("knot # of curve @ (both counted from 0) is smaller than the one before it", k);
+            return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it", k);
     }
     if (!(curve.begin() < curve.end()) || !is_finite(curve.knots[n_knots - 1] - curve.knots[0]))
-        return refuse("curve @, which begins at knot # (both from 0), has no length or an infinite one", curve.degree);
+        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length or an infinite one", curve.degree);
 
     Index fold = 0;
     for (Index k = 0; k < n_knots; ++k) {
         fold = k > 0 && curve.knots[k] == curve.knots[k - 1] ? fold + 1 : 1;
         bool const at_end = curve.knots[k] == curve.begin() || curve.knots[k] == curve.end();
         if (fold > curve.degree + (at_end ? 1 : 0))
-            return refuse("knot # of curve @ (both from 0) is repeated more often than the degree allows", k);
+            return refuse("knot # (from 0) of curve @ (from 0) is repeated more often than the degree allows", k);
     }
     return Status::ok;
 }
 
 Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.indices == nullptr && curve.n_indices > curve.n_control)
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) uses # control points in order, but there are fewer",
-                            Counts::from_zero, curve.n_indices, number);
+        return fault.refuse(Status::bad_curve, "curve # (from 0) uses @ control points in order, but there are fewer",
+                            Counts::from_zero, number, curve.n_indices);
     for (Index k = 0; k < curve.n_indices; ++k) {
         // Not by control_point(): the subtraction may overflow before anything is known about the index.
         Offset const c = curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
         if (c < 0 || c >= curve.n_control)
-            return fault.refuse(Status::bad_curve, "index # of curve @ (both from 0) is ~: there is no such control point",
+            return fault.refuse(Status::bad_curve, "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
                                 Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         if (!is_finite(curve.control[2 * point]) || !is_finite(curve.control[2 * point + 1]))
@@ -98,13 +98,13 @@ void raise_degree(Curve const& curve, Index span, Real u, Index j, Index n_deriv
 
 Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.degree < 1 || curve.degree > max_degree)
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) has degree #; 1 to 5 are possible", Counts::from_zero,
-                            curve.degree, number);
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @; 1 to 5 are possible", Counts::from_zero,
+                            number, curve.degree);
     if (curve.n_indices <= curve.degree || curve.n_indices > std::numeric_limits<Index>::max() - max_order)
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) has # control points: more than the degree are needed",
-                            Counts::from_zero, curve.n_indices, number);
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has @ control points: more than the degree are needed",
+                            Counts::from_zero, number, curve.n_indices);
     if (curve.knots == nullptr || curve.control == nullptr)
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) has no knots or no control points", Counts::from_zero, none,
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has no knots or no control points", Counts::from_zero,
                             number);
     HARMORPH_TRY(check_knots(curve, number, fault));
     return check_control(curve, number, fault);

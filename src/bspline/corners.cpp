@@ -8,8 +8,8 @@ namespace {
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
 constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degrees
-constexpr Real longest_base = 0.05;
-constexpr Real base_straightness = 0.02;  // of the base's length
+constexpr Real longest_side = 0.15;      // thick trailing edges of wind turbines have a tenth of the chord
+constexpr Real side_straightness = 0.02;  // of the side's length
 constexpr Real coordinate_noise = 2e-6;   // six digits
 constexpr Real flat_turn = 1e-4;          // of a point that divides a straight facet
 constexpr Index most_flat = 3;            // more of them in a row are a straight side
@@ -153,18 +153,18 @@ Index find_corners(Outline const& outline, Span<Index> corner) noexcept {
     return n;
 }
 
-bool is_base(Outline const& outline, Index from, Index to) noexcept {
+bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const start = outline.points[from];
     Vec2 const along = outline.points[to] - start;
     Real const gap = length(along);
-    if (from == to || gap > longest_base) return false;
+    if (from == to || gap > longest_side) return false;
     Index const n = outline.count();
     Real walked = 0;
     for (Index k = from; k != to;) {
         Index const next = k + 1 == n ? 0 : k + 1;
         walked += length(outline.points[next] - outline.points[k]);
         Real const off = absolute(cross(along, outline.points[next] - start)) / gap;
-        if (off > base_straightness * gap + coordinate_noise || walked > 1.1 * gap + coordinate_noise) return false;
+        if (off > side_straightness * gap + coordinate_noise || walked > 1.1 * gap + coordinate_noise) return false;
         k = next;
     }
     return true;

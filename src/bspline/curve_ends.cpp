@@ -3,6 +3,10 @@
 namespace harmorph {
 namespace {
 
+constexpr Real cosine_of_return = -0.7;  // of the angle between what goes into a base and what comes out: wedges up to 45 degrees
+constexpr Real at_the_end = 0.95;        // of the chord: how far from the nose a base is at least
+constexpr Real blunt_turn = 1;           // 2 sin(angle / 2) of 60 degrees
+
 // Of the points that turn within `tie` of the most, those farthest from the centroid (the origin), of these the one nearest
 // to either end of the list: rounding, turning and reversing the outline shall not change the choice.
 template <class Candidates>
@@ -29,15 +33,42 @@ Index sharpest_point(Outline const& outline, Span<const Index> corner) noexcept 
     return sharpest_of(outline, [&](Index j) { return corner[j]; }, corner.count(), 1e-6);
 }
 
-// Round a loop, from a corner to the next one: the shortest straight piece, or none.
+Index following(Span<const Index> corner, Index j) noexcept { return corner[j + 1 == corner.count() ? 0 : j + 1]; }
+
+Index farthest_from(Outline const& outline, Vec2 place) noexcept {
+    Index farthest = 0;
+    for (Index k = 1; k < outline.count(); ++k)
+        if (square(outline.points[k] - place) > square(outline.points[farthest] - place)) farthest = k;
+    return farthest;
+}
+
+// Does the outline come back over this side? Directions are taken over the side's own length.
+bool comes_back(Outline const& outline, Index from, Index to) noexcept {
+    Real const reach = length(outline.points[to] - outline.points[from]);
+    Vec2 const in = outline.points[from] - outline.points[outline.behind(from, reach)];
+    Vec2 const out = outline.points[outline.ahead(to, reach)] - outline.points[to];
+    return dot(in, out) < cosine_of_return * length(in) * length(out);
+}
+
+bool is_base(Outline const& outline, Index from, Index to) noexcept {
+    if (!is_short_side(outline, from, to) || !comes_back(outline, from, to)) return false;
+    Vec2 const begin = outline.points[from], end = outline.points[to];
+    Vec2 const nose = outline.points[farthest_from(outline, 0.5 * (begin + end))];
+    Real const chord = length(outline.points[farthest_from(outline, nose)] - nose);
+    return larger(length(begin - nose), length(end - nose)) > at_the_end * chord;
+}
+
+// Which corner a base begins at; none if there is no base, or one at either end of the body. Of several at one end, as a
+// step makes them, the shortest.
 Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
+    auto const middle = [&](Index j) { return 0.5 * (outline.points[corner[j]] + outline.points[following(corner, j)]); };
     Index found = none;
     Real shortest = infinity;
     for (Index j = 0; j < corner.count(); ++j) {
-        Index const from = corner[j];
-        Index const to = corner[j + 1 == corner.count() ? 0 : j + 1];
-        Real const gap = length(outline.points[to] - outline.points[from]);
-        if (gap >= shortest || !is_base(outline, from, to)) continue;
+        if (!is_base(outline, corner[j], following(corner, j))) continue;
+        if (found != none && length(middle(j) - middle(found)) > 0.5) return none;
+        Real const gap = length(outline.points[following(corner, j)] - outline.points[corner[j]]);
+        if (gap >= shortest) continue;
         shortest = gap;
         found = j;
     }
@@ -61,18 +92,35 @@ void sort_ascending(Span<Index> list, Index n) noexcept {  // a few corners, nea
 
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept {
     Index const n = outline.count();
-    if (!outline.is_loop || wanted == Closure::open) return {Closure::open, 0, n, 0};
-    if (wanted == Closure::automatic) {
-        Index const base = find_base(outline, corner);
-        if (base != none) {
-            Index const from = corner[base];
-            Index const to = corner[base + 1 == corner.count() ? 0 : base + 1];
-            Index const base_points = (to < from ? to + (n - from) : to - from) + 1;
-            return {Closure::open, to, n - base_points + 2, base_points};
-        }
-        wanted = corner.empty() ? Closure::periodic : Closure::tied;
+    if (!outline.is_loop) return {Closure::open, ClosureReason::no_loop, 0, n, 0};
+    if (wanted == Closure::open) return {Closure::open, ClosureReason::wish, 0, n, 0};
+    if (wanted != Closure::automatic) return {wanted, ClosureReason::wish, sharpest_point(outline, corner), n + 1, 0};
+    Index const base = find_base(outline, corner);
+    if (base != none) {
+        Index const from = corner[base], to = following(corner, base);
+        Index const base_points = (to < from ? to + (n - from) : to - from) + 1;
+        return {Closure::open, ClosureReason::base, to, n - base_points + 2, base_points};
     }
-    return {wanted, sharpest_point(outline, corner), n + 1, 0};
+    Index const first = sharpest_point(outline, corner);
+    if (corner.empty()) return {Closure::periodic, ClosureReason::no_corner, first, n + 1, 0};
+    return {Closure::tied, ClosureReason::corner, first, n + 1, 0};
+}
+
+Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept {
+    auto const is_facet = [&](Index from, Index to) {
+        return outline.turn[from] < blunt_turn && outline.turn[to] < blunt_turn && is_short_side(outline, from, to) &&
+               !is_base(outline, from, to);
+    };
+    if (!outline.is_loop || n < 2) return n;
+    bool const round_the_end = is_facet(corner[n - 1], corner[0]);
+    Index kept = 0;
+    bool drops = round_the_end;  // the corner at hand ends a facet
+    for (Index j = 0; j < n; ++j) {
+        bool const begins = j + 1 < n ? is_facet(corner[j], corner[j + 1]) : round_the_end;
+        if (!drops && !begins) corner[kept++] = corner[j];
+        drops = begins;
+    }
+    return kept;
 }
 
 Index corners_on(Course const& course, Outline const& outline, Span<Index> corner, Index most) noexcept {

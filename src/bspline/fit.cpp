@@ -11,6 +11,9 @@ constexpr Index knot_rounds = 24;      // knots moved to where the errors are
 constexpr Index solves_per_round = 3;  // each followed by a correction of the parameters
 constexpr Index final_solves = 20;     // with the best knots
 constexpr Real exact = 1e-14;          // an error, in units of the extent, that cannot get better
+constexpr Real shortest_step = 1e-5;   // between points: below, digits of coordinates decide where it leads
+constexpr Real against = -0.25;        // cosine of the angle between curve and step where the curve runs back
+constexpr Index looks_per_step = 32;
 
 Index round_loop(Offset point, Index n) noexcept { return static_cast<Index>(point % n); }
 
@@ -42,6 +45,7 @@ void Fit::lay_out(Arena& arena, Index n_points, FitOptions const& options) noexc
     arena.take(best_knots_, m + 2 * p + 1);
     arena.take(best_pinned_, m);
     arena.take(span_error_, m + p);
+    arena.take(best_u_, n + 1);
     arena.take(section_spans_, m);
     arena.take(scaled_, n);
     arena.take(corner_, n);
@@ -61,7 +65,9 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     if (!is_loop && (options.closure == Closure::tied || options.closure == Closure::periodic))
         return fault.refuse(Status::bad_curve, "only a loop of points can have a tied or periodic curve");
     outline_.measure();
-    Index n_corners = find_corners(outline_, corner_);
+    Index n_corners = drop_facets(outline_, corner_, find_corners(outline_, corner_));
+    report = {};
+    report.corners = n_corners;
     course_ = choose_course(outline_, corner_.first(n_corners), options.closure);
     if (course_.n_positions < options.n_control)
         return fault.refuse(Status::bad_curve, "# points without those on the base do not determine @ control points",
@@ -73,10 +79,13 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     approximate(n_corners);
     if (best_error_ == infinity) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     publish(points);
-    report = {};
     report_errors(points, n, report);
-    if (is_finite(report.max_error)) return Status::ok;
-    return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    report.backtrack_point = find_backtrack();
+    if (report.backtrack_point == none) return Status::ok;
+    Index const next = report.backtrack_point + 1 == n ? 0 : report.backtrack_point + 1;
+    return fault.refuse(Status::backtracks, "between points # and @ (from 0) the curve runs back: fewer control points help",
+                        Counts::from_zero, report.backtrack_point, next);
 }
 
 // Checks them, and turns them into scaled_ points about their centroid.
@@ -102,7 +111,7 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     for (Index k = 0; k + (is_loop ? 0 : 1) < n; ++k) {
         Index const next = k + 1 == n ? 0 : k + 1;
         if (square(scaled_[next] - scaled_[k]) == 0)
-            return fault.refuse(Status::bad_curve, "points # and @ (from 0) follow each other and coincide",
+            return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide",
                                 Counts::from_zero, k, next);
     }
     outline_.points = scaled_;
@@ -184,6 +193,7 @@ void Fit::solve_and_correct(Index times, Real acceleration) noexcept {
         copy(control, Span<const Real>(squares_.control));
         copy(best_knots_, Span<const Real>(knots_));
         copy(best_pinned_, Span<const Index>(squares_.pinned));
+        copy(best_u_, Span<const Real>(squares_.u));
     }
 }
 
@@ -237,6 +247,7 @@ void Fit::publish(Points points) noexcept {
 
 void Fit::report_errors(Points points, Index n, FitReport& report) const noexcept {
     report.closure = course_.closure;
+    report.reason = course_.reason;
     report.first_point = course_.first;
     report.base_points = course_.base_points;
     Real sum = 0;
@@ -249,6 +260,22 @@ void Fit::report_errors(Points points, Index n, FitReport& report) const noexcep
         report.max_error_point = k;
     }
     report.rms_error = square_root(sum / n);
+}
+
+// The point behind which the published curve runs against the step to the next point; or none.
+Index Fit::find_backtrack() const noexcept {
+    for (Index k = 0; k + 1 < course_.n_positions; ++k) {
+        Vec2 const step = along_[k + 1] - along_[k];
+        if (!(length(step) > shortest_step)) continue;
+        for (Index look = 0; look < looks_per_step; ++look) {
+            Real const share = (look + 0.5) / looks_per_step;
+            Vec2 c[2];
+            curve_point(curve[0], (1 - share) * best_u_[k] + share * best_u_[k + 1], 1, c);
+            if (dot(c[1], step) < against * length(c[1]) * length(step))
+                return round_loop(static_cast<Offset>(course_.first) + k, outline_.count());
+        }
+    }
+    return none;
 }
 
 }  // namespace harmorph

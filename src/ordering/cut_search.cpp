@@ -11,11 +11,16 @@ Four least_of(Four a, Four b) noexcept { return a < b ? a : b; }
 Four most_of(Four a, Four b) noexcept { return a < b ? b : a; }
 Four middle_of(Four a, Four b, Four c) noexcept { return most_of(least_of(a, b), least_of(most_of(a, b), c)); }
 
-// Of a part of n unknowns with a border of b: what halving it again and again comes to, where separators of s = n^1/2
-// pivots cost s (s^2 / 3 + s b + b^2), and each half has half the border and the separator.
+// Multiplications that a part of n unknowns with a border of b leads to, where separators of s = n^1/2 pivots halve it
+// again and again, and each half has half the border and the separator:
+//   C(n, b) = s (s^2 / 3 + s b + b^2) + 2 C(n / 2, b / 2 + s)
+// is solved by C = s (u s^2 + v s b + w b^2), and comparing coefficients, with r = 2^1/2, gives
+//   w = 1 + r w / 4,   v = 1 + v / 2 + r w,   u = 1 / 3 + u / r + v + r w:   w = 1.547, v = 6.375, u = 30.37.
+constexpr Real of_unknowns = 30, of_both = 6.4, of_border = 1.55;
+
 Real cost_to_cut(Real n, Real b) noexcept {
     Real const s = square_root(n);
-    return s * (30 * n + 6.4 * s * b + 1.55 * b * b);
+    return s * (of_unknowns * n + of_both * s * b + of_border * b * b);
 }
 
 // Of many unknowns some tell enough: separators have about the square root of their number.

@@ -57,7 +57,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) topology = topology_print(mesh);
+        if (part == 2 && has_conditions()) topology = topology_fingerprint(mesh);
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary.mark(mesh, edges, representative, fault));
@@ -135,7 +135,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 // Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
-std::uint64_t Analysis::conditions_print() const noexcept {
+std::uint64_t Analysis::conditions_fingerprint() const noexcept {
     Hash hash;
     for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
     for (Index slot = 0; slot < wall.count; ++slot) {

@@ -21,7 +21,7 @@ Status Plan::assemble_cells(Points points, Fault& fault) noexcept {
 }
 
 Status Plan::assemble_edges(Points points, Fault& fault) noexcept {
-    if (coordinates_print(points, mesh.n_points) != analysed_coordinates) {
+    if (coordinates_fingerprint(points, mesh.n_points) != analysed_coordinates) {
         return fault.refuse(Status::unsupported,
                             "bounded scheme: its triangles fit the analysed coordinates alone; analyse again");
     }

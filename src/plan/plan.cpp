@@ -82,7 +82,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
     topology = analysis.topology;
-    conditions = analysis.conditions_print();
+    conditions = analysis.conditions_fingerprint();
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
     engine.kernel = residual.kernel = wall.kernel = method.kernel == Kernel::automatic ? best_kernel() : method.kernel;
@@ -93,7 +93,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     if (method.bounded()) {
         Index n = 0;
         analysis.triangulation.for_each_edge([&](DelaunayEdge const& edge) { delaunay_edges[n++] = edge; });
-        analysed_coordinates = coordinates_print(mesh.points, mesh.n_points);
+        analysed_coordinates = coordinates_fingerprint(mesh.points, mesh.n_points);
     }
     engine.executor = analysis.problem.executor;
     engine.executor.for_each(3, [&](Index part) {  // none needs another
@@ -132,7 +132,7 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
     HARMORPH_TRY(status);
     HARMORPH_TRY(test_factor(fault));
     if (method.nodal_gradients()) nodal.scheme.measure(points);
-    coordinates = coordinates_print(points, mesh.n_points);
+    coordinates = coordinates_fingerprint(points, mesh.n_points);
     HARMORPH_TRY(progress.report(Phase::factor, 1, fault));
     factored = true;
     return Status::ok;
@@ -187,8 +187,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
     }
     Agglomeration const& levels = method.engine == Engine::fas ? fas.levels : multigrid.levels;
     if (level < 0 || level >= levels.count) {
-        return fault.refuse(Status::bad_argument, "there is no level #: levels 0 to @ there are", Counts::from_zero, level,
-                            levels.count - 1);
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero, level,
+                            levels.count);
     }
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index cell = matrix.place[point] >= 0 ? matrix.place[point] : none;
@@ -243,7 +243,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, Analysis const& a
     header.byte_order = BasisHeader::native_order;
     header.bytes = Basis::bytes(counts);
     header.topology = analysis.topology;
-    header.conditions = analysis.conditions_print();
+    header.conditions = analysis.conditions_fingerprint();
     header.index_base = analysis.problem.mesh.index_base;
     header.counts = counts;
     header.method = analysis.problem.method;

@@ -181,7 +181,7 @@ bool Plan::is_only_rounding(Lines const& all, Index column, Real error) const no
 
 Status Plan::judge(SolveReport const& report, Fault& fault) const noexcept {
     if (!(report.missed <= method.tolerance)) {
-        return fault.refuse(Status::not_converged, "function # has the relative residual ~, above the tolerance",
+        return fault.refuse(Status::not_converged, "function # (from 0) has the relative residual ~, above the tolerance",
                             Counts::from_zero, report.missed_function, none, report.missed);
     }
     if (!report.iteration.settled) {
@@ -190,8 +190,8 @@ Status Plan::judge(SolveReport const& report, Fault& fault) const noexcept {
     if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single ? "function # may be off by ~: cells are too thin for a factor in single precision"
-                                  : "function # may be off by ~: cells are too thin for refinement to bring it down",
+                        in_single ? "function # (from 0) may be off by ~: cells are too thin for a factor in single precision"
+                                  : "function # (from 0) may be off by ~: cells are too thin for refinement to bring it down",
                         Counts::from_zero, report.error_function, none, report.error);
 }
 

@@ -40,7 +40,9 @@ TEST_CASE("the counted size suffices at any address; arrays are aligned, inside,
         Arena counting;
         layout.lay_out(counting);
         CHECK(!counting.placing());
-        CHECK((layout.a.empty() && layout.d.empty()));   // nothing to use yet
+        // Nothing to use yet.
+        CHECK(layout.a.empty());
+        CHECK(layout.d.empty());
         Guarded block(counting.bytes(), random() % 64);
         Arena placing(block.data(), block.size());
         layout.lay_out(placing);
@@ -100,7 +102,8 @@ TEST_CASE("sizes beyond all addresses are refused instead of wrapping round") {
         placing.take(array, n);
         placing.take(more, 1);
         CHECK(placing.overflown());
-        CHECK((array.empty() && more.empty()));
+        CHECK(array.empty());
+        CHECK(more.empty());
         CHECK(placing.verify(1000, fault) == Status::block_too_small);
     }
     Arena negative;

@@ -43,9 +43,12 @@ TEST_CASE("a number in fixed point is itself to 2^-64, and exactly so if it is n
 
 TEST_CASE("ties are rounded by the number alone, whatever the sum is") {
     double const tie = 0x1p-33, odd_tie = 3 * 0x1p-33;
-    CHECK((fixed(tie).coarse == 0 && fixed(odd_tie).coarse == 2));
-    CHECK((fixed(-tie).coarse == 0 && fixed(-odd_tie).coarse == -2));
-    CHECK((fixed(0x1p-64).fine == 0 && fixed(3 * 0x1p-64).fine == 2));
+    CHECK(fixed(tie).coarse == 0);
+    CHECK(fixed(odd_tie).coarse == 2);
+    CHECK(fixed(-tie).coarse == 0);
+    CHECK(fixed(-odd_tie).coarse == -2);
+    CHECK(fixed(0x1p-64).fine == 0);
+    CHECK(fixed(3 * 0x1p-64).fine == 2);
 }
 
 TEST_CASE("values of sums: cancellation, carries, and 2^30 numbers of size 1") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/perturb.hpp>
+#include <fixtures/wrong.hpp>
 
 #include <harmorph/base/predicates.hpp>
 
@@ -45,7 +46,8 @@ double any_number(std::mt19937& random) {
 
 TEST_CASE("signs are those of whole numbers, in any unit of length") {
     std::mt19937 random(1);
-    int degenerate = 0, wrong = 0;
+    int degenerate = 0;
+    fixtures::Wrong wrong;   // signs, in which round
     for (int round = 0; round < 20000; ++round) {
         // Few points on a line or a circle by chance: small numbers, and a fourth point mirrored or one step off.
         std::int64_t const size = round % 2 == 0 ? 8 : 20000, far = round % 3 == 0 ? 1 << 28 : 0;
@@ -58,8 +60,8 @@ TEST_CASE("signs are those of whole numbers, in any unit of length") {
         for (double const scale : {1.0, 0x1p-900, 0x1p900, 0x1p-1074, 0x1p994, 0x1p-300, 3.0}) {
             Vec2 q[4];
             for (int k = 0; k < 4; ++k) q[k] = at(p[k], scale);   // 3 times a number below 2^30 is exact as well
-            wrong += orientation_sign(q[0], q[1], q[2]) != turn;
-            wrong += in_circle_sign(q[0], q[1], q[2], q[3]) != circle;
+            wrong.compare(round, orientation_sign(q[0], q[1], q[2]), turn);
+            wrong.compare(round, in_circle_sign(q[0], q[1], q[2], q[3]), circle);
         }
     }
     CHECK(wrong == 0);
@@ -97,22 +99,23 @@ TEST_CASE("a circle and a point next to it, the whole range of numbers apart") {
 
 TEST_CASE("swapping two points changes the sign, whatever the sizes") {
     std::mt19937 random(2);
-    int not_zero = 0, wrong = 0;
+    int not_zero = 0;
+    fixtures::Wrong wrong;   // signs, in which round
     for (int round = 0; round < 3000; ++round) {
         Vec2 p[4];
         for (Vec2& one : p) one = {any_number(random), any_number(random)};
         int const turn = orientation_sign(p[0], p[1], p[2]);
-        wrong += orientation_sign(p[1], p[0], p[2]) != -turn;
-        wrong += orientation_sign(p[1], p[2], p[0]) != turn;
+        wrong.compare(round, orientation_sign(p[1], p[0], p[2]), -turn);
+        wrong.compare(round, orientation_sign(p[1], p[2], p[0]), turn);
         int const circle = in_circle_sign(p[0], p[1], p[2], p[3]);
         not_zero += circle != 0;
-        wrong += in_circle_sign(p[1], p[0], p[2], p[3]) != -circle;
-        wrong += in_circle_sign(p[0], p[1], p[3], p[2]) != -circle;
-        wrong += in_circle_sign(p[1], p[2], p[3], p[0]) != -circle;
-        wrong += in_circle_sign(p[0], p[1], p[2], p[0]) != 0;
+        wrong.compare(round, in_circle_sign(p[1], p[0], p[2], p[3]), -circle);
+        wrong.compare(round, in_circle_sign(p[0], p[1], p[3], p[2]), -circle);
+        wrong.compare(round, in_circle_sign(p[1], p[2], p[3], p[0]), -circle);
+        wrong.compare(round, in_circle_sign(p[0], p[1], p[2], p[0]), 0);
         // x and y change places: a reflection.
         Vec2 const m[] = {{p[0].y, p[0].x}, {p[1].y, p[1].x}, {p[2].y, p[2].x}, {p[3].y, p[3].x}};
-        wrong += in_circle_sign(m[0], m[1], m[2], m[3]) != -circle;
+        wrong.compare(round, in_circle_sign(m[0], m[1], m[2], m[3]), -circle);
     }
     CHECK(wrong == 0);
     CHECK(not_zero > 1500);

@@ -49,8 +49,10 @@ TEST_CASE("a tolerance below rounding is a warning, and the functions are there"
     options.tolerance = 1e-18;
     Attempt const attempt(its.problem(), &options);
     CHECK(attempt.status == HM_NOT_CONVERGED);
-    CHECK((attempt.error.code == HM_NOT_CONVERGED && attempt.error.value == attempt.report.residual));
-    CHECK((attempt.report.residual > 1e-18 && attempt.report.residual < 1e-12));
+    CHECK(attempt.error.code == HM_NOT_CONVERGED);
+    CHECK(attempt.error.value == attempt.report.residual);
+    CHECK(attempt.report.residual > 1e-18);
+    CHECK(attempt.report.residual < 1e-12);
     std::vector<double> values(its.mesh.x.size());
     CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_OK);
 }
@@ -62,9 +64,11 @@ TEST_CASE("phases are reported in order, each from 0 to 1, never backwards") {
     Solved const solved(its, &options);
     std::vector<Event> const& events = listener.events;
     REQUIRE(events.size() > 14);
-    CHECK((events.front().phase == HM_PHASE_STRUCTURE && events.back().phase == HM_PHASE_RESIDUAL));
+    CHECK(events.front().phase == HM_PHASE_STRUCTURE);
+    CHECK(events.back().phase == HM_PHASE_RESIDUAL);
     for (std::size_t k = 0; k < events.size(); ++k) {
-        CHECK((events[k].fraction >= 0 && events[k].fraction <= 1));
+        CHECK(events[k].fraction >= 0);
+        CHECK(events[k].fraction <= 1);
         bool const starts = k == 0 || events[k].phase != events[k - 1].phase;
         if (starts) {
             CHECK(events[k].fraction == 0);
@@ -109,14 +113,16 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
         REQUIRE(attempt.prepare());
         hm_status status = hm_plan_factor(attempt.plan, nullptr, &attempt.error);
         if (status < 0) {
-            CHECK((status == HM_CANCELLED && !cancelled));
+            CHECK(status == HM_CANCELLED);
+            CHECK(!cancelled);
             cancelled = true;
             CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);   // there is no factor
             REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         }
         status = hm_plan_solve(attempt.plan, attempt.basis, nullptr, &attempt.error);
         if (status < 0) {
-            CHECK((status == HM_CANCELLED && !cancelled));
+            CHECK(status == HM_CANCELLED);
+            CHECK(!cancelled);
             cancelled = true;
             std::vector<double> values(its.mesh.x.size());
             CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
@@ -131,7 +137,8 @@ TEST_CASE("cancelled at any moment: nothing is lost, and doing it again gives th
 TEST_CASE("what does not belong together is refused: no factor yet, another analysis's basis") {
     Case its = tiny_case(), other = two_body_case();
     Attempt attempt;
-    REQUIRE((attempt.analyse(its.problem()) && attempt.prepare()));
+    REQUIRE(attempt.analyse(its.problem()));
+    REQUIRE(attempt.prepare());
     CHECK(hm_plan_solve(attempt.plan, attempt.basis, nullptr, nullptr) < 0);
     REQUIRE(attempt.solve());
     Solved const foreign(other);

@@ -90,7 +90,10 @@ TEST_CASE("it gives back the curves, the points and the parameters it was solved
     CHECK(hm_basis_curves(solved.basis, &set, shape, 1, nullptr) == HM_BAD_ARGUMENT);
     REQUIRE(hm_basis_curves(solved.basis, &set, shape, 2, nullptr) == HM_OK);
     CHECK(hm_curves_check(&set, nullptr) == HM_OK);
-    CHECK((set.n_curves == 2 && set.n_control == 20 && set.index_base == 0 && set.curve == shape));
+    CHECK(set.n_curves == 2);
+    CHECK(set.n_control == 20);
+    CHECK(set.index_base == 0);
+    CHECK(set.curve == shape);
     CHECK(same_bits({set.control, set.control + 40}, its.curves.control));
     CHECK(same_bits({set.weights, set.weights + 20}, its.curves.weights));
     for (std::size_t c = 0; c < 2; ++c) {
@@ -100,15 +103,61 @@ TEST_CASE("it gives back the curves, the points and the parameters it was solved
         for (std::size_t k = 0; k < own.indices.size(); ++k) CHECK(shape[c].indices[k] == own.indices[k] - 1);
     }
     hm_basis_info const info = solved.info();
-    CHECK((info.solved == 1 && info.points == its.mesh.n_points() && info.cells == its.mesh.n_cells()));
-    CHECK((info.functions == 20 && info.curves == 2 && info.curve_points == 96 && info.numbers_per_value == 1));
-    CHECK((info.operator_kind == HM_LAPLACE && info.scheme == HM_COMPACT && info.engine == HM_DIRECT));
+    CHECK(info.solved == 1);
+    CHECK(info.points == its.mesh.n_points());
+    CHECK(info.cells == its.mesh.n_cells());
+    CHECK(info.functions == 20);
+    CHECK(info.curves == 2);
+    CHECK(info.curve_points == 96);
+    CHECK(info.numbers_per_value == 1);
+    CHECK(info.operator_kind == HM_LAPLACE);
+    CHECK(info.scheme == HM_COMPACT);
+    CHECK(info.engine == HM_DIRECT);
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         double xy[2];
         REQUIRE(hm_curve_point(&set, info.point_curve[k], info.point_u[k], 0, xy, nullptr) == HM_OK);
         Point const p = its.mesh.point(info.curve_point[k]);
         CHECK(distance(p, {xy[0], xy[1]}) < 0.05);
     }
+}
+
+TEST_CASE("moved curves: control points plus their movement, all else as it was") {
+    Case its = airfoil_case();
+    Solved const solved(its);
+    auto const n = static_cast<std::size_t>(solved.info().functions);
+    std::vector<double> move = some_move(static_cast<std::int32_t>(n), 0.1, 5), control(2 * n, 7);
+    hm_curves before{}, after{};
+    before.struct_size = after.struct_size = sizeof before;
+    hm_curve shape[2], moved[2];
+    REQUIRE(hm_basis_curves(solved.basis, &before, shape, 2, nullptr) == HM_OK);
+    REQUIRE(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_OK);
+    CHECK(hm_curves_check(&after, nullptr) == HM_OK);
+    CHECK(after.control == control.data());
+    CHECK(after.weights == before.weights);
+    CHECK(after.n_curves == before.n_curves);
+    for (std::size_t k = 0; k < 2 * n; ++k) CHECK(control[k] == before.control[k] + move[k]);
+    for (std::int32_t c = 0; c < after.n_curves; ++c) CHECK(moved[c].knots == shape[c].knots);
+    // The wall is where it was, plus what hm_morph moves it by.
+    std::vector<double> x(its.mesh.x), y(its.mesh.y);
+    REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+    hm_basis_info const info = solved.info();
+    for (std::int32_t k = 0; k < info.curve_points; ++k) {
+        double from[2], to[2];
+        REQUIRE(hm_curve_point(&before, info.point_curve[k], info.point_u[k], 0, from, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&after, info.point_curve[k], info.point_u[k], 0, to, nullptr) == HM_OK);
+        auto const point = static_cast<std::size_t>(info.curve_point[k]);
+        CHECK(std::abs(x[point] - its.mesh.x[point] - (to[0] - from[0])) < 1e-13);
+        CHECK(std::abs(y[point] - its.mesh.y[point] - (to[1] - from[1])) < 1e-13);
+    }
+    // Refused, with outputs as they were.
+    std::vector<double> const kept = control;
+    move[3] = std::nan("");
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    move[3] = 0;
+    CHECK(hm_moved_curves(solved.basis, move.data(), control.data(), &after, moved, 0, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, nullptr, control.data(), &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_moved_curves(solved.basis, move.data(), nullptr, &after, moved, 2, nullptr) == HM_BAD_ARGUMENT);
+    CHECK(same_bits(control, kept));
 }
 
 TEST_CASE("truncated at any length: refused, and the reason is given") {
@@ -156,36 +205,43 @@ TEST_CASE("each reason has its own sentence") {
     harmorph::BasisHeader bad = good;
     bad.magic[0] = 'H';
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("not a harmorph basis")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("not a harmorph basis"));
     bad = good;
     bad.byte_order = 0x04030201;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("byte order")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("byte order"));
     bad = good;
     bad.format = 1;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("format version 1")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("format version 1"));
     bad = good;
     bad.bytes += 8;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("truncated: 8")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("truncated: 8"));
     bad = good;
     bad.counts.points += 1;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("contradict")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("contradict"));
     for (harmorph::Index harmorph::BasisCounts::*count :
          {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control, &harmorph::BasisCounts::loops}) {
         for (harmorph::Index const wrong : {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {   // no overflow, no reading far away
             bad = good;
             bad.counts.*count = wrong;
             copy.set(bad);
-            CHECK((copy.attach() == HM_BAD_BASIS && copy.says("contradict")));
+            CHECK(copy.attach() == HM_BAD_BASIS);
+            CHECK(copy.says("contradict"));
         }
     }
     bad = good;
     bad.checksum ^= 1;
     copy.set(bad);
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("checksum")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("checksum"));
     copy.set(good);
     CHECK(copy.attach() == HM_OK);
     const hm_basis* basis = nullptr;
@@ -207,7 +263,8 @@ TEST_CASE("numbers that lead nowhere are found behind a good checksum, too") {
     auto const spoils = [&](auto& number, auto wrong, const char* word) {
         auto const right = number;
         number = wrong;
-        CHECK((attach_sealed() == HM_BAD_BASIS && copy.says(word)));
+        CHECK(attach_sealed() == HM_BAD_BASIS);
+        CHECK(copy.says(word));
         number = right;
     };
     for (std::int32_t const far : {-1, 0x7FFFFFFF}) {
@@ -247,7 +304,8 @@ TEST_CASE("numbers that lead nowhere are found behind a good checksum, too") {
             }
             words[k] = right;
         }
-    CHECK((accepted > 0 && accepted < 3 * n));
+    CHECK(accepted > 0);
+    CHECK(accepted < 3 * n);
 }
 
 TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
@@ -258,19 +316,38 @@ TEST_CASE("another mesh is refused; the same mesh elsewhere is a warning") {
     Case other = its;
     other.mesh.add_point({9, 9});
     hm_mesh view = other.mesh.view();
-    CHECK((copy.attach(&view) == HM_BAD_BASIS && copy.says("another mesh: it has 48 points")));
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("another mesh: it has 48 points"));
     other = its;
     std::swap(other.mesh.cells[0], other.mesh.cells[2]);   // the same counts
     view = other.mesh.view();
-    CHECK((copy.attach(&view) == HM_BAD_BASIS && copy.says("the cells differ")));
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("the cells differ"));
+    other = its;
+    std::swap(other.mesh.face_markers.front(), other.mesh.face_markers.back());   // a face each on the other's marker
+    REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
+    for (std::int32_t& marker : other.mesh.face_markers) marker += 7;   // the same points on markers of other numbers
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
     other = its;
     other.mesh.x[20] += 1e-12;
     view = other.mesh.view();
-    CHECK((copy.attach(&view) == HM_MOVED && copy.says("coordinates")));
+    CHECK(copy.attach(&view) == HM_MOVED);
+    CHECK(copy.says("coordinates"));
     other.mesh.x[20] = std::nan("");
     CHECK(copy.attach(&view) == HM_BAD_MESH);
 
-    // Numbering, layout and stride are ways of writing the same mesh.
+    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and that of their ends.
+    other = its;
+    std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
+    std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_OK);
     other = its;
     other.index_base = 1;
     CHECK(copy.attach(&other.mesh_view()) == HM_OK);
@@ -297,9 +374,12 @@ TEST_CASE("before it is solved it can do nothing, and is not attached") {
     CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_BAD_BASIS);
     CHECK(hm_adjoint(attempt.basis, points_in(x, y), move.data(), nullptr, nullptr) == HM_BAD_BASIS);
     CHECK(hm_basis_values(attempt.basis, 0, 0, x.data(), nullptr) == HM_BAD_BASIS);
-    CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y) && move[3] == 0.1));
+    CHECK(same_bits(x, its.mesh.x));
+    CHECK(same_bits(y, its.mesh.y));
+    CHECK(move[3] == 0.1);
     Copy copy(attempt.basis, static_cast<std::size_t>(info.bytes));
-    CHECK((copy.attach() == HM_BAD_BASIS && copy.says("not been solved")));
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("not been solved"));
     REQUIRE(attempt.solve());
     CHECK(hm_morph(attempt.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
 }

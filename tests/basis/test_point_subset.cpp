@@ -38,9 +38,13 @@ TEST_CASE("values, morph, curves and points of the wall are those of the whole, 
             Rows const rows(solved.basis, numbered, 8);
             REQUIRE(rows.status == HM_OK);
             hm_basis_info const info = info_of(rows.basis);
-            CHECK((info.solved == 1 && info.cells == 0 && info.points == static_cast<std::int32_t>(points.size())));
-            CHECK((info.functions == whole.functions && info.numbers_per_value == whole.numbers_per_value));
-            CHECK((info.curves == whole.curves && info.index_base == base));
+            CHECK(info.solved == 1);
+            CHECK(info.cells == 0);
+            CHECK(info.points == static_cast<std::int32_t>(points.size()));
+            CHECK(info.functions == whole.functions);
+            CHECK(info.numbers_per_value == whole.numbers_per_value);
+            CHECK(info.curves == whole.curves);
+            CHECK(info.index_base == base);
 
             for (std::int32_t i = 0; i < info.functions; ++i)
                 for (std::int32_t p = 0; p < info.numbers_per_value; ++p) {
@@ -62,7 +66,8 @@ TEST_CASE("values, morph, curves and points of the wall are those of the whole, 
                 if (first == points.end()) continue;
                 REQUIRE(slot < info.curve_points);
                 CHECK(info.curve_point[slot] == first - points.begin());
-                CHECK((info.point_curve[slot] == whole.point_curve[k] && info.point_u[slot] == whole.point_u[k]));
+                CHECK(info.point_curve[slot] == whole.point_curve[k]);
+                CHECK(info.point_u[slot] == whole.point_u[k]);
                 ++slot;
             }
             CHECK(slot == info.curve_points);
@@ -123,8 +128,10 @@ TEST_CASE("what needs the mesh is refused, and so are lists that are wrong") {
     CHECK(hm_plan_solve(solved.plan, rows.basis, nullptr, &error) == HM_BAD_BASIS);
 
     Rows const below(solved.basis, {1, 2, 0}), above(solved.basis, {its.mesh.n_points() + 1});
-    CHECK((below.status == HM_BAD_ARGUMENT && below.error.item == 2));
-    CHECK((above.status == HM_BAD_ARGUMENT && above.error.item == 0));
+    CHECK(below.status == HM_BAD_ARGUMENT);
+    CHECK(below.error.item == 2);
+    CHECK(above.status == HM_BAD_ARGUMENT);
+    CHECK(above.error.item == 0);
     std::size_t bytes = 0;
     std::int32_t const one = 1;
     hm_basis* made = nullptr;
@@ -165,6 +172,7 @@ TEST_CASE("a block that is too small is refused, and the size suffices for the l
         Guarded block(give);
         hm_basis* made = nullptr;
         CHECK(hm_extract_init(&made, block.data(), give, solved.basis, n, wall.data(), nullptr) == HM_BLOCK_TOO_SMALL);
-        CHECK((made == nullptr && block.guards_intact()));
+        CHECK(made == nullptr);
+        CHECK(block.guards_intact());
     }
 }

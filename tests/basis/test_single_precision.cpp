@@ -4,6 +4,7 @@
 
 #include <fixtures/executors.hpp>
 #include <fixtures/single.hpp>
+#include <fixtures/wrong.hpp>
 
 #include <cstring>
 
@@ -15,26 +16,33 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
         Single const single(solved.basis, 24);
         REQUIRE(single.status == HM_OK);
         hm_basis_info const info = info_of(single.basis), whole = solved.info();
-        CHECK((info.storage == HM_SINGLE && whole.storage == HM_DOUBLE && info.solved == 1));
-        CHECK((info.points == whole.points && info.cells == whole.cells && info.functions == whole.functions));
-        CHECK((info.curve_points == whole.curve_points && info.numbers_per_value == whole.numbers_per_value));
+        CHECK(info.storage == HM_SINGLE);
+        CHECK(whole.storage == HM_DOUBLE);
+        CHECK(info.solved == 1);
+        CHECK(info.points == whole.points);
+        CHECK(info.cells == whole.cells);
+        CHECK(info.functions == whole.functions);
+        CHECK(info.curve_points == whole.curve_points);
+        CHECK(info.numbers_per_value == whole.numbers_per_value);
         CHECK(same_bits<double>({info.point_u, info.point_u + info.curve_points},
                                 {whole.point_u, whole.point_u + whole.curve_points}));
         if (problem.its.mesh.n_points() > 10 * whole.curve_points) CHECK(3 * info.bytes < 2 * whole.bytes);
         std::vector<bool> const wall = wall_of(problem.its);
         Matrices const before(solved.basis), after(single.basis);
-        std::size_t wrong = 0, on_wall = 0, rounded = 0;
+        Wrong wrong;
+        std::size_t on_wall = 0, rounded = 0;
         for (std::int32_t p = 0; p < info.numbers_per_value; ++p)
             for (std::size_t i = 0; i < before.plane[p].size(); ++i)
                 for (std::size_t k = 0; k < wall.size(); ++k) {
                     double const was = before.plane[p][i][k], is = after.plane[p][i][k];
-                    if (is != (wall[k] ? was : static_cast<double>(static_cast<float>(was)))) ++wrong;
-                    if (!(std::fabs(is - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150)) ++wrong;
+                    wrong.compare(k, is, wall[k] ? was : static_cast<double>(static_cast<float>(was)));
+                    wrong.add(!(std::fabs(is - was) <= 0x1p-24 * std::fabs(was) + 0x1p-150), k, is - was);
                     on_wall += wall[k] && was != static_cast<double>(static_cast<float>(was));
                     rounded += is != was;
                 }
         CHECK(wrong == 0);
-        CHECK((on_wall > 10 && rounded > 100));   // the test could have failed
+        CHECK(on_wall > 10);   // the test could have failed
+        CHECK(rounded > 100);
     }
 }
 
@@ -48,15 +56,23 @@ TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed p
         Moved const by = displaced(solved.basis, move), its = displaced(single.basis, move);
         std::vector<bool> const wall = wall_of(problem.its);
         Matrices const functions(solved.basis);
-        std::size_t wrong = 0, differ = 0;
+        Wrong wrong;
+        std::size_t differ = 0;
         for (std::size_t k = 0; k < wall.size(); ++k) {
             Magnitude const size(functions, move, k);
             double const rounding = 1e-15;
-            if (!(std::fabs(its.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x)) ++wrong;
-            if (!(std::fabs(its.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y)) ++wrong;
-            if (wall[k] && !(its.x[k] == by.x[k] && its.y[k] == by.y[k])) ++wrong;
-            if (wall[k] && !(found.x[k] == expected.x[k] && found.y[k] == expected.y[k])) ++wrong;
-            if (size.x + size.y == 0 && !(found.x[k] == mesh.x[k] && found.y[k] == mesh.y[k])) ++wrong;
+            wrong.add(!(std::fabs(its.x[k] - by.x[k]) <= (0x1p-24 + rounding) * size.x), k, its.x[k] - by.x[k]);
+            wrong.add(!(std::fabs(its.y[k] - by.y[k]) <= (0x1p-24 + rounding) * size.y), k, its.y[k] - by.y[k]);
+            if (wall[k]) {
+                wrong.compare(k, its.x[k], by.x[k]);
+                wrong.compare(k, its.y[k], by.y[k]);
+                wrong.compare(k, found.x[k], expected.x[k]);
+                wrong.compare(k, found.y[k], expected.y[k]);
+            }
+            if (size.x + size.y == 0) {
+                wrong.compare(k, found.x[k], mesh.x[k]);
+                wrong.compare(k, found.y[k], mesh.y[k]);
+            }
             differ += its.x[k] != by.x[k];
         }
         CHECK(wrong == 0);
@@ -78,8 +94,11 @@ TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed p
         xy[0] = mesh.x[0];
         REQUIRE(hm_morph(single.basis, move.data(), points_in(x, y, 2), points_out(x, y, 2), nullptr, nullptr) ==
                 HM_OK);
-        std::size_t unequal = 0;
-        for (std::size_t k = 0; k < mesh.x.size(); ++k) unequal += xy[2 * k] != found.x[k] || xy[2 * k + 1] != found.y[k];
+        Wrong unequal;
+        for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+            unequal.compare(k, xy[2 * k], found.x[k]);
+            unequal.compare(k, xy[2 * k + 1], found.y[k]);
+        }
         CHECK(unequal == 0);
     }
 }
@@ -95,10 +114,19 @@ TEST_CASE("both sides of a cut move as one, on the wall and off it") {
     Numbers const move = some_move(8, 0.05, 2);
     Moved const whole = displaced(solved.basis, move), by = displaced(single.basis, move),
                 some = displaced(rows.basis, move);
-    for (std::size_t k = 0; k < by.x.size(); k += 31) CHECK((by.x[k] == by.x[k + 30] && by.y[k] == by.y[k + 30]));
-    for (std::size_t const k : {0u, 30u}) CHECK((by.x[k] == whole.x[k] && by.y[k] == whole.y[k]));
+    for (std::size_t k = 0; k < by.x.size(); k += 31) {
+        CHECK(by.x[k] == by.x[k + 30]);
+        CHECK(by.y[k] == by.y[k + 30]);
+    }
+    for (std::size_t const k : {0u, 30u}) {
+        CHECK(by.x[k] == whole.x[k]);
+        CHECK(by.y[k] == whole.y[k]);
+    }
     CHECK(by.x[0] != static_cast<double>(static_cast<float>(by.x[0])));
-    for (std::size_t const k : {0u, 3u}) CHECK((some.x[k] == whole.x[30] && some.y[k] == whole.y[30]));
+    for (std::size_t const k : {0u, 3u}) {
+        CHECK(some.x[k] == whole.x[30]);
+        CHECK(some.y[k] == whole.y[30]);
+    }
 }
 
 TEST_CASE("the sum of the functions is 1 to single precision, on the curve to double") {
@@ -158,7 +186,8 @@ TEST_CASE("more numbers in a row than one block of them, and threads change no b
             Backwards order;
             hm_executor const executor = order.executor(threads);
             Moved const again = morphed(single.basis, its.mesh, move, &executor);
-            CHECK((same_bits(again.x, expected.x) && same_bits(again.y, expected.y)));
+            CHECK(same_bits(again.x, expected.x));
+            CHECK(same_bits(again.y, expected.y));
             CHECK(same_bits(adjoint(single.basis, g, &executor), gradient));
             CHECK(order.tasks > 2);
         }
@@ -180,7 +209,8 @@ TEST_CASE("parts: rows of single functions are the rows made single, and any par
         for (std::int32_t const k : points) here.add_point(problem.its.mesh.point(k));
         Numbers const move = some_move(solved.info().functions, 0.05, 3);
         Moved const all = morphed(single.basis, problem.its.mesh, move), some = morphed(of_single.basis, here, move);
-        CHECK((same_bits(some.x, pick(all.x, points)) && same_bits(some.y, pick(all.y, points))));
+        CHECK(same_bits(some.x, pick(all.x, points)));
+        CHECK(same_bits(some.y, pick(all.y, points)));
 
         Gradient const g(problem.its.mesh.x.size(), 5);
         Numbers const expected = adjoint(single.basis, g);

@@ -22,7 +22,8 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     REQUIRE(hm_basis_attach(&attached, block.data(), bytes.size(), &mesh, nullptr) == HM_OK);
     Numbers const move = some_move(solved.info().functions, 0.1, 1);
     Moved const expected = morphed(single.basis, its.mesh, move), found = morphed(attached, its.mesh, move);
-    CHECK((same_bits(found.x, expected.x) && same_bits(found.y, expected.y)));
+    CHECK(same_bits(found.x, expected.x));
+    CHECK(same_bits(found.y, expected.y));
     for (std::size_t size = 0; size < bytes.size(); size += 8)
         CHECK(hm_basis_attach(&attached, block.data(), size, nullptr, nullptr) == HM_BAD_BASIS);
     unsigned char* const data = reinterpret_cast<unsigned char*>(block.data());
@@ -50,7 +51,8 @@ TEST_CASE("values that single precision does not reach: too large ones are refus
         view.seal();
         Single const single(solved.basis);
         CHECK(refused(single.status, single.error));
-        CHECK((single.basis == nullptr && single.error.value == std::fabs(large)));
+        CHECK(single.basis == nullptr);
+        CHECK(single.error.value == std::fabs(large));
     }
 }
 
@@ -114,7 +116,9 @@ TEST_CASE("wrong arguments, shares, bases that are not solved and blocks that ar
         Guarded block(give);
         hm_error error{};
         CHECK(hm_single_init(&made, block.data(), give, solved.basis, &error) == HM_BLOCK_TOO_SMALL);
-        CHECK((made == nullptr && block.guards_intact() && error.value == static_cast<double>(need - give)));
+        CHECK(made == nullptr);
+        CHECK(block.guards_intact());
+        CHECK(error.value == static_cast<double>(need - give));
     }
     std::size_t bytes = 0;
     REQUIRE(hm_share_size(solved.analysis, 0, 3, &bytes, nullptr) == HM_OK);

@@ -32,23 +32,47 @@ void print_cell(std::string const& text, std::size_t width, bool to_right) {
     std::printf(to_right ? "%*s  " : "%-*s  ", static_cast<int>(width), text.c_str());
 }
 
+void print_row(std::vector<Value> const& row, std::vector<std::size_t> const& width) {
+    for (std::size_t k = 0; k < row.size(); ++k) print_cell(row[k].text, width[k], row[k].is_number);
+    std::printf("\n");
+}
+
+// To the right above numbers.
+void print_columns(Table const& table, std::vector<std::size_t> const& width, std::vector<Value> const* row) {
+    std::printf("\n%s\n", table.title.c_str());
+    for (std::size_t k = 0; k < table.columns.size(); ++k)
+        print_cell(table.columns[k], width[k], row != nullptr && (*row)[k].is_number);
+    std::printf("\n");
+}
+
 }  // namespace
 
 Value::Value(double its_number, const char* how)
     : text(std::isfinite(its_number) ? format(how, its_number) : "-"), number(its_number), is_number(true) {}
 
+void Table::begin() {
+    constexpr std::size_t narrowest = 10;   // rows that are not known yet may be as wide
+    for (std::string const& name : columns) width.push_back(std::max(narrowest, name.size()));
+    width[0] = 2 * narrowest;
+}
+
+void Table::add(std::vector<Value> row) {
+    if (!width.empty()) {
+        if (rows.empty()) print_columns(*this, width, &row);
+        print_row(row, width);
+        std::fflush(stdout);
+    }
+    rows.push_back(std::move(row));
+}
+
 void Table::print() const {
-    std::vector<std::size_t> width;
-    for (std::string const& name : columns) width.push_back(name.size());
-    for (std::vector<Value> const& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].text.size());
-    std::printf("\n%s\n", title.c_str());
-    for (std::size_t k = 0; k < columns.size(); ++k)
-        print_cell(columns[k], width[k], !rows.empty() && rows[0][k].is_number);
-    std::printf("\n");
-    for (std::vector<Value> const& row : rows) {
-        for (std::size_t k = 0; k < row.size(); ++k) print_cell(row[k].text, width[k], row[k].is_number);
-        std::printf("\n");
+    if (width.empty()) {
+        std::vector<std::size_t> widest;
+        for (std::string const& name : columns) widest.push_back(name.size());
+        for (std::vector<Value> const& row : rows)
+            for (std::size_t k = 0; k < row.size(); ++k) widest[k] = std::max(widest[k], row[k].text.size());
+        print_columns(*this, widest, rows.empty() ? nullptr : &rows[0]);
+        for (std::vector<Value> const& row : rows) print_row(row, widest);
     }
     for (std::string const& note : notes) std::printf("  %s\n", note.c_str());
     std::fflush(stdout);

@@ -29,9 +29,12 @@ struct Table {
     std::vector<std::string> columns;
     std::vector<std::vector<Value>> rows;
     std::vector<std::string> notes;
+    std::vector<std::size_t> width{};   // of the columns, where rows are printed as they come
 
-    void add(std::vector<Value> row) { rows.push_back(std::move(row)); }
-    void print() const;
+    void add(std::vector<Value> row);
+    // From now on each row is printed as it is added, the columns above the first: for runs that are long.
+    void begin();
+    void print() const;   // what has not been printed yet
 };
 
 class Report {

@@ -237,7 +237,8 @@ TEST_CASE("feet: the nearest place, whichever group is tried first, also where t
             for (harmorph::Index guess = 0; guess < tree.groups.count(); ++guess) {
                 group = guess;
                 FaceDistance::Foot const seen = tree.foot(vec(p), group);
-                CHECK((seen.face == expected.face && seen.t == expected.t));
+                CHECK(seen.face == expected.face);
+                CHECK(seen.t == expected.t);
             }
         }
     harmorph::Index group = 0;
@@ -291,7 +292,8 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     Mesh const mesh = hybrid_mesh(naca4(naca, 60), options);
     Loops loops = body_of(mesh);
     Tree const tree(loops);
-    CHECK((tree.unit <= 1 && tree.unit > 0.49));
+    CHECK(tree.unit <= 1);
+    CHECK(tree.unit > 0.49);
     std::vector<double> distance;
     for (Index cell = 0; cell < mesh.n_cells(); ++cell) distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
     for (Index quarters = 0; quarters <= 16; ++quarters) {
@@ -380,7 +382,8 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
                 CHECK(with_images[k] >= expected[k]);
             }
             CHECK(worst < 1e-9);
-            CHECK((nearer > 0 && nearer < expected.size()));
+            CHECK(nearer > 0);
+            CHECK(nearer < expected.size());
             for (harmorph::Kernel const kernel : {harmorph::Kernel::avx2, harmorph::Kernel::avx512}) {
                 if (!harmorph::has_kernel(kernel)) continue;
                 tree.kernel = images.kernel = kernel;
@@ -399,7 +402,9 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
             tree.kernel = kernel;
             Index guess = static_cast<Index>(random() % static_cast<unsigned>(tree.groups.count()));
             FaceDistance::Foot const seen = tree.foot(place, guess);
-            CHECK((seen.face == foot.face && seen.t == foot.t && guess == group));
+            CHECK(seen.face == foot.face);
+            CHECK(seen.t == foot.t);
+            CHECK(guess == group);
             CHECK(tree.distance(place) == distance);
         }
     }
@@ -415,7 +420,8 @@ TEST_CASE("weights without faces, without extent, and at a distance of 0 are fin
     Point const p = barycentre(mesh, 0);
     through.add({{p.x, p.y}, {p.x + 1, p.y}});
     double const k = weights_of(mesh, Tree(through), 16)[0];
-    CHECK((k > 1e100 && std::isfinite(k)));
+    CHECK(k > 1e100);
+    CHECK(std::isfinite(k));
     mesh.x[0] = mesh.y[3] = std::nan("");   // no valid mesh, but no reason to go astray
     CHECK(weights_of(mesh, Tree(through), 6).size() == static_cast<std::size_t>(mesh.n_cells()));
 }

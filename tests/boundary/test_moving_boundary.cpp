@@ -176,8 +176,10 @@ TEST_CASE("markers with a curve each share their points: these belong to the con
         Solved const solved(its);
         CHECK(solved.report.curve_points == 8);
         auto const found = parameters(solved);
-        CHECK((found.at(17).first == 0 && found.at(17).second == doctest::Approx(0.5)));
-        CHECK((found.at(30).first == 1 && found.at(30).second == doctest::Approx(1.5)));
+        CHECK(found.at(17).first == 0);
+        CHECK(found.at(17).second == doctest::Approx(0.5));
+        CHECK(found.at(30).first == 1);
+        CHECK(found.at(30).second == doctest::Approx(1.5));
         CHECK(solved.values(0)[16] == 1);
         CHECK(solved.values(1)[18] == 1);
         CHECK(solved.values(2)[31] == 1);

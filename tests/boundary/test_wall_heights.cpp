@@ -52,7 +52,8 @@ TEST_CASE("heights of the first layers come back to a percent; angles, walls and
         Mesh const before = walls.deformed;
         REQUIRE(check(before).min_corner > 0);
         FirstLayerChange const lost = walls.change();
-        CHECK((lost.min_ratio < 0.77 && lost.max_ratio > 1.23));
+        CHECK(lost.min_ratio < 0.77);
+        CHECK(lost.max_ratio > 1.23);
         walls.restore();
         FirstLayerChange const back = walls.change();
         CHECK(back.min_ratio > 0.99);
@@ -158,7 +159,8 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
         double const step = std::fabs(walls.heights.reach[next] - walls.heights.reach[slot]);
         CHECK(step <= 0.5 * distance(here, walls.mesh.point(wall.next[slot])) + 1e-15);
     }
-    CHECK((largest > 0.1 && largest <= 0.25));
+    CHECK(largest > 0.1);
+    CHECK(largest <= 0.25);
 
     Mesh mesh = square(8, Cells::quads);
     for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)

@@ -13,6 +13,7 @@ namespace {
 struct Chosen {
     Course course;
     std::vector<Index> corners;  // positions
+    Index dropped = 0;           // corners of facets
 };
 
 Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = true, Index most = 100) {
@@ -29,10 +30,39 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     Chosen out;
     out.corners.resize(points.size());
     Span<Index> const corners{out.corners.data(), out.corners.size()};
-    Index const n_corners = find_corners(outline, corners);
+    Index const n_found = find_corners(outline, corners);
+    Index const n_corners = drop_facets(outline, corners, n_found);
+    out.dropped = n_found - n_corners;
     out.course = choose_course(outline, corners.first(n_corners), wanted);
     out.corners.resize(static_cast<std::size_t>(corners_on(out.course, outline, corners.first(n_corners), most)));
     return out;
+}
+
+// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that choice, with the first
+// point as in the list given.
+Chosen choose_always(std::vector<Vec2> points) {
+    auto const n = static_cast<Index>(points.size());
+    Vec2 centre;
+    for (Vec2 const p : points) centre = centre + (1.0 / n) * p;
+    for (Vec2& p : points) p = p - centre;
+    Chosen const plain = choose(points, Closure::automatic);
+    for (int const places : {1, 7, n / 3, n / 2, n - 1})
+        for (double const angle : {0.0, 0.7, 2.5, -1.6}) {
+            std::vector<Vec2> turned = fixtures::placed(points, angle, 1, {});
+            std::rotate(turned.begin(), turned.begin() + places, turned.end());
+            for (bool const backwards : {false, true}) {
+                if (backwards) std::reverse(turned.begin(), turned.end());
+                Course const course = choose(turned, Closure::automatic).course;
+                CHECK(course.closure == plain.course.closure);
+                CHECK(course.reason == plain.course.reason);
+                CHECK(course.base_points == plain.course.base_points);
+                bool const same_place = !backwards || plain.course.base_points == 0;  // a base is left at its other end
+                bool const anywhere = course.reason == ClosureReason::no_corner;
+                auto const first = backwards ? n - 1 - course.first : course.first;
+                if (same_place && !anywhere) CHECK((first + places) % n == plain.course.first);
+            }
+        }
+    return plain;
 }
 
 std::vector<Vec2> turned_by(std::vector<Vec2> points, int places) {
@@ -44,23 +74,29 @@ std::vector<Vec2> turned_by(std::vector<Vec2> points, int places) {
 
 TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long way round") {
     Chosen const round = choose(fixtures::ellipse(60, 0.2), Closure::automatic);
-    CHECK((round.course.closure == Closure::periodic && round.course.n_positions == 61));
+    CHECK(round.course.closure == Closure::periodic);
+    CHECK(round.course.n_positions == 61);
     CHECK(round.course.first % 30 == 0);  // at one of the tips
     for (int const places : {0, 7, 50}) {
         auto const sharp = choose(turned_by(fixtures::vectors(fixtures::naca4({}, 30)), places), Closure::automatic);
-        CHECK((sharp.course.closure == Closure::tied && sharp.course.first == (60 - places) % 60 && sharp.corners.empty()));
+        CHECK(sharp.course.closure == Closure::tied);
+        CHECK(sharp.course.first == (60 - places) % 60);
+        CHECK(sharp.corners.empty());
         auto const blunt = choose(turned_by(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4)), places),
                                   Closure::automatic);  // 64 points, 5 of them on the base
         CHECK(blunt.course.closure == Closure::open);
         CHECK(blunt.course.first == (68 - places) % 64);
-        CHECK((blunt.course.base_points == 5 && blunt.course.n_positions == 61 && blunt.corners.empty()));
+        CHECK(blunt.course.base_points == 5);
+        CHECK(blunt.course.n_positions == 61);
+        CHECK(blunt.corners.empty());
     }
 }
 
 TEST_CASE("other corners lie on the course, the sharpest ones if there is not room for all") {
     std::vector<Vec2> const kite = fixtures::polygon({{0.6, 0}, {0, 0.1}, {-0.4, 0}, {0, -0.1}}, 10);
     Chosen const all = choose(turned_by(kite, 5), Closure::automatic);
-    CHECK((all.course.closure == Closure::tied && all.course.first == 35));
+    CHECK(all.course.closure == Closure::tied);
+    CHECK(all.course.first == 35);
     CHECK(all.corners == std::vector<Index>{10, 20, 30});
     CHECK(choose(kite, Closure::automatic, true, 1).corners == std::vector<Index>{20});
     CHECK(choose(kite, Closure::automatic, true, 0).corners.empty());
@@ -69,13 +105,160 @@ TEST_CASE("other corners lie on the course, the sharpest ones if there is not ro
 TEST_CASE("the caller's wish is followed") {
     std::vector<Vec2> const blunt = fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4));
     Chosen const tied = choose(blunt, Closure::tied);
-    CHECK((tied.course.closure == Closure::tied && tied.course.first == 0 && tied.corners == std::vector<Index>{4}));
+    CHECK(tied.course.closure == Closure::tied);
+    CHECK(tied.course.first == 0);
+    CHECK(tied.corners == std::vector<Index>{4});
     Chosen const smooth = choose(blunt, Closure::periodic);
-    CHECK((smooth.course.closure == Closure::periodic && smooth.corners.empty()));
+    CHECK(smooth.course.closure == Closure::periodic);
+    CHECK(smooth.corners.empty());
     Chosen const open = choose(blunt, Closure::open);
-    CHECK((open.course.closure == Closure::open && open.course.first == 0 && open.course.n_positions == 64));
+    CHECK(open.course.closure == Closure::open);
+    CHECK(open.course.first == 0);
+    CHECK(open.course.n_positions == 64);
     CHECK(open.corners == std::vector<Index>{4});
     Chosen const edge = choose(fixtures::rounded_edge(100, 2e-3, 8), Closure::tied);
     CHECK(edge.course.first == 204);  // the middle of the rounded edge: the edge has points 200 to 207, and 0
     CHECK(choose({{0, 0}, {1, 0}, {2, 1}}, Closure::automatic, false).course.closure == Closure::open);
+}
+
+namespace {
+
+// NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight facet across the nose that
+// is `longer` times as long as the ones beside it.
+std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
+    fixtures::Naca4 const shape{0, 0.4, thickness, false};
+    std::vector<Vec2> points = {{1, 0}};
+    double const half = 0.004;  // of the nose facet: where the section is as high
+    double x_nose = 0;
+    while (fixtures::naca4_point(shape, x_nose, 1).y < half) x_nose += 1e-6;
+    std::vector<double> x;
+    double step = 2 * half / longer, at = x_nose;
+    while (at < 1) {
+        x.push_back(at);
+        at += step;
+        step *= 1 + 4.0 / n_side;
+    }
+    for (std::size_t k = x.size(); k-- > 0;) {
+        auto const p = fixtures::naca4_point(shape, x[k], 1);
+        points.push_back({p.x, p.y});
+    }
+    for (double const its : x) {
+        auto const p = fixtures::naca4_point(shape, its, -1);
+        points.push_back({p.x, p.y});
+    }
+    return points;
+}
+
+// A turbine blade: a circular arc as camber line that turns by `turning`, half circles of n_cap edges at both ends.
+std::vector<Vec2> blade(double turning, double thickness, double tail, int n_side, int n_cap) {
+    double const pi = std::acos(-1.0), radius = 0.5 / std::sin(0.5 * turning);
+    auto const on_line = [&](double s) {   // 0 nose, 1 tail
+        double const a = turning * (s - 0.5);
+        return Vec2{radius * std::sin(a), radius * std::cos(a)};
+    };
+    auto const half_of = [&](double s) { return tail + (thickness - tail) * std::sin(pi * s) + 0.03 * (1 - s) * (1 - s); };
+    auto const normal = [&](double s) {
+        double const a = turning * (s - 0.5);
+        return Vec2{std::sin(a), std::cos(a)};
+    };
+    auto const ahead = [&](double s) { return Vec2{normal(s).y, -normal(s).x}; };
+    std::vector<Vec2> out;
+    for (int k = 0; k <= n_side; ++k) {
+        double const s = 1 - 1.0 * k / n_side;
+        out.push_back(on_line(s) + half_of(s) * normal(s));
+    }
+    for (int k = 1; k < n_cap; ++k) {
+        double const a = pi * k / n_cap;
+        out.push_back(on_line(0) + half_of(0) * (std::cos(a) * normal(0) - std::sin(a) * ahead(0)));
+    }
+    for (int k = 0; k <= n_side; ++k) {
+        double const s = 1.0 * k / n_side;
+        out.push_back(on_line(s) - half_of(s) * normal(s));
+    }
+    for (int k = 1; k < n_cap; ++k) {
+        double const a = pi * k / n_cap;
+        out.push_back(on_line(1) + half_of(1) * (-std::cos(a) * normal(1) + std::sin(a) * ahead(1)));
+    }
+    return out;
+}
+
+// A NACA 4-digit section cut off straight, `height` thick at its end, the cut turned by `slant`.
+std::vector<Vec2> cut_off(double height, double slant, int n_side, int n_base) {
+    std::vector<Vec2> out = fixtures::vectors(fixtures::naca4({0.02, 0.4, 0.12, false}, n_side));
+    out.erase(out.begin());
+    for (Vec2& p : out) {
+        bool const above = &p < &out[out.size() / 2];
+        p.y += 0.5 * height * p.x * (above ? 1 : -1);
+        if (above) p.x *= 1 - slant * height;
+    }
+    Vec2 const low{1, -0.5 * height}, high{1 - slant * height, 0.5 * height};
+    std::vector<Vec2> base;
+    for (int k = 0; k <= n_base; ++k) base.push_back(low + (static_cast<double>(k) / n_base) * (high - low));
+    out.insert(out.begin(), base.begin(), base.end());
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("a facet across a nose is no base and no corner, however coarse") {
+    Index dropped = 0;
+    for (double const thickness : {0.06, 0.12, 0.2})
+        for (int const n_side : {10, 40, 200})
+            for (double const longer : {1.0, 2.0, 5.0, 20.0}) {
+                CAPTURE(thickness);
+                CAPTURE(n_side);
+                CAPTURE(longer);
+                Chosen const its = choose_always(with_nose_facet(thickness, n_side, longer));
+                CHECK(its.course.reason == ClosureReason::corner);
+                CHECK(its.course.closure == Closure::tied);
+                CHECK(its.course.first == 0);
+                CHECK(its.corners.empty());
+                dropped += its.dropped;
+            }
+    CHECK(dropped > 0);  // some of these do look like corners
+}
+
+TEST_CASE("a turbine blade with round ends has no base") {
+    for (double const turning : {0.3, 1.0, 2.0})
+        for (double const tail : {0.004, 0.01, 0.02})
+            for (int const n_cap : {4, 5, 8, 20})
+                for (int const n_side : {20, 60}) {
+                    CAPTURE(turning);
+                    CAPTURE(tail);
+                    CAPTURE(n_cap);
+                    CAPTURE(n_side);
+                    CHECK(choose_always(blade(turning, 0.08, tail, n_side, n_cap)).course.base_points == 0);
+                }
+}
+
+TEST_CASE("blunt bases, thin and thick, straight and slanted, are found at the end that is no nose") {
+    for (double const height : {2e-4, 1e-3, 1e-2, 0.05, 0.1})
+        for (double const slant : {0.0, 0.5, -0.3})
+            for (int const n_base : {1, 2, 6})
+                for (int const n_side : {30, 100}) {
+                    CAPTURE(height);
+                    CAPTURE(slant);
+                    CAPTURE(n_base);
+                    CAPTURE(n_side);
+                    Chosen const its = choose_always(cut_off(height, slant, n_side, n_base));
+                    CHECK(its.course.reason == ClosureReason::base);
+                    CHECK(its.course.base_points == n_base + 1);
+                    CHECK(its.course.first == n_base);
+                    CHECK(its.corners.empty());
+                }
+}
+
+TEST_CASE("straight pieces elsewhere are no base: ends of a plate, a step on the side, chamfers") {
+    std::vector<Vec2> const plate = fixtures::polygon({{0.5, 0.02}, {-0.5, 0.025}, {-0.48, -0.02}, {0.5, -0.02}}, 8);
+    Chosen const its = choose_always(plate);
+    CHECK(its.course.reason == ClosureReason::corner);
+    CHECK(its.corners.size() == 3);
+    // Down at half chord, as in a cove, and sharp behind.
+    Chosen const step = choose_always(fixtures::polygon({{1, 0}, {0.5, 0.02}, {0.5, 0.06}, {0, 0}}, 10));
+    CHECK(step.course.base_points == 0);
+    CHECK(step.corners.size() >= 2);
+    CHECK(choose(fixtures::ellipse(60, 0.2), Closure::automatic).course.reason == ClosureReason::no_corner);
+    CHECK(choose(plate, Closure::tied).course.reason == ClosureReason::wish);
+    CHECK(choose(plate, Closure::open).course.reason == ClosureReason::wish);
+    CHECK(choose(plate, Closure::automatic, false).course.reason == ClosureReason::no_loop);
 }

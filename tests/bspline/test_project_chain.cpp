@@ -70,7 +70,8 @@ TEST_CASE("points along an open curve, forwards and backwards") {
     Chained const forwards = chain(curve, points, false);
     std::reverse(points.begin(), points.end());
     Chained backwards = chain(curve, points, false);
-    CHECK((forwards.u.front() == curve.begin() && forwards.u.back() == curve.end()));
+    CHECK(forwards.u.front() == curve.begin());
+    CHECK(forwards.u.back() == curve.end());
     CHECK(turns_back(forwards.u, false) == 0);
     CHECK(forwards.sum < 1e-25);
     std::reverse(backwards.u.begin(), backwards.u.end());
@@ -165,5 +166,6 @@ TEST_CASE("no points, one point, points all in one place") {
     CHECK(chain(curve, {}, true).sum == 0);
     CHECK(chain(curve, {{1, 0}}, true).u[0] == curve.begin());
     Chained const same = chain(curve, {{0.5, 1}, {0.5, 1}, {0.5, 1}}, false);
-    CHECK((same.u[0] == same.u[1] && same.u[1] == same.u[2]));
+    CHECK(same.u[0] == same.u[1]);
+    CHECK(same.u[1] == same.u[2]);
 }

@@ -127,8 +127,14 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
         INFO("call " << k);
         CHECK(refused[k] == HM_BAD_ARGUMENT);
     }
-    CHECK((analysis == nullptr && plan == nullptr && basis == nullptr && attached == nullptr && bytes == 0));
-    CHECK((same_bits(x, its.mesh.x) && same_bits(y, its.mesh.y) && same_bits(move, std::vector<double>(8, 0.0))));
+    CHECK(analysis == nullptr);
+    CHECK(plan == nullptr);
+    CHECK(basis == nullptr);
+    CHECK(attached == nullptr);
+    CHECK(bytes == 0);
+    CHECK(same_bits(x, its.mesh.x));
+    CHECK(same_bits(y, its.mesh.y));
+    CHECK(same_bits(move, std::vector<double>(8, 0.0)));
 }
 
 TEST_CASE("success clears the error") {
@@ -137,9 +143,14 @@ TEST_CASE("success clears the error") {
     hm_error error{};
     std::size_t bytes = 0;
     CHECK(hm_analysis_size(nullptr, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
-    CHECK((error.code == HM_BAD_ARGUMENT && error.item == -1 && error.text[0] != '\0'));
+    CHECK(error.code == HM_BAD_ARGUMENT);
+    CHECK(error.item == -1);
+    CHECK(error.text[0] != '\0');
     CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_OK);
-    CHECK((error.code == HM_OK && error.item == -1 && error.value == 0 && error.text[0] == '\0'));
+    CHECK(error.code == HM_OK);
+    CHECK(error.item == -1);
+    CHECK(error.value == 0);
+    CHECK(error.text[0] == '\0');
 }
 
 TEST_CASE("reports and sentences count as the caller does") {
@@ -153,7 +164,8 @@ TEST_CASE("reports and sentences count as the caller does") {
         std::int32_t const marker = body;
         std::int32_t points[8], n = 0, is_loop = 0;
         REQUIRE(hm_analysis_boundary(solved.analysis, 1, &marker, 0, points, 8, &n, &is_loop, nullptr) == HM_OK);
-        CHECK((n == 8 && is_loop == 1));
+        CHECK(n == 8);
+        CHECK(is_loop == 1);
         std::set<std::int32_t> const expected = {16 + base, 17 + base, 18 + base, 23 + base,
                                                  24 + base, 29 + base, 30 + base, 31 + base};
         CHECK(std::set<std::int32_t>(points, points + 8) == expected);
@@ -164,7 +176,9 @@ TEST_CASE("reports and sentences count as the caller does") {
         hm_step_report step{};
         step.struct_size = sizeof step;
         REQUIRE(hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, &step, nullptr) == HM_OK);
-        CHECK((step.cell == base && step.point == base && step.admissible == doctest::Approx(0.5)));
+        CHECK(step.cell == base);
+        CHECK(step.point == base);
+        CHECK(step.admissible == doctest::Approx(0.5));
 
         std::vector<double> x = its.mesh.x;
         x[8] = -1;
@@ -172,7 +186,9 @@ TEST_CASE("reports and sentences count as the caller does") {
         quality.struct_size = sizeof quality;
         REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &quality, nullptr) ==
                 HM_OK);
-        CHECK((quality.first_inverted == base && quality.min_quality_cell == base && quality.crossing_points[0] == -1));
+        CHECK(quality.first_inverted == base);
+        CHECK(quality.min_quality_cell == base);
+        CHECK(quality.crossing_points[0] == -1);
 
         hm_error error{};
         CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
@@ -185,7 +201,9 @@ TEST_CASE("reports and sentences count as the caller does") {
         its.curves.index_base = 1;
         for (std::int32_t& index : its.curves.shapes[0].indices) ++index;
         Attempt const attempt(its.problem());
-        CHECK((attempt.status == HM_BAD_CURVE && attempt.error.item == 3 && says(attempt.error, "control point 3")));
+        CHECK(attempt.status == HM_BAD_CURVE);
+        CHECK(attempt.error.item == 3);
+        CHECK(says(attempt.error, "control point 3"));
     }
 }
 
@@ -240,14 +258,19 @@ TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
         return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity, &n, &is_loop, &error);
     };
     REQUIRE(get(4, sides, 0, 24) == HM_OK);
-    CHECK((n == 24 && is_loop == 1));
+    REQUIRE(n == 24);
+    CHECK(is_loop == 1);
     REQUIRE(get(1, sides, 0, 24) == HM_OK);
-    CHECK((n == 7 && is_loop == 0 && points[0] == 0 && points[6] == 6));   // the mesh on the left
+    REQUIRE(n == 7);   // the mesh on the left
+    CHECK(is_loop == 0);
+    CHECK(points[0] == 0);
+    CHECK(points[6] == 6);
     CHECK(get(1, sides, 1, 24) == HM_BAD_CONDITION);
     std::set<std::int32_t> starts;
     for (std::int32_t const piece : {0, 1}) {
         REQUIRE(get(2, two, piece, 24) == HM_OK);
-        CHECK((n == 7 && is_loop == 0));
+        REQUIRE(n == 7);
+        CHECK(is_loop == 0);
         starts.insert(points[0]);
     }
     CHECK(starts == std::set<std::int32_t>{0, 47});
@@ -255,7 +278,9 @@ TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
     CHECK(get(2, two, -1, 24) == HM_BAD_CONDITION);
     points[3] = -9;
     CHECK(get(1, sides, 0, 3) == HM_BAD_ARGUMENT);   // too small, but tells how many
-    CHECK((n == 7 && points[2] == 2 && points[3] == -9));
+    REQUIRE(n == 7);
+    CHECK(points[2] == 2);
+    CHECK(points[3] == -9);
     CHECK(get(1, sides, 0, 0) == HM_BAD_ARGUMENT);
     CHECK(n == 7);
 }

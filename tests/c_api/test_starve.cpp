@@ -155,12 +155,14 @@ TEST_CASE("blocks for several threads: exactly the stated size, and one byte les
             hm_plan* plan = nullptr;
             Guarded less(attempt.plan_block->size() - 1, shift);
             CHECK(hm_plan_init(&plan, less.data(), less.size(), attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
-            CHECK((plan == nullptr && less.untouched()));
+            CHECK(plan == nullptr);
+            CHECK(less.untouched());
             hm_analysis* analysis = nullptr;
             Guarded small(attempt.analysis_block->size() - 1, shift);
             CHECK(hm_analysis_init(&analysis, small.data(), small.size(), &problem, &options, nullptr) ==
                   HM_BLOCK_TOO_SMALL);
-            CHECK((analysis == nullptr && small.untouched()));
+            CHECK(analysis == nullptr);
+            CHECK(small.untouched());
         }
     }
 }

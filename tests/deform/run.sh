@@ -1,6 +1,6 @@
 #!/bin/sh
 # `make deform`: builds the driver with the program's own objects and runs it over the shipped meshes, and over others
-# (MESHES="FILE:MARKER ...") where they are given or found beside the project.
+# (MESHES="FILE:MARKER ...") where they are given.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 set -e
 out=$BUILD/deform
@@ -9,9 +9,4 @@ objects=$(ls "$BUILD"/objects/cli/*.o | grep -v cli-main.o)
 $CXX -std=c++17 -Wall -Wextra -Wconversion -Wshadow $CXXFLAGS -pthread -Ic_api -o "$out/deform" tests/deform/deform.cpp \
     $objects "$BUILD/libharmorph.a" $LDFLAGS
 meshes="tests/meshes/naca0012.su2:airfoil $MESHES"
-for mesh in ../shared/meshes/*.su2; do
-    [ -f "$mesh" ] || continue
-    marker=$(tr -d '\r' <"$mesh" | sed -n 's/^ *MARKER_TAG *= *//p' | grep -i -m 1 airfoil) || continue
-    meshes="$meshes $mesh:$marker"
-done
 "$out/deform" "$out" $meshes

@@ -148,7 +148,8 @@ TEST_CASE("pieces: runs of faces that are on, across the place where a loop is c
         CHECK(n == 1);
         REQUIRE(pieces.size() == 1);
         CHECK(pieces[0].size() == 13);
-        CHECK((closed.size() == 1 && !closed[0]));
+        REQUIRE(closed.size() == 1);
+        CHECK(!closed[0]);
         for (std::size_t k = 0; k + 1 < pieces[0].size(); ++k)
             CHECK(distance(mesh.point(pieces[0][k]), mesh.point(pieces[0][k + 1])) == doctest::Approx(1.0 / 6));
     }

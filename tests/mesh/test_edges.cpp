@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
+#include <fixtures/wrong.hpp>
 
 #include <set>
 
@@ -51,14 +52,15 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
         Edges const found(mesh);
         REQUIRE(found.status == harmorph::Status::ok);
         CHECK(static_cast<std::size_t>(found.edges.count()) == expected.size());
-        Index last = -1, wrong = 0;
+        Index last = -1;
+        Wrong wrong;
         found.edges.for_each([&](Index edge, Index low, Index high) {
             CHECK(edge == ++last);
             CHECK(low < high);
             std::set<std::pair<Index, bool>> cells;
             for (Index const code : {found.edges.first[edge].code, found.edges.second[edge]})
                 if (code >= 0) cells.insert({harmorph::cell_of_side(code), harmorph::runs_backwards(code)});
-            wrong += cells != expected[{low, high}];
+            wrong.add(cells != expected[{low, high}], edge, static_cast<double>(cells.size()));   // cells of it
             CHECK(found.edges.is_boundary(edge) == (cells.size() == 1));
             CHECK(found.edges.find(low, high) == edge);
             CHECK(found.edges.find(high, low) == edge);
@@ -117,7 +119,8 @@ TEST_CASE("an edge of three cells is refused, and named") {
     mesh.add_cell({5, 6, 16});
     Edges const found(mesh);
     CHECK(found.status == harmorph::Status::bad_mesh);
-    CHECK((found.fault.item == 5 && found.fault.other == 6));
+    CHECK(found.fault.item == 5);
+    CHECK(found.fault.other == 6);
     Mesh twice = square(3);
     twice.add_cell({0, 1, 5, 4});   // a cell given twice
     twice.add_cell({0, 1, 5, 4});

@@ -51,7 +51,8 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
             CHECK((cell_area(view.cell(i), view.points) < 0) == (found[static_cast<std::size_t>(i)] != 0));
             turned += found[static_cast<std::size_t>(i)];
         }
-        CHECK((turned > mesh.n_cells() / 4 && turned < 3 * mesh.n_cells() / 4));
+        CHECK(turned > mesh.n_cells() / 4);
+        CHECK(turned < 3 * mesh.n_cells() / 4);
     }
 }
 
@@ -65,7 +66,8 @@ TEST_CASE("inverted cells do not turn: they agree with their neighbours, not wit
         hm_mesh_report report{};
         report.struct_size = sizeof report;
         REQUIRE(hm_analysis_report(seen.analysis, &report, nullptr) == HM_OK);
-        CHECK((report.inverted > 0 && report.inverted < 7));
+        CHECK(report.inverted > 0);
+        CHECK(report.inverted < 7);
         CHECK(report.min_area < 0);
     }
 }

@@ -90,11 +90,13 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                 INFO("p " << p << " q " << q << " r " << r);
                 if (expected == HUGE_VALL) {
                     CHECK(found.step == HUGE_VAL);
-                    CHECK((found.cell == -1 && its.point(found) == -1));
+                    CHECK(found.cell == -1);
+                    CHECK(its.point(found) == -1);
                     ++unlimited;
                 } else {
                     CHECK(found.step == doctest::Approx(static_cast<double>(expected)).epsilon(1e-7));
-                    CHECK((found.cell == 0 && its.point(found) == 0));
+                    CHECK(found.cell == 0);
+                    CHECK(its.point(found) == 0);
                     ++limited;
                 }
             }

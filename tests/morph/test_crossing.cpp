@@ -89,9 +89,11 @@ TEST_CASE("random polygons: found if and only if any pair of faces crosses, and 
         CHECK(found.found == expected);
         if (found.found) {
             CHECK(polygons.crosses(found.first, found.second));
-            CHECK((polygons.has_face(found.first) && polygons.has_face(found.second)));
+            CHECK(polygons.has_face(found.first));
+            CHECK(polygons.has_face(found.second));
         } else {
-            CHECK((found.first[0] == -1 && found.second[1] == -1));
+            CHECK(found.first[0] == -1);
+            CHECK(found.second[1] == -1);
         }
         ++(expected ? crossed : clear);
     }
@@ -164,7 +166,10 @@ TEST_CASE("faces that lie on each other cross, and are named, however they are t
                 }
                 Crossing const found = its.find();
                 CHECK(found.found == pair.cross);
-                if (found.found) CHECK((its.has_face(found.first) && its.has_face(found.second)));
+                if (found.found) {
+                    CHECK(its.has_face(found.first));
+                    CHECK(its.has_face(found.second));
+                }
             }
 }
 
@@ -209,7 +214,10 @@ TEST_CASE("faces with the same ends: walls that came together cross, the two sid
                 Crossing const found = its.find();
                 INFO(std::string(one.name));
                 CHECK(found.found == one.cross);
-                if (found.found) CHECK((its.has_face(found.first) && its.has_face(found.second)));
+                if (found.found) {
+                    CHECK(its.has_face(found.first));
+                    CHECK(its.has_face(found.second));
+                }
             }
 }
 
@@ -284,6 +292,9 @@ TEST_CASE("boundaries of valid meshes do not cross, not even thin trailing edges
         REQUIRE(hm_quality(solved.basis, &mesh, points_in(crossed.x, crossed.y), nullptr, nullptr, &report, nullptr) ==
                 HM_OK);
         CHECK(report.self_crossing == 1);
-        for (std::int32_t const point : report.crossing_points) CHECK((point >= 0 && point < 80));
+        for (std::int32_t const point : report.crossing_points) {
+            CHECK(point >= 0);
+            CHECK(point < 80);
+        }
     }
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/wrong.hpp>
 
 using namespace fixtures;
 
@@ -132,7 +133,8 @@ TEST_CASE("zero movement keeps every bit, of negative zeros too") {
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
         if (its.mesh.face_markers[face] != far_field) continue;
         std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
-        CHECK((found.x[point] == mesh.x[point] && std::signbit(found.x[point]) == std::signbit(mesh.x[point])));
+        CHECK(found.x[point] == mesh.x[point]);
+        CHECK(std::signbit(found.x[point]) == std::signbit(mesh.x[point]));
     }
 }
 
@@ -153,10 +155,11 @@ TEST_CASE("in place and to another array, in any layout: the same bits") {
             old[from.y + k * from.stride] = its.mesh.y[k];
         }
         auto const compare = [&](Numbers const& all, Layout const& layout) {
-            std::size_t wrong = 0, others = 0;
+            Wrong wrong;
+            std::size_t others = 0;
             for (std::size_t k = 0; k < n; ++k) {
-                wrong += all[layout.x + k * layout.stride] != expected.x[k];
-                wrong += all[layout.y + k * layout.stride] != expected.y[k];
+                wrong.compare(k, all[layout.x + k * layout.stride], expected.x[k]);
+                wrong.compare(k, all[layout.y + k * layout.stride], expected.y[k]);
             }
             for (double const value : all) others += value == -77.0;
             CHECK(wrong == 0);
@@ -216,7 +219,8 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         std::int32_t worst = -5;
         REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(to.x, to.y),
                                   &error, &worst, nullptr) == HM_OK);
-        CHECK((error >= 0 && error < 1e-12));
+        CHECK(error >= 0);
+        CHECK(error < 1e-12);
         // It sees a point that is elsewhere, and says which.
         Moved wrong = to;
         std::size_t const shifted = static_cast<std::size_t>(info.curve_point[17]);

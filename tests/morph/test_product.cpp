@@ -53,7 +53,10 @@ struct Product {
         std::vector<double> out;
         for (Index k = 0; k < functions; ++k) out.push_back(total.x[k].value());
         for (Index k = 0; k < functions; ++k) out.push_back(total.y[k].value());
-        for (Index k = functions; k < Movements::most; ++k) CHECK((total.x[k].value() == 0 && total.y[k].value() == 0));
+        for (Index k = functions; k < Movements::most; ++k) {
+            CHECK(total.x[k].value() == 0);
+            CHECK(total.y[k].value() == 0);
+        }
         return out;
     }
 };

@@ -46,7 +46,9 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
         REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &report, nullptr) ==
                 HM_OK);
         CHECK(report.inverted == cells);
-        CHECK((report.min_quality == 0 && report.mean_quality > 0 && report.mean_quality < 1));
+        CHECK(report.min_quality == 0);
+        CHECK(report.mean_quality > 0);
+        CHECK(report.mean_quality < 1);
     }
 }
 
@@ -82,7 +84,8 @@ TEST_CASE("neither size, place, angle nor the first corner matters") {
                              triangle = {{0, 0}, {2, 0.1}, {0.4, 0.9}};
     for (std::vector<Point> const& shape : {quad, triangle}) {
         double const expected = skew(shape);
-        CHECK((expected > 0.2 && expected < 1));
+        CHECK(expected > 0.2);
+        CHECK(expected < 1);
         for (double const scale : {1e-9, 1e-3, 1e6}) {
             std::vector<Point> other;
             double const c = scale * std::cos(1.1), s = scale * std::sin(1.1);
@@ -113,7 +116,8 @@ TEST_CASE("with a reference, cells that grow or shrink lose: the square root of 
 TEST_CASE("inverted cells are counted, the first is named, and they count 0 in the mean") {
     Mesh mesh = square(6, Cells::quads);   // 36 unit squares, scaled
     Quality seen = measure(mesh);
-    CHECK((seen.inverted == 0 && seen.first_inverted == -1));
+    CHECK(seen.inverted == 0);
+    CHECK(seen.first_inverted == -1);
     CHECK(seen.min_area == doctest::Approx(0.5 / 36));
     CHECK(seen.mean_quality() == doctest::Approx(1));
     mesh.x[16] = mesh.y[16] = -10;   // point (2, 2)
@@ -132,11 +136,13 @@ TEST_CASE("inverted cells are counted, the first is named, and they count 0 in t
         if (!bad) sum += skew(corners);
     }
     seen = measure(mesh);
-    CHECK((inverted >= 2 && first == 7));
+    CHECK(inverted >= 2);
+    CHECK(first == 7);
     CHECK(seen.inverted == inverted);
     CHECK(seen.first_inverted == first);
     CHECK(seen.min_area == least);
-    CHECK((seen.min_quality == 0 && seen.min_quality_cell == first));
+    CHECK(seen.min_quality == 0);
+    CHECK(seen.min_quality_cell == first);
     CHECK(seen.mean_quality() == doctest::Approx(sum / 36));
 
     Mesh flat = square(2, Cells::triangles);
@@ -180,10 +186,16 @@ TEST_CASE("the report on a mesh says the same, in the caller's numbering") {
     report.struct_size = sizeof report;
     REQUIRE(hm_analysis_report(solved.analysis, &report, nullptr) == HM_OK);
     Quality const expected = measure(its.mesh);
-    CHECK((report.points == 48 && report.used_points == 48 && report.cells == 48 && report.quads == 16 &&
-           report.triangles == 32));
-    CHECK((report.boundary_edges == 32 && report.boundary_loops == 2 && report.edges == 48 + 48));   // Euler: V - E + F = 0
-    CHECK((report.min_area == expected.min_area && report.min_quality == expected.min_quality));
+    CHECK(report.points == 48);
+    CHECK(report.used_points == 48);
+    CHECK(report.cells == 48);
+    CHECK(report.quads == 16);
+    CHECK(report.triangles == 32);
+    CHECK(report.boundary_edges == 32);
+    CHECK(report.boundary_loops == 2);
+    CHECK(report.edges == 48 + 48);   // Euler: V - E + F = 0
+    CHECK(report.min_area == expected.min_area);
+    CHECK(report.min_quality == expected.min_quality);
     CHECK(report.mean_quality == expected.mean_quality());
     hm_quality_report quality{};
     quality.struct_size = sizeof quality;

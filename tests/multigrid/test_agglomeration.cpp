@@ -22,7 +22,8 @@ void check_partition(Agglomerated const& its) {
         std::vector<int> members(static_cast<std::size_t>(a.level[l + 1].n), 0);
         for (Index i = 0; i < a.level[l].n; ++i) {
             Index const cell = a.cell_of[l][i];
-            REQUIRE((cell >= 0 && cell <= seen));   // numbered by the first member: the order stays the front's
+            REQUIRE(cell >= 0);   // numbered by the first member: the order stays the front's
+            REQUIRE(cell <= seen);
             seen = std::max(seen, cell + 1);
             ++members[static_cast<std::size_t>(cell)];
         }
@@ -235,10 +236,14 @@ TEST_CASE("on cells as long as high merged cells are about as long as high, and 
             for (Index l = 0; l + 1 < a.count; ++l) {
                 double const ratio = 1.0 * a.level[l].n / a.level[l + 1].n;
                 INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ", level " << l);
-                CHECK((ratio > 3.5 && ratio < 6));
+                CHECK(ratio > 3.5);
+                CHECK(ratio < 6);
             }
             Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 48, 1.0 / 48);
-            CHECK((extent.x < 4 && extent.y < 4 && extent.x > 1.4 && extent.y > 1.4));
+            CHECK(extent.x < 4);
+            CHECK(extent.y < 4);
+            CHECK(extent.x > 1.4);
+            CHECK(extent.y > 1.4);
         }
 }
 

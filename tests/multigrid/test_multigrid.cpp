@@ -58,7 +58,8 @@ void check_preconditioner(Case its) {
     lay_out(placing);
     harmorph::Fault fault;
     REQUIRE(engine.set_up(front.rows, fault) == harmorph::Status::ok);
-    REQUIRE((engine.levels.count == 2 && engine.has_bottom));
+    REQUIRE(engine.levels.count == 2);
+    REQUIRE(engine.has_bottom);
     harmorph::block::Cycle<4> const cycle(engine, engine.vectors.data());
     std::size_t const n = 4 * static_cast<std::size_t>(front.rows.n);
     std::vector<double> x, bx(n);
@@ -96,8 +97,10 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
         INFO("case " << which << ": " << found.report.iterations << " iterations to " << found.report.residual);
         CHECK(difference(found, expected) < 2e-9);
         CHECK(found.report.residual <= 1e-10);
-        CHECK((found.report.iterations > 1 && found.report.iterations <= 45));
-        CHECK((found.report.levels >= 2 && found.report.factor_entries == 0));
+        CHECK(found.report.iterations > 1);
+        CHECK(found.report.iterations <= 45);
+        CHECK(found.report.levels >= 2);
+        CHECK(found.report.factor_entries == 0);
         CHECK(found.report.refinements == 0);
         CHECK(found.report.boundary_error == 0);
     }
@@ -177,7 +180,8 @@ TEST_CASE("without coarser levels it takes many times as many iterations") {
     Solved const all(its, &options);
     options.levels = 1;
     Solved const one(its, &options);
-    CHECK((one.report.levels == 1 && all.report.levels >= 4));
+    CHECK(one.report.levels == 1);
+    CHECK(all.report.levels >= 4);
     CHECK(one.report.iterations > 4 * all.report.iterations);
     CHECK(difference(one, all) < 1e-7);
 }
@@ -191,7 +195,8 @@ TEST_CASE("a limit of iterations ends with a status that says so, and with what 
         Attempt const attempt(its.problem(), &options);
         CHECK(attempt.status == HM_NOT_CONVERGED);
         CHECK(attempt.report.iterations == limit);
-        CHECK((attempt.report.residual > 1e-10 && attempt.report.residual < last));
+        CHECK(attempt.report.residual > 1e-10);
+        CHECK(attempt.report.residual < last);
         last = attempt.report.residual;
     }
 }
@@ -214,7 +219,8 @@ TEST_CASE("the history begins at 1 and ends with the report's residual, at the t
         options.history_length = 3;   // what does not fit is left out
         history.assign(60, -1.0);
         Solved const again(its, &options);
-        CHECK((history[2] > 0 && history[3] == -1));
+        CHECK(history[2] > 0);
+        CHECK(history[3] == -1);
     }
 }
 

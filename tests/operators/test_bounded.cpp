@@ -115,7 +115,10 @@ TEST_CASE("no entry beside the diagonal is positive, and none of a coupling, wha
                 CHECK(positive_entries(scheme.sparse->matrix) == 0);
                 for (Index const slot : {0, 20}) {   // functions stay within their boundary values therefore
                     auto const one = [&](Index s) { return s == slot ? 1.0 : 0.0; };
-                    for (double const f : scheme.solve(one)) CHECK((f >= 0 && f <= 1));
+                    for (double const f : scheme.solve(one)) {
+                        CHECK(f >= 0);
+                        CHECK(f <= 1);
+                    }
                 }
             }
         }
@@ -197,7 +200,8 @@ TEST_CASE("0 <= F <= 1 to the last bit where the compact scheme is below 0") {
         Case bodies = two_body_case(kind);
         perturb(bodies.mesh, 0.4, 5);
         Solved const solved(bodies, &options);
-        CHECK((solved.report.min_value >= 0 && solved.report.max_value <= 1));
+        CHECK(solved.report.min_value >= 0);
+        CHECK(solved.report.max_value <= 1);
     }
 }
 
@@ -316,7 +320,8 @@ TEST_CASE("weighted functions stay between 0 and 1 as well; slip and the conform
         for (std::int32_t const quarters : {1, 6, 16}) {
             options.exponent_quarters = compact.exponent_quarters = quarters;
             Solved const solved(its, &options);
-            CHECK((solved.report.min_value >= 0 && solved.report.max_value <= 1));
+            CHECK(solved.report.min_value >= 0);
+            CHECK(solved.report.max_value <= 1);
             CHECK(solved.report.residual < 1e-11);
             CHECK(Solved(its, &compact).report.min_value < -1e-3);
         }

@@ -60,7 +60,8 @@ TEST_CASE("rows are in order, hold later columns only, and each once; their numb
     CHECK(m.start[m.n] == seen->matrix.entries);
     for (Index row = 0; row < m.n; ++row)
         for (harmorph::Offset k = m.start[row]; k < m.start[row + 1]; ++k) {
-            CHECK((m.column[k] > row && m.column[k] < m.n));
+            CHECK(m.column[k] > row);
+            CHECK(m.column[k] < m.n);
             if (k > m.start[row]) CHECK(m.column[k] > m.column[k - 1]);
         }
     CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
@@ -85,7 +86,9 @@ TEST_CASE("places tell unknowns, wall points, and points whose value is 0") {
             ++zero;
         }
     }
-    CHECK((unknowns == seen->graph.n && on_wall == 48 && zero == 24 + 12 + 1));   // 36 points of the rectangle's sides
+    CHECK(unknowns == seen->graph.n);
+    CHECK(on_wall == 48);
+    CHECK(zero == 24 + 12 + 1);   // 36 points of the rectangle's sides
 }
 
 TEST_CASE("circulations stand above the diagonal as they are and below it turned, wherever the points come in the order") {

@@ -147,8 +147,10 @@ TEST_CASE("both engines find the same functions, also on stretched cells and bes
         INFO("case " << which << ": " << one.report.iterations << " steps, " << other.report.iterations << " cycles");
         CHECK(difference(one, other) < 1e-8);
         CHECK(one.report.residual < 1e-12);
-        CHECK((one.report.refinements >= 1 && one.report.iterations >= 1));
-        CHECK((other.report.refinements == 0 && other.report.levels >= 2));
+        CHECK(one.report.refinements >= 1);
+        CHECK(one.report.iterations >= 1);
+        CHECK(other.report.refinements == 0);
+        CHECK(other.report.levels >= 2);
     }
 }
 

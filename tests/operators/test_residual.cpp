@@ -4,6 +4,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/matrices.hpp>
 #include <fixtures/operators.hpp>
+#include <fixtures/wrong.hpp>
 
 #include <harmorph/plan/plan.hpp>
 
@@ -17,10 +18,11 @@ harmorph::Plan& inside(hm_plan* plan) { return *reinterpret_cast<harmorph::Plan*
 struct Progressed {
     std::int32_t phase = 0;
     double fraction = 0;
-    int backwards = 0;
+    Wrong backwards;   // fractions smaller than the one before, in which phase
     static std::int32_t call(void* user, std::int32_t phase, double fraction) {
         Progressed& self = *static_cast<Progressed*>(user);
-        if (phase < self.phase || (phase == self.phase && fraction < self.fraction)) ++self.backwards;
+        bool const is_earlier = phase < self.phase || (phase == self.phase && fraction < self.fraction);
+        self.backwards.add(is_earlier, phase, fraction);
         self.phase = phase;
         self.fraction = fraction;
         return 0;
@@ -117,7 +119,8 @@ TEST_CASE("a factor that is slightly wrong: refinement brings the residual down,
         options.progress_user = &progressed;
         Solved const reference(its);
         Attempt attempt;
-        REQUIRE((attempt.analyse(its.problem(), &options) && attempt.prepare()));
+        REQUIRE(attempt.analyse(its.problem(), &options));
+        REQUIRE(attempt.prepare());
         REQUIRE(hm_plan_factor(attempt.plan, nullptr, nullptr) == HM_OK);
         for (double& entry : inside(attempt.plan).engine.doubles.factor) entry *= 1 + error;
         hm_status const status = hm_plan_solve(attempt.plan, attempt.basis, &attempt.report, nullptr);
@@ -216,13 +219,16 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         }
         Index const n = plan.residual.width, planes = matrix.is_complex() ? 2 : 1;
         plan.residual.compute(matrix, lines, 0, n);
-        double worst = 0, largest = 0;
+        Wrong inside_rows;
+        double largest = 0;
         for (Index i = 0; i < matrix.n; ++i) {
             const double* const row = plan.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
-            double& most = beside_known[static_cast<std::size_t>(i)] ? largest : worst;
-            for (Index k = 0; k < planes * n; ++k) most = std::max(most, std::fabs(row[k]));
+            for (Index k = 0; k < planes * n; ++k) {
+                if (beside_known[static_cast<std::size_t>(i)]) largest = std::max(largest, std::fabs(row[k]));
+                else inside_rows.compare(i, row[k], 0);
+            }
         }
-        CHECK(worst == 0);
+        CHECK(inside_rows == 0);
         CHECK(largest > 0);
     }
 }
@@ -237,20 +243,25 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
         harmorph::Residual wide = plan.residual, narrow = inside(other.plan).residual;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
         harmorph::Lines const lines{basis, plan.line_of, 1};
-        REQUIRE((wide.single.empty() && !narrow.single.empty()));
+        REQUIRE(wide.single.empty());
+        REQUIRE(!narrow.single.empty());
         Index const n = std::min(wide.width, narrow.width) - 1, planes = kind == HM_CONFORMAL ? 2 : 1;
         harmorph::Residual::Norms const norms = wide.compute(plan.matrix, lines, 1, n);
         harmorph::Residual::Norms const rounded = narrow.compute(plan.matrix, lines, 1, n);
         harmorph::Residual::Norms const alone = narrow.measure(plan.matrix, lines, 1, n);
         for (Index k = 0; k < n; ++k) {
-            CHECK((norms.rest[k] == rounded.rest[k] && norms.rest[k] == alone.rest[k] && norms.rest[k] > 0));
-            CHECK((norms.right_hand_side[k] == rounded.right_hand_side[k] && norms.right_hand_side[k] == alone.right_hand_side[k]));
+            CHECK(norms.rest[k] == rounded.rest[k]);
+            CHECK(norms.rest[k] == alone.rest[k]);
+            CHECK(norms.rest[k] > 0);
+            CHECK(norms.right_hand_side[k] == rounded.right_hand_side[k]);
+            CHECK(norms.right_hand_side[k] == alone.right_hand_side[k]);
         }
-        int different = 0;
+        Wrong different;
         for (Index row = 0; row < planes * plan.matrix.n; ++row)
             for (Index k = 0; k < n; ++k) {
                 double const value = wide.value[harmorph::Offset{row} * wide.width + k];
-                different += narrow.single[harmorph::Offset{row} * narrow.width + k] != static_cast<float>(value);
+                double const rounded_value = narrow.single[harmorph::Offset{row} * narrow.width + k];
+                different.compare(row, rounded_value, static_cast<float>(value));
             }
         CHECK(different == 0);
     }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
+#include <fixtures/wrong.hpp>
 
 using namespace fixtures;
 using harmorph::Index;
@@ -31,16 +32,16 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
     for (HandMadeGraph& graph : nasty_graphs()) {
         PlacedGraph its(graph);
         harmorph::Places const& places = its.places;
-        int outside = 0, jumps = 0;
+        Wrong outside, jumps;
         for (Index u = 0; u < graph.n(); ++u)
             for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
                 for (Index d = 0; d < harmorph::directions; ++d) {
                     float const step = places.place[v].at[d] - places.place[u].at[d];
-                    outside += std::fabs(step) > places.place[u].reach[d];
+                    outside.add(std::fabs(step) > places.place[u].reach[d], u, step);
                 }
                 float const from = places.place[u].at[harmorph::layer_direction];
                 float const to = places.place[v].at[harmorph::layer_direction];
-                jumps += std::fabs(to - from) > 1;
+                jumps.add(std::fabs(to - from) > 1, u, to - from);
             }
         CHECK(outside == 0);
         CHECK(jumps == 0);
@@ -78,12 +79,13 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
         for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
         its.places.find_levels(graph.view(), span(all), its.places.queue);
         std::set<Index> seen;
-        int jumps = 0, falls = 0;
+        Wrong jumps, falls;
         for (Index k = 0; k < graph.n(); ++k) {
             Index const u = its.places.queue[k];
             seen.insert(u);
-            if (k > 0) falls += level(u) < level(its.places.queue[k - 1]);
-            for (Index const v : graph.near[static_cast<std::size_t>(u)]) jumps += std::fabs(level(v) - level(u)) > 1;
+            if (k > 0) falls.add(level(u) < level(its.places.queue[k - 1]), u, level(u));
+            for (Index const v : graph.near[static_cast<std::size_t>(u)])
+                jumps.add(std::fabs(level(v) - level(u)) > 1, u, level(v) - level(u));
         }
         CHECK(seen.size() == all.size());
         CHECK(level(its.places.queue[0]) == 0);

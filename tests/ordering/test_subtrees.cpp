@@ -67,7 +67,8 @@ TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
             Walk walk{cut.tree, symbolic, its};
             for (Index k = 0; k < its.count; ++k) {
                 harmorph::Subtree const& subtree = its.all[k];
-                CHECK((subtree.lane >= 0 && subtree.lane < lanes));
+                CHECK(subtree.lane >= 0);
+                CHECK(subtree.lane < lanes);
                 CHECK(subtree.first <= subtree.root);
                 if (k > 0) CHECK(subtree.first > its.all[k - 1].root);
                 CHECK(its.find(subtree.root) == k);
@@ -76,12 +77,14 @@ TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
                     if (in_range != is_below(cut.tree, node, subtree.root)) CHECK(false);
                     if (in_range && node != subtree.root) CHECK(its.find(node) == none);
                 }
-                CHECK((subtree.kept == kept && subtree.kept_rows == kept_rows));
+                CHECK(subtree.kept == kept);
+                CHECK(subtree.kept_rows == kept_rows);
                 kept += walk.update(subtree.root);
                 kept_rows += walk.front(subtree.root);
                 walk.go(subtree.root, false, 0, 0);
             }
-            CHECK((its.kept_entries == kept && its.kept_rows == kept_rows));
+            CHECK(its.kept_entries == kept);
+            CHECK(its.kept_rows == kept_rows);
 
             Index const root = cut.tree.count - 1;
             if (its.find(root) == none) walk.go(root, true, 0, walk.front(root));

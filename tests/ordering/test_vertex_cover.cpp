@@ -2,12 +2,14 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
+#include <fixtures/wrong.hpp>
 
 using fixtures::grid_graph;
 using fixtures::Guarded;
 using fixtures::HandMadeGraph;
 using fixtures::nasty_graphs;
 using fixtures::span;
+using fixtures::Wrong;
 using harmorph::Index;
 using harmorph::Side;
 
@@ -77,12 +79,13 @@ private:
 template <class IsLeft>
 void check_cover(HandMadeGraph& graph, IsLeft is_left) {
     Covered const cut(graph, is_left);
-    int crossing = 0, changed = 0;
+    Wrong crossing, changed;
     for (Index u = 0; u < graph.n(); ++u) {
         std::size_t const k = static_cast<std::size_t>(u);
-        changed += cut.after[k] != Side::separator && cut.after[k] != cut.before[k];
+        Side const side = cut.after[k];
+        changed.add(side != Side::separator && side != cut.before[k], u, static_cast<double>(side));
         for (Index const v : graph.near[k])
-            crossing += cut.after[k] == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right;
+            crossing.add(side == Side::left && cut.after[static_cast<std::size_t>(v)] == Side::right, u, v);
     }
     CHECK(crossing == 0);
     CHECK(changed == 0);

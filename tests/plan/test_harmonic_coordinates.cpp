@@ -110,7 +110,8 @@ TEST_CASE("at the cage's corners each coordinate is 1 or 0, along its edges line
         for (std::int32_t i = 0; i < its.curves.n_control(); ++i) {
             std::vector<double> const f = solved.values(i);
             for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
-                CHECK((f[k] >= 0 && f[k] <= 1));
+                CHECK(f[k] >= 0);
+                CHECK(f[k] <= 1);
                 for (std::int32_t j = 0; j < its.curves.n_control(); ++j) {
                     std::size_t const at = 2 * static_cast<std::size_t>(j);
                     if (distance(its.mesh.point(static_cast<std::int32_t>(k)), {control[at], control[at + 1]}) > 1e-12) continue;

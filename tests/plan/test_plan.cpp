@@ -214,7 +214,10 @@ TEST_CASE("two bodies: the functions of one vanish on the other, and all share t
                 if (its.mesh.face_markers[static_cast<std::size_t>(face)] == far_field)
                     CHECK(values[static_cast<std::size_t>(its.mesh.faces[2 * static_cast<std::size_t>(face)])] == 0);
         }
-        for (double const sum : solved.sum()) CHECK((sum >= -1e-12 && sum <= 1 + 1e-12));
+        for (double const sum : solved.sum()) {
+            CHECK(sum >= -1e-12);
+            CHECK(sum <= 1 + 1e-12);
+        }
     }
 }
 

@@ -59,7 +59,9 @@ TEST_CASE("translated, turned and scaled about its centre: every point is where 
             hm_options const options = options_of(operator_kind);
             Solved const solved(its, &options);
             hm_basis_info const info = solved.info();
-            CHECK((info.bodies == 1 && info.functions == 11 + 2 && info.numbers_per_value >= 2));
+            CHECK(info.bodies == 1);
+            CHECK(info.functions == 11 + 2);
+            CHECK(info.numbers_per_value >= 2);
             Complex const all[] = {1, std::polar(1.0, 0.5), std::polar(1.0, 3.0), 2, std::polar(0.3, -1.0)};
             for (Complex const s : all) {
                 std::vector<double> move(26, 0.0);
@@ -88,7 +90,9 @@ TEST_CASE("two rigid bodies and no curve: bodies are numbered by the caller, cen
         Case its = flap(true);
         hm_options const options = options_of(operator_kind);
         Solved const solved(without_curves(its), &options);
-        CHECK((solved.info().functions == 4 && solved.info().curves == 0 && solved.info().bodies == 2));
+        CHECK(solved.info().functions == 4);
+        CHECK(solved.info().curves == 0);
+        CHECK(solved.info().bodies == 2);
         Complex const first = std::polar(1.1, 0.2), second = std::polar(0.9, -0.7);
         Field const moved = displacement(solved, {0.01, 0.02, first.real() - 1, first.imag(), -0.03, 0.01,
                                                   second.real() - 1, second.imag()});
@@ -160,7 +164,9 @@ TEST_CASE("points shared with a curve's marker belong to the curve, whichever is
         hm_options const options = options_of(HM_LAPLACE);
         Solved const solved(its, &options);
         Field const moved = displacement(solved, {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});   // the body alone, to the right
-        CHECK((moved[16] == 0.0 && moved[17] == 1.0 && moved[18] == 0.0));
+        CHECK(moved[16] == 0.0);
+        CHECK(moved[17] == 1.0);
+        CHECK(moved[18] == 0.0);
         std::reverse(its.conditions.begin(), its.conditions.end());
     }
 }

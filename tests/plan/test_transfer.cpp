@@ -170,7 +170,8 @@ TEST_CASE("the wall moves as the B-spline does, exactly; fixed points do not mov
     for (std::size_t face = 0; face < fine.mesh.face_markers.size(); ++face) {
         if (fine.mesh.face_markers[face] != far_field) continue;
         std::size_t const point = static_cast<std::size_t>(fine.mesh.faces[2 * face]);
-        CHECK((x[point] == fine.mesh.x[point] && y[point] == fine.mesh.y[point]));
+        CHECK(x[point] == fine.mesh.x[point]);
+        CHECK(y[point] == fine.mesh.y[point]);
         ++fixed;
     }
     CHECK(fixed > 50);
@@ -221,7 +222,8 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
             int pairs = 0;
             for (std::size_t k = 0; k < n; ++k) {   // rows of 28 points; left and right are their ends, outside the hole's rows
                 if (k / 28 > 5 || k % 28 != 0) continue;
-                CHECK((by[k] == by[k + 27] && by[n + k] == by[n + k + 27]));
+                CHECK(by[k] == by[k + 27]);
+                CHECK(by[n + k] == by[n + k + 27]);
                 pairs += by[k] != 0 ? 1 : 0;
             }
             CHECK(pairs > 3);
@@ -366,7 +368,8 @@ TEST_CASE("refused: other domains, curves, operators, meshes; and too little mem
         TransferAttempt attempt;
         REQUIRE(attempt.open(its.problem(), options));
         REQUIRE(!attempt.fill_from(solved.basis, coarse_mesh));
-        CHECK((attempt.guards_intact() && attempt.block->guards_intact()));
+        CHECK(attempt.guards_intact());
+        CHECK(attempt.block->guards_intact());
         std::vector<double> values(its.mesh.x.size());
         CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
         INFO(attempt.error.text);
@@ -408,7 +411,8 @@ TEST_CASE("refused: other domains, curves, operators, meshes; and too little mem
     }
     SUBCASE("a coarse basis that is not solved; a basis of another analysis; NULL") {
         Attempt unsolved, other;
-        REQUIRE((unsolved.analyse(coarse.problem()) && unsolved.prepare()));
+        REQUIRE(unsolved.analyse(coarse.problem()));
+        REQUIRE(unsolved.prepare());
         TransferAttempt attempt;
         REQUIRE(attempt.open(fine.problem()));
         CHECK(!attempt.fill_from(unsolved.basis, coarse.mesh_view()));

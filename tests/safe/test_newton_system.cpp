@@ -143,7 +143,8 @@ TEST_CASE("the step descends, and the longer it is sought the nearer it is to Ne
     CHECK(its.newton.solve(its.region, 1, {}) == 1);
     CHECK(its.newton.slope(its.region, {}) < 0);
     Index const products = its.newton.solve(its.region, 1000, {});
-    CHECK((products > 1 && products < 1000));
+    CHECK(products > 1);
+    CHECK(products < 1000);
     CHECK(its.newton.slope(its.region, {}) < 0);
     // The residual in the norm in which it is measured: of the block diagonal's inverse.
     std::vector<Vec2> const image = its.times(its.newton.step);

@@ -71,7 +71,8 @@ struct Outcome {
         Guarded block(query.bytes());
         harmorph::Arena arena(block.data(), query.bytes());
         untangling.lay_out(arena, counts);
-        CHECK((!arena.overflown() && arena.bytes() == query.bytes()));
+        CHECK(!arena.overflown());
+        CHECK(arena.bytes() == query.bytes());
         untangling.tangle = {view, view.points, analysed->reversed, analysed->representative, span(its.held)};
         untangling.executor = executor;
         status = untangling.run(options, {mesh.x.data(), mesh.y.data(), 1}, report, fault);
@@ -101,7 +102,8 @@ void check_repaired(Tangled const& its, Outcome const& out, int at_least_inverte
     INFO("inverted " << out.report.inverted_before << ", iterations " << out.report.iterations << ", smallest "
                      << out.report.smallest);
     CHECK(out.report.inverted_before >= at_least_inverted);
-    CHECK((out.status == Status::ok && out.report.left == 0));
+    CHECK(out.status == Status::ok);
+    CHECK(out.report.left == 0);
     CHECK(out.smallest(its) >= UntangleOptions{}.margin);
     bool boundary_stays = true;
     for (std::size_t k = 0; k < its.held.size(); ++k) {
@@ -147,7 +149,9 @@ TEST_CASE("a valid mesh is left alone, bit by bit, however bad it is") {
     Tangled its(square(12, Cells::hybrid));
     perturb(its.now, 0.6, 3);
     Outcome const out(its);
-    CHECK((out.status == Status::ok && out.report.inverted_before == 0 && out.report.iterations == 0));
+    CHECK(out.status == Status::ok);
+    CHECK(out.report.inverted_before == 0);
+    CHECK(out.report.iterations == 0);
     CHECK(out.same_bits(its.now));
 }
 
@@ -260,7 +264,8 @@ TEST_CASE("the points of a cut move as one") {
     check_repaired(its, out, 4);
     bool moved = false;
     for (std::size_t k = 0; k < 12; ++k) {
-        CHECK((out.mesh.x[k] == out.mesh.x[ni - 1 - k] && out.mesh.y[k] == out.mesh.y[ni - 1 - k]));
+        CHECK(out.mesh.x[k] == out.mesh.x[ni - 1 - k]);
+        CHECK(out.mesh.y[k] == out.mesh.y[ni - 1 - k]);
         moved = moved || out.mesh.y[k] != its.now.y[k];
     }
     CHECK(moved);
@@ -285,7 +290,8 @@ TEST_CASE("a body that lies across the outer boundary is refused after so many i
     options.iterations_in_whole = 12;
     Outcome const out(its, options);
     CHECK(out.status == Status::not_converged);
-    CHECK((out.report.inverted_before > 0 && out.report.left > 0));
+    CHECK(out.report.inverted_before > 0);
+    CHECK(out.report.left > 0);
     CHECK(out.report.iterations <= 4 * (out.report.regions - 1) + 12);
     CHECK(out.report.iterations > 12);
     CHECK(out.same_bits(its.now));
@@ -295,7 +301,9 @@ TEST_CASE("a corner that nothing can move is seen at once") {
     Tangled its(square(6, Cells::quads));
     its.now.x[0] = its.now.y[0] = 0.4;   // the square's own corner, folded over its cell's diagonal
     Outcome const out(its);
-    CHECK((out.status == Status::not_converged && out.report.stuck_cell == 0 && out.report.iterations == 0));
+    CHECK(out.status == Status::not_converged);
+    CHECK(out.report.stuck_cell == 0);
+    CHECK(out.report.iterations == 0);
     CHECK(out.same_bits(its.now));
 }
 
@@ -304,7 +312,8 @@ TEST_CASE("an inverted reference is refused, numbers that are none are not repai
     std::swap(its.reference.x[24], its.reference.x[25]);
     its.scatter(0.3, 1);
     Outcome const out(its);
-    CHECK((out.status == Status::bad_mesh && out.fault.item >= 0));
+    CHECK(out.status == Status::bad_mesh);
+    CHECK(out.fault.item >= 0);
     CHECK(out.same_bits(its.now));
 
     Tangled undefined(square(6, Cells::hybrid));

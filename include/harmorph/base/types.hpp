@@ -21,6 +21,7 @@ enum class Status : std::int32_t {
     not_converged = 1,
     moved = 2,
     short_of_target = 3,
+    backtracks = 4,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,
@@ -36,8 +37,9 @@ enum class Status : std::int32_t {
 constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>(status) < 0; }
 
 // What the numbers in a fault count: `mesh`, points and cells, which the caller counts from an index base of the mesh;
-// `curves`, a control point as `item`, likewise, and a curve as `other`, which counts from 0 like everything else.
-enum class Counts : std::int32_t { from_zero, mesh, curves };
+// `curves`, a control point as `item`, likewise, and a curve as `other`, which counts from 0 like everything else;
+// `mesh_and_marker`, a point as `item` and a marker as `other`, whose number is the caller's own.
+enum class Counts : std::int32_t { from_zero, mesh, curves, mesh_and_marker };
 
 // Why a call was refused. In the sentence # stands for item, @ for other, ~ for value and % for argument.
 struct Fault {

@@ -37,16 +37,26 @@ struct BoundaryFunctions {
     Vec2 moved(const Real* move) const noexcept;
 };
 
+// Fingerprints of what a mesh is made of, wherever its points are.
+struct Topology {
+    std::uint64_t cells = 0;    // each one's points, in order
+    std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not matter
+};
+
+constexpr bool operator==(Topology const& a, Topology const& b) noexcept {
+    return a.cells == b.cells && a.markers == b.markers;
+}
+
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 3, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 4, native_order = 0x01020304;
 
     char magic[8];                // "harmorph"
     std::uint32_t format;
     std::uint32_t byte_order;     // native_order where it was written
     std::uint64_t bytes;          // of the whole block
     std::uint64_t checksum;       // of all that follows this field
-    std::uint64_t topology;       // fingerprints of the mesh
+    Topology topology;            // fingerprints of the mesh
     std::uint64_t coordinates;
     std::uint64_t conditions;     // fingerprint of what is asked on the boundary: points on curves, kinds of points
     std::int32_t solved;
@@ -111,8 +121,8 @@ struct Basis {
 };
 
 std::uint64_t checksum_of(BasisHeader const& header) noexcept;
-std::uint64_t topology_print(Mesh const& mesh) noexcept;
-std::uint64_t coordinates_print(Points points, Index n_points) noexcept;
+Topology topology_fingerprint(Mesh const& mesh) noexcept;
+std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
 // Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.
 // Whatever is in a block that is accepted, nothing outside it is ever read. Of a truncated one fault.value are the bytes

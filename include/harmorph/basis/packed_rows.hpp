@@ -10,7 +10,8 @@ struct ParcelLabel {
     static constexpr std::uint64_t mark = 0x6c65637261706d68;  // "hmparcel"
 
     std::uint64_t magic;
-    std::uint64_t topology, coordinates, conditions;  // fingerprints as in the basis
+    Topology topology;  // fingerprints as in the basis
+    std::uint64_t coordinates, conditions;
     Real largest;
     Index points, first, n, numbers;
 };

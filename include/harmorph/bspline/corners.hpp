@@ -1,4 +1,4 @@
-// The outline of a body as points in order: turning, curvature, corners, blunt bases.
+// The outline of a body as points in order: turning, curvature, corners, straight pieces.
 #pragma once
 
 #include "harmorph/base/arena.hpp"
@@ -29,6 +29,6 @@ struct Outline {
 Index find_corners(Outline const& outline, Span<Index> corner) noexcept;
 
 // Do the points from corner `from` on to corner `to` lie on a straight line that is short against the body?
-bool is_base(Outline const& outline, Index from, Index to) noexcept;
+bool is_short_side(Outline const& outline, Index from, Index to) noexcept;
 
 }  // namespace harmorph

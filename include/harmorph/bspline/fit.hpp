@@ -17,8 +17,11 @@ struct FitReport {
     Real max_error = 0, rms_error = 0;  // distances of the points from the curves
     Index max_error_point = none;
     Closure closure = Closure::open;  // never automatic
+    ClosureReason reason = ClosureReason::no_loop;
+    Index corners = 0;                // of the outline, those at the ends counted
     Index first_point = 0;            // where the first curve begins
     Index base_points = 0;            // on a blunt base, both ends counted
+    Index backtrack_point = none;     // between this point and the next the first curve runs back
 };
 
 // Degree, number of control points and number of points; to be called before lay_out.
@@ -47,6 +50,7 @@ private:
     void approximate(Index n_corners) noexcept;
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitReport& report) const noexcept;
+    Index find_backtrack() const noexcept;
 
     Vec2 centre_;       // unit lengths: (point - centre) / extent
     Real extent_ = 1;
@@ -60,7 +64,7 @@ private:
     Span<Real> arc_, curvature_, start_; // [n + 1] along the curve; start_: arc_ as a part of the whole
     Span<Real> mass_, capped_;           // [n + 1]
     Span<Index> section_spans_, indices_, base_indices_, best_pinned_;
-    Span<Real> knots_, best_knots_, base_knots_, span_error_;
+    Span<Real> knots_, best_knots_, base_knots_, span_error_, best_u_;
     Real best_error_ = infinity;
 };
 

@@ -39,7 +39,7 @@ struct Analysis {
     Edges edges;
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
-    std::uint64_t topology = 0;   // fingerprint of the mesh
+    Topology topology;            // fingerprint of the mesh
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     Translations translations;    // of periodic pairs
@@ -81,7 +81,7 @@ struct Analysis {
     bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
     Index count_wall_faces() const noexcept;
     Index count_used_points() const noexcept;
-    std::uint64_t conditions_print() const noexcept;
+    std::uint64_t conditions_fingerprint() const noexcept;
 
 private:
     MatrixKind matrix_kind() const noexcept;

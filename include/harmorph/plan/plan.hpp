@@ -31,7 +31,8 @@ struct Plan {
     Method method;
     Progress progress;
     BasisCounts basis_counts;
-    std::uint64_t topology = 0, conditions = 0;  // fingerprints of mesh and problem
+    Topology topology;             // fingerprints of mesh and problem
+    std::uint64_t conditions = 0;
     Offset factor_entries = 0;
     RegionCounts region_counts;     // for untangling
     std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to

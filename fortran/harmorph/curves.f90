@@ -1,28 +1,8 @@
-! What is asked of curves: points and parameters, and the least-squares fit that makes one.
-module harmorph_curves
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_float, c_int32_t, c_int64_t, c_ptr, c_size_t, &
-        c_sizeof
-    use harmorph_structs, only: hm_c_curve, hm_c_curves, hm_c_fit_options, hm_fit_report
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_memory, only: block_of_memory, words_of
-    use harmorph_view, only: c_points, view, view_of
-    use harmorph_curve_set, only: c_curves_of, copy_curves, curve_set
-    implicit none
-    private
+
+! ---- What is asked of curves: points and parameters, and the least-squares fit that makes one ------------------------
+
     public :: hm_fit_words
 
-    type, extends(curve_set), public :: hm_curves
-    contains
-        procedure :: check => curves_check
-        procedure :: basis => curves_basis
-        procedure :: point => curves_point
-        procedure :: project => curves_project
-!@each real
-        procedure, private :: fit_@FORM@
-        generic :: fit => fit_@FORM@
-!@end
-    end type
 
 contains
     subroutine curves_check(self, stat, err)
@@ -34,7 +14,7 @@ contains
         type(hm_c_curve), allocatable, target :: list(:)
         call c_curves_of(self, set, list, done)
         if (done%ok()) done%status = hm_c_curves_check(set, done%error)
-        call done%finish(stat, err)
+        call done%finish("curves%check", stat, err)
     end subroutine
 
     ! The basis functions that are not 0 at u: their control points, and values(k,d), d-th derivative from 0 on.
@@ -67,7 +47,7 @@ contains
                 values(:order, d) = value(d * order + 1:(d + 1) * order)
             end do
         end if
-        call done%finish(stat, err)
+        call done%finish("curves%basis", stat, err)
     end subroutine
 
     ! The point at u, xy(:,0), and as many derivatives as xy(2,0:) has room for.
@@ -88,7 +68,7 @@ contains
         if (done%ok()) done%status = hm_c_curve_point(set, int(curve - 1, c_int32_t), u, &
             int(size(xy, 2) - 1, c_int32_t), value, done%error)
         if (done%status >= 0) xy = reshape(value(:size(xy)), shape(xy))
-        call done%finish(stat, err)
+        call done%finish("curves%point", stat, err)
     end subroutine
 
     ! The parameter of the point nearest to (x, y), and how far it is.
@@ -104,7 +84,7 @@ contains
         type(hm_c_curve), allocatable, target :: list(:)
         call open_curve(self, curve, set, list, done)
         if (done%ok()) done%status = hm_c_curve_project(set, int(curve - 1, c_int32_t), x, y, u, distance, done%error)
-        call done%finish(stat, err)
+        call done%finish("curves%project", stat, err)
     end subroutine
 
     subroutine open_curve(curves, curve, set, list, done)
@@ -137,7 +117,7 @@ contains
         integer(c_size_t) :: bytes
         done%status = hm_c_fit_size(int(n, c_int32_t), c_fit_options_of(degree, n_control, closed), bytes, done%error)
         if (done%status >= 0) words = words_of(bytes)
-        call done%finish(stat, err)
+        call done%finish("hm_fit_words", stat, err)
     end subroutine
 
 !@each real
@@ -148,7 +128,7 @@ contains
         logical, intent(in) :: loop
         integer, intent(in), optional :: degree, n_control, closed
         type(hm_fit_report), intent(out), optional :: report
-        real(c_double), intent(inout), target, optional :: work(:)
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(view) :: v
@@ -164,7 +144,7 @@ contains
         logical, intent(in) :: loop
         type(hm_c_fit_options), intent(in) :: options
         type(hm_fit_report), intent(out), optional :: report
-        real(c_double), intent(inout), target, optional :: work(:)
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
@@ -191,9 +171,9 @@ contains
             call copy_curves(set, list, self)
             its%max_error_point = its%max_error_point + 1_c_int32_t
             its%first_point = its%first_point + 1_c_int32_t
+            if (its%backtrack_point >= 0) its%backtrack_point = its%backtrack_point + 1_c_int32_t   ! -1: nowhere
             if (present(report)) report = its
         end if
         call block%give_back()
-        call done%finish(stat, err)
+        call done%finish("curves%fit", stat, err)
     end subroutine
-end module

@@ -1,24 +1,5 @@
-! Functions in parts, for codes on several processes: harmorph.h says how they go together.
-module harmorph_basis
-    use, intrinsic :: iso_c_binding, only: c_double, c_float, c_int32_t, c_int64_t
-    use harmorph_structs, only: hm_c_error
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_basis_core, only: check_pairs, check_sums, need_basis
-    use harmorph_basis_info, only: basis_with_info
-    implicit none
-    private
 
-    type, extends(basis_with_info), public :: hm_basis
-    contains
-        procedure :: pack => basis_pack
-        procedure :: unpack => basis_unpack
-        procedure :: parcel_words => basis_parcel_words
-!@each real
-        procedure, private :: adjoint_finish_@FORM@
-        generic :: adjoint_finish => adjoint_finish_@FORM@
-!@end
-    end type
+! ---- Functions in parts, for codes on several processes: harmorph.h says how they go together
 
 contains
     ! Length of a parcel of n points; 0 of a basis that is not solved.
@@ -43,7 +24,7 @@ contains
             "parcel is too short")
         if (done%ok()) done%status = hm_c_parcel_pack(self%address(), int(size(points), c_int32_t), int(points, &
             c_int32_t), parcel, done%error)
-        call done%finish(stat, err)
+        call done%finish("basis%pack", stat, err)
     end subroutine
 
     ! The parcels of all shares, in the order of their functions, make the extract of a share a basis.
@@ -56,7 +37,7 @@ contains
         call need_basis(self, done)
         if (done%ok()) done%status = hm_c_parcel_unpack(self%address(), parcel, size(parcel, kind=c_int64_t), &
             done%error)
-        call done%finish(stat, err)
+        call done%finish("basis%unpack", stat, err)
     end subroutine
 
 !@each real
@@ -75,8 +56,7 @@ contains
         call check_pairs(self, its, done)
         if (done%ok()) done%status = hm_c_adjoint_finish(self%address(), int(scale, c_int32_t), sums, its, done%error)
         gradient = real(its, @KIND@)
-        call done%finish(stat, err)
+        call done%finish("basis%adjoint_finish", stat, err)
     end subroutine
 
 !@end
-end module

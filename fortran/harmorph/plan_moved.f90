@@ -1,32 +1,11 @@
-! What a plan does with coordinates: it factors on moved ones, and moves them safely.
-module harmorph_plan_calls
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_float, c_int32_t, c_int64_t, c_loc, c_null_ptr, &
-        c_ptr, c_size_t, c_sizeof
-    use harmorph_structs, only: hm_c_safe_options, hm_safe_report
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_memory, only: block_of_memory
-    use harmorph_view, only: c_points, view, view_of
-    use harmorph_basis_core, only: check_pairs, check_points, make_basis
-    use harmorph_basis, only: hm_basis
-    use harmorph_plan_core, only: factor_on, plan_of, hm_safe_options, plan_core
-    implicit none
-    private
 
-    type, extends(plan_core), public :: plan_calls
-    contains
-!@each form
-        procedure, private :: factor_@FORM@, morph_safe_@FORM@
-        generic :: factor => factor_@FORM@
-        generic :: morph_safe => morph_safe_@FORM@
-!@end
-    end type
+! ---- What a plan does with coordinates: it factors on moved ones, and moves them safely
 
 contains
 !@each form
     ! factor(x, y): on moved coordinates of the same mesh.
     subroutine factor_@FORM@(self, x, y, stat, err)
-        class(plan_calls), intent(inout) :: self
+        class(hm_plan), intent(inout) :: self
         real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -35,7 +14,7 @@ contains
         v = view_of(x, y)
         call factor_on(self, v, done)
         call v%drop()
-        call done%finish(stat, err)
+        call done%finish("plan%factor", stat, err)
     end subroutine
 
     ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all
@@ -43,7 +22,7 @@ contains
     ! made here if empty. others: bases to be tried where this one would invert cells; the report counts them from 1,
     ! 0: none.
     subroutine morph_safe_@FORM@(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
-        class(plan_calls), intent(inout) :: self
+        class(hm_plan), intent(inout) :: self
         type(hm_basis), intent(in) :: basis
         real(@KIND@), intent(in) :: move(:, :)
         real(@KIND@), intent(inout), target :: x_new@SHAPE@, y_new@SHAPE@
@@ -51,7 +30,7 @@ contains
         type(hm_basis), intent(in), optional :: others(:)
         type(hm_safe_options), intent(in), optional :: options
         type(hm_safe_report), intent(out), optional :: report
-        real(c_double), intent(inout), target, optional :: work(:)
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
@@ -64,7 +43,8 @@ contains
         integer(c_size_t) :: bytes
         integer :: k
         to = view_of(x_new, y_new)
-        call done%refuse_if(.not. c_associated(plan_of(self)), "the plan is empty: call prepare or factor first")
+        if (associated(self%data)) call read_again(self%data%arrays)
+        call done%refuse_if(.not. c_associated(self%plan), "the plan is empty: call prepare or factor first")
         call check_pairs(basis, real(move, c_double), done)
         call check_points(basis, to, done)
         sum_of_steps = c_null_ptr
@@ -87,17 +67,16 @@ contains
             c_options%n_others = int(size(others), c_int32_t)
             if (size(others) > 0) c_options%others = c_loc(handles)
         end if
-        if (done%ok()) done%status = hm_c_morph_safe_size(plan_of(self), bytes, done%error)
+        if (done%ok()) done%status = hm_c_morph_safe_size(self%plan, bytes, done%error)
         call block%take(bytes, work, done)
         its%struct_size = int(c_sizeof(its), c_int64_t)
-        if (done%ok()) done%status = hm_c_morph_safe(plan_of(self), basis%address(), real(move, c_double), &
+        if (done%ok()) done%status = hm_c_morph_safe(self%plan, basis%address(), real(move, c_double), &
             c_points(to), sum_of_steps, block%start, block%bytes, c_options, its, done%error)
         its%other = its%other + 1_c_int32_t
         if (present(report)) report = its
         call block%give_back()
         call to%put_back(x_new, y_new)
-        call done%finish(stat, err)
+        call done%finish("plan%morph_safe", stat, err)
     end subroutine
 
 !@end
-end module

@@ -1,43 +1,12 @@
-! What a basis does with coordinates: it moves points, takes gradients by points to those by control points, and judges
-! meshes before and after. What stands between the marks is there for each of the forms that view.f90 names.
-module harmorph_basis_calls
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_float, c_int32_t, c_int64_t, c_loc, c_sizeof
-    use harmorph_structs, only: hm_c_points, hm_quality_report, hm_step_report
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_threads, only: c_executor_of, c_threads, hm_executor
-    use harmorph_view, only: c_address, c_points, view, view_of
-    use harmorph_mesh, only: c_mesh_of, hm_mesh
-    use harmorph_basis_core, only: basis_core, basis_counts, check_pairs, check_points, check_sums, counts_of
-    implicit none
-    private
 
-    type, extends(basis_core), public :: basis_calls
-    contains
-!@each form
-        procedure, private :: values_@FORM@, morph_@FORM@, morph_to_@FORM@, displacement_@FORM@, adjoint_@FORM@, &
-            adjoint_scale_@FORM@, adjoint_sums_@FORM@, boundary_error_@FORM@, admissible_step_@FORM@, quality_@FORM@, &
-            assess_@FORM@
-        generic :: values => values_@FORM@
-        generic :: morph => morph_@FORM@
-        generic :: morph_to => morph_to_@FORM@
-        generic :: displacement => displacement_@FORM@
-        generic :: velocity => displacement_@FORM@
-        generic :: adjoint => adjoint_@FORM@
-        generic :: adjoint_scale => adjoint_scale_@FORM@
-        generic :: adjoint_sums => adjoint_sums_@FORM@
-        generic :: boundary_error => boundary_error_@FORM@
-        generic :: admissible_step => admissible_step_@FORM@
-        generic :: quality => quality_@FORM@
-        generic :: assess => assess_@FORM@
-!@end
-    end type
+! ---- What a basis does with coordinates: it moves points, takes gradients by points to those by control points, and
+! judges meshes before and after
 
 contains
 !@each form
     ! values(function, values [, number]): which of the info's numbers_per_value, 1: the only one, real part, or xx.
     subroutine values_@FORM@(self, function, values, number, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         integer, intent(in) :: function
         real(@KIND@), intent(inout) :: values@SHAPE@
         integer, intent(in), optional :: number
@@ -49,7 +18,7 @@ contains
         integer :: its
         its = 1
         if (present(number)) its = number
-        n = counts_of(self)
+        n = self%counts
         call check_points(self, view(n=size(values, kind=c_int64_t)), done)
         call done%refuse_if(function < 1 .or. function > n%functions, "there is no function of this number")
         call done%refuse_if(its < 1 .or. its > n%numbers, "values have no number of this number")
@@ -59,12 +28,12 @@ contains
                 c_loc(all), done%error)
             if (done%status >= 0) values = reshape(real(all, @KIND@), shape(values))
         end if
-        call done%finish(stat, err)
+        call done%finish("basis%values", stat, err)
     end subroutine
 
     ! morph(move, x, y), in place.
     subroutine morph_@FORM@(self, move, x, y, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in) :: move(:, :)
         real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@
         type(hm_executor), intent(in), optional :: executor
@@ -75,12 +44,12 @@ contains
         v = view_of(x, y)
         call move_points(self, real(move, c_double), v, v, executor, done)
         call v%put_back(x, y)
-        call done%finish(stat, err)
+        call done%finish("basis%morph", stat, err)
     end subroutine
 
     ! morph_to(move, x, y, x_new, y_new); the arrays must not overlap.
     subroutine morph_to_@FORM@(self, move, x, y, x_new, y_new, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in) :: move(:, :)
         real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@
         real(@KIND@), intent(inout), target :: x_new@SHAPE@, y_new@SHAPE@
@@ -94,12 +63,12 @@ contains
         call move_points(self, real(move, c_double), from, to, executor, done)
         call from%drop()
         call to%put_back(x_new, y_new)
-        call done%finish(stat, err)
+        call done%finish("basis%morph_to", stat, err)
     end subroutine
 
     ! displacement(move, dx, dy): F move alone. As velocity: the mesh points' velocities from the control points'.
     subroutine displacement_@FORM@(self, move, dx, dy, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in) :: move(:, :)
         real(@KIND@), intent(inout), target :: dx@SHAPE@, dy@SHAPE@
         type(hm_executor), intent(in), optional :: executor
@@ -110,12 +79,12 @@ contains
         v = view_of(dx, dy)
         call move_points(self, real(move, c_double), view(), v, executor, done)
         call v%put_back(dx, dy)
-        call done%finish(stat, err)
+        call done%finish("basis%displacement", stat, err)
     end subroutine
 
     ! adjoint(dj_dx, dj_dy, gradient): the transpose, gradients by the control points from those by the mesh points.
     subroutine adjoint_@FORM@(self, dj_dx, dj_dy, gradient, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in), target :: dj_dx@SHAPE@, dj_dy@SHAPE@
         real(@KIND@), intent(inout) :: gradient(:, :)
         type(hm_executor), intent(in), optional :: executor
@@ -133,12 +102,12 @@ contains
             c_executor_of(executor, threads), done%error)
         gradient = real(its, @KIND@)
         call v%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%adjoint", stat, err)
     end subroutine
 
     ! The adjoint in parts. adjoint_scale(dj_dx, dj_dy, scale): take the largest of all parts.
     subroutine adjoint_scale_@FORM@(self, dj_dx, dj_dy, scale, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in), target :: dj_dx@SHAPE@, dj_dy@SHAPE@
         integer, intent(inout) :: scale
         type(hm_executor), intent(in), optional :: executor
@@ -154,12 +123,12 @@ contains
             c_executor_of(executor, threads), done%error)
         if (done%status >= 0) scale = int(its)
         call v%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%adjoint_scale", stat, err)
     end subroutine
 
     ! adjoint_sums(dj_dx, dj_dy, scale, sums): add those of all parts. sums(4 * functions * numbers_per_value).
     subroutine adjoint_sums_@FORM@(self, dj_dx, dj_dy, scale, sums, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in), target :: dj_dx@SHAPE@, dj_dy@SHAPE@
         integer, intent(in) :: scale
         integer(c_int64_t), intent(inout) :: sums(:)
@@ -175,12 +144,12 @@ contains
         if (done%ok()) done%status = hm_c_adjoint_sums(self%address(), c_points(v), int(scale, c_int32_t), &
             sums, c_executor_of(executor, threads), done%error)
         call v%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%adjoint_sums", stat, err)
     end subroutine
 
     ! boundary_error(move, x, y, x_new, y_new, error [, point]).
     subroutine boundary_error_@FORM@(self, move, x, y, x_new, y_new, error, point, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(@KIND@), intent(in) :: move(:, :)
         real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@, x_new@SHAPE@, y_new@SHAPE@
         real(c_double), intent(inout) :: error
@@ -201,13 +170,13 @@ contains
         if (present(point)) point = int(its)
         call from%drop()
         call to%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%boundary_error", stat, err)
     end subroutine
 
     ! admissible_step(mesh, dx, dy, report [, x, y]): how far from x, y along dx, dy; without x, y from where the mesh
     ! is. Give the x, y that morph_to then starts from.
     subroutine admissible_step_@FORM@(self, mesh, dx, dy, report, x, y, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
         real(@KIND@), intent(in), target :: dx@SHAPE@, dy@SHAPE@
         type(hm_step_report), intent(inout) :: report
@@ -232,12 +201,12 @@ contains
             c_points(v), c_executor_of(executor, threads), report, done%error)
         call v%drop()
         call start%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%admissible_step", stat, err)
     end subroutine
 
     ! quality(mesh, x, y, report [, x_ref, y_ref]).
     subroutine quality_@FORM@(self, mesh, x, y, report, x_ref, y_ref, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
         real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@
         type(hm_quality_report), intent(inout) :: report
@@ -262,13 +231,13 @@ contains
             c_address(reference), c_executor_of(executor, threads), report, done%error)
         call v%drop()
         call ref%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%quality", stat, err)
     end subroutine
 
     ! assess(mesh, dx, dy, step, quality [, x, y]): both in one pass, the quality where dx, dy lead from x, y, relative
     ! to x, y, before anything moves; without x, y from where the mesh is.
     subroutine assess_@FORM@(self, mesh, dx, dy, step, quality, x, y, executor, stat, err)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_mesh), intent(in) :: mesh
         real(@KIND@), intent(in), target :: dx@SHAPE@, dy@SHAPE@
         type(hm_step_report), intent(inout) :: step
@@ -295,13 +264,30 @@ contains
             c_executor_of(executor, threads), step, quality, done%error)
         call v%drop()
         call start%drop()
-        call done%finish(stat, err)
+        call done%finish("basis%assess", stat, err)
     end subroutine
 
 !@end
+    ! morph_at(move, c_loc(node(1)%x), c_loc(node(1)%y), bytes, n): in place, by addresses as points_at has them, bytes
+    ! a multiple of 8.
+    subroutine basis_morph_at(self, move, x, y, bytes, n, executor, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in) :: move(:, :)
+        type(c_ptr), intent(in) :: x, y
+        integer, intent(in) :: bytes, n
+        type(hm_executor), intent(in), optional :: executor
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(view) :: v
+        v = view_at(place_at(x, y, bytes, n))
+        call move_points(self, move, v, v, executor, done)
+        call done%finish("basis%morph_at", stat, err)
+    end subroutine
+
     ! to = from + sum_i F_i move_i; from nowhere: 0.
     subroutine move_points(self, move, from, to, executor, done)
-        class(basis_calls), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: move(:, :)
         type(view), intent(in) :: from, to
         type(hm_executor), intent(in), optional :: executor
@@ -315,4 +301,3 @@ contains
         if (done%ok()) done%status = hm_c_morph(self%address(), move, c_address(start), c_points(to), &
             c_executor_of(executor, threads), done%error)
     end subroutine
-end module

@@ -1,76 +1,46 @@
-! Solved functions in memory: how a basis is made, and what later modules need of it.
-module harmorph_basis_core
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int32_t, c_int64_t, c_int8_t, c_loc, &
-        c_null_ptr, c_ptr, c_size_t, c_sizeof
-    use harmorph_structs, only: hm_c_basis_info, hm_c_error, hm_c_mesh
-    use harmorph_calls
-    use harmorph_outcome, only: hm_error, outcome
-    use harmorph_memory, only: block_of_memory, words_of
-    use harmorph_view, only: view
-    use harmorph_mesh, only: c_mesh_of, hm_mesh
-    use harmorph_analysis, only: analysis_of, need_analysis, plan_analysis
-    implicit none
-    private
-    public :: attach_block, check_pairs, check_points, check_sums, check_view, counts_of, make_basis, need_basis, &
-        room_for
 
-    type, public :: basis_counts              ! what the lengths of arrays are compared with
-        integer(c_int64_t) :: points = 0, functions = 0, numbers = 1
-    end type
-
-    type, public :: basis_core
-        private
-        type(c_ptr) :: handle = c_null_ptr
-        type(block_of_memory) :: memory
-        type(basis_counts) :: counts
-    contains
-        procedure :: init => basis_init
-        procedure :: init_share => basis_init_share
-        procedure :: single => basis_single
-        procedure :: single_words => basis_single_words
-        procedure :: extract => basis_extract
-        procedure :: extract_words => basis_extract_words
-        procedure :: attach => basis_attach
-        procedure :: address => basis_address
-        procedure :: free => basis_free
-        procedure, private :: basis_assign
-        generic :: assignment(=) => basis_assign
-        final :: basis_final
-    end type
+! ---- Functions in memory: how a basis is made
 
 contains
     ! Memory for the functions; solve does it by itself where memory need not be given.
     subroutine basis_init(self, plan, work, stat, err)
-        class(basis_core), intent(inout) :: self
-        class(plan_analysis), intent(in) :: plan
-        real(c_double), intent(inout), target, optional :: work(:)
+        class(hm_basis), intent(inout) :: self
+        class(hm_plan), intent(in) :: plan
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         call make_basis(self, plan, work, done)
-        call done%finish(stat, err)
+        call done%finish("basis%init", stat, err)
     end subroutine
 
     subroutine make_basis(self, plan, work, done)
-        class(basis_core), intent(inout) :: self
-        class(plan_analysis), intent(in) :: plan
-        real(c_double), intent(inout), target, optional :: work(:)
+        class(hm_basis), intent(inout) :: self
+        class(hm_plan), intent(in) :: plan
+        real(c_double), pointer, intent(in), optional :: work(:)
         type(outcome), intent(inout) :: done
         integer(c_size_t) :: bytes
         call self%free()
         call need_analysis(plan, done)
-        if (done%ok()) done%status = hm_c_basis_size(analysis_of(plan), bytes, done%error)
+        if (done%ok()) done%status = hm_c_basis_size(plan%analysis, bytes, done%error)
         call self%memory%take(bytes, work, done)
         if (done%ok()) done%status = hm_c_basis_init(self%handle, self%memory%start, self%memory%bytes, &
-            analysis_of(plan), done%error)
-        call count(self, done)
+            plan%analysis, done%error)
+        call count_points(self, done)
+        self%all_functions = done%status >= 0
     end subroutine
+
+    ! Without taking from the caller what was given for it.
+    pure logical function can_be_made_anew(basis)
+        class(hm_basis), intent(in) :: basis
+        can_be_made_anew = basis%all_functions .and. basis%memory%allocated_here()
+    end function
 
     ! The functions in single precision, but on the wall: another basis, which needs this one no longer.
     subroutine basis_single(self, narrow, work, stat, err)
-        class(basis_core), intent(in) :: self
-        class(basis_core), intent(inout) :: narrow
-        real(c_double), intent(inout), target, optional :: work(:)
+        class(hm_basis), intent(in) :: self
+        class(hm_basis), intent(inout) :: narrow
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
@@ -81,13 +51,13 @@ contains
         call narrow%memory%take(bytes, work, done)
         if (done%ok()) done%status = hm_c_single_init(narrow%handle, narrow%memory%start, narrow%memory%bytes, &
             self%handle, done%error)
-        call count(narrow, done)
-        call done%finish(stat, err)
+        call count_points(narrow, done)
+        call done%finish("basis%single", stat, err)
     end subroutine
 
     ! 8-byte numbers of work for the functions in single precision; 0 of a basis that cannot have them.
     integer(c_int64_t) function basis_single_words(self)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(hm_c_error) :: e
         integer(c_size_t) :: bytes
         basis_single_words = 0
@@ -97,31 +67,31 @@ contains
     ! Memory for functions first .. first+n-1 alone, n >= 0: a share, which solve fills.
 
     subroutine basis_init_share(self, plan, first, n, work, stat, err)
-        class(basis_core), intent(inout) :: self
-        class(plan_analysis), intent(in) :: plan
+        class(hm_basis), intent(inout) :: self
+        class(hm_plan), intent(in) :: plan
         integer, intent(in) :: first, n
-        real(c_double), intent(inout), target, optional :: work(:)
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         integer(c_size_t) :: bytes
         call self%free()
         call need_analysis(plan, done)
-        if (done%ok()) done%status = hm_c_share_size(analysis_of(plan), int(first - 1, c_int32_t), int(n, c_int32_t), &
+        if (done%ok()) done%status = hm_c_share_size(plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), &
             bytes, done%error)
         call self%memory%take(bytes, work, done)
         if (done%ok()) done%status = hm_c_share_init(self%handle, self%memory%start, self%memory%bytes, &
-            analysis_of(plan), int(first - 1, c_int32_t), int(n, c_int32_t), done%error)
-        call count(self, done)
-        call done%finish(stat, err)
+            plan%analysis, int(first - 1, c_int32_t), int(n, c_int32_t), done%error)
+        call count_points(self, done)
+        call done%finish("basis%init_share", stat, err)
     end subroutine
 
     ! The rows of some points: a basis for the part of the mesh that a process has, in the order of the list.
     subroutine basis_extract(self, points, rows, work, stat, err)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         integer, intent(in) :: points(:)
-        class(basis_core), intent(inout) :: rows
-        real(c_double), intent(inout), target, optional :: work(:)
+        class(hm_basis), intent(inout) :: rows
+        real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
@@ -134,13 +104,13 @@ contains
         call rows%memory%take(bytes, work, done)
         if (done%ok()) done%status = hm_c_extract_init(rows%handle, rows%memory%start, rows%memory%bytes, &
             self%handle, n, int(points, c_int32_t), done%error)
-        call count(rows, done)
-        call done%finish(stat, err)
+        call count_points(rows, done)
+        call done%finish("basis%extract", stat, err)
     end subroutine
 
     ! 8-byte numbers of work for an extract of n points; 0 of a basis that is not solved.
     integer(c_int64_t) function basis_extract_words(self, n)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         integer, intent(in) :: n
         type(hm_c_error) :: e
         integer(c_size_t) :: bytes
@@ -151,8 +121,8 @@ contains
 
     ! A basis that lies in an array already: shared memory, a message, a file. With a mesh: is it the mesh's?
     subroutine basis_attach(self, block, mesh, stat, err)
-        class(basis_core), intent(inout) :: self
-        real(c_double), intent(inout), target :: block(:)
+        class(hm_basis), intent(inout) :: self
+        real(c_double), pointer, intent(in) :: block(:)
         type(hm_mesh), intent(in), optional :: mesh
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
@@ -160,11 +130,11 @@ contains
         call self%free()
         call self%memory%take(8_c_size_t, block, done)
         call attach_block(self, mesh, done)
-        call done%finish(stat, err)
+        call done%finish("basis%attach", stat, err)
     end subroutine
 
     subroutine attach_block(self, mesh, done)
-        class(basis_core), intent(inout) :: self
+        class(hm_basis), intent(inout) :: self
         type(hm_mesh), intent(in), optional :: mesh
         type(outcome), intent(inout) :: done
         type(hm_c_mesh), target :: its
@@ -177,18 +147,18 @@ contains
         end if
         if (done%ok()) done%status = hm_c_basis_attach(self%handle, self%memory%start, self%memory%bytes, address, &
             done%error)
-        call count(self, done)
+        call count_points(self, done)
     end subroutine
 
     ! The library's object, for its other bindings; null: none.
     type(c_ptr) function basis_address(self)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         basis_address = self%handle
     end function
 
     ! Nothing stays of a basis that failed.
-    subroutine count(self, done)
-        class(basis_core), intent(inout) :: self
+    subroutine count_points(self, done)
+        class(hm_basis), intent(inout) :: self
         type(outcome), intent(in) :: done
         type(hm_c_basis_info) :: info
         type(hm_c_error) :: e
@@ -204,36 +174,31 @@ contains
     end subroutine
 
     subroutine basis_free(self)
-        class(basis_core), intent(inout) :: self
+        class(hm_basis), intent(inout) :: self
         self%handle = c_null_ptr
         call self%memory%give_back()
         self%counts = basis_counts()
+        self%all_functions = .false.
     end subroutine
 
     impure elemental subroutine basis_final(self)
-        type(basis_core), intent(inout) :: self
+        type(hm_basis), intent(inout) :: self
         call self%free()
     end subroutine
 
     subroutine basis_assign(to, from)
-        class(basis_core), intent(inout) :: to
-        class(basis_core), intent(in) :: from
+        class(hm_basis), intent(inout) :: to
+        class(hm_basis), intent(in) :: from
         if (to%counts%points >= 0 .or. from%counts%points >= 0) error stop "harmorph: a basis cannot be assigned"
     end subroutine
 
-    ! ---- For the modules that follow
+    ! ---- Basis: checks
 
     subroutine need_basis(self, done)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(outcome), intent(inout) :: done
         call done%refuse_if(.not. c_associated(self%handle), "the basis is empty: solve, read or attach it first")
     end subroutine
-
-    pure function counts_of(self) result(counts)
-        class(basis_core), intent(in) :: self
-        type(basis_counts) :: counts
-        counts = self%counts
-    end function
 
     subroutine check_view(v, n, done)
         type(view), intent(in) :: v
@@ -248,7 +213,7 @@ contains
 
     ! Is there a basis, and does v have its points?
     subroutine check_points(self, v, done)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         type(view), intent(in) :: v
         type(outcome), intent(inout) :: done
         call need_basis(self, done)
@@ -256,7 +221,7 @@ contains
     end subroutine
 
     subroutine check_pairs(self, pairs, done)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         real(c_double), intent(in) :: pairs(:, :)
         type(outcome), intent(inout) :: done
         character(len=112) :: text
@@ -267,7 +232,7 @@ contains
     end subroutine
 
     subroutine check_sums(self, sums, done)
-        class(basis_core), intent(in) :: self
+        class(hm_basis), intent(in) :: self
         integer(c_int64_t), intent(in) :: sums(:)
         type(outcome), intent(inout) :: done
         integer(c_int64_t) :: n
@@ -281,7 +246,7 @@ contains
 
     ! A block of so many bytes that does not hold a basis yet; attach_block comes next.
     subroutine room_for(self, n, bytes, done)
-        class(basis_core), intent(inout) :: self
+        class(hm_basis), intent(inout) :: self
         integer(c_int64_t), intent(in) :: n
         integer(c_int8_t), pointer, intent(out) :: bytes(:)
         type(outcome), intent(inout) :: done
@@ -289,4 +254,3 @@ contains
         call self%memory%take(int(max(n, 0_c_int64_t), c_size_t), done=done)
         if (done%ok()) call c_f_pointer(self%memory%start, bytes, [n])
     end subroutine
-end module

@@ -1,0 +1,16 @@
+// Curves for CAD programs, as B-splines with all their knots: plain text, readable as it is written.
+#pragma once
+
+#include "curves.hpp"
+
+#include <iosfwd>
+
+namespace cli {
+
+// IGES 5.3: an entity 126 (rational B-spline curve) for each curve, in the plane z = 0.
+void write_iges(std::ostream& out, const Curves& curves);
+
+// STEP (ISO 10303-21, AP 203): B_SPLINE_CURVE_WITH_KNOTS, rational ones where there are weights, as a wireframe.
+void write_step(std::ostream& out, const Curves& curves);
+
+} // namespace cli

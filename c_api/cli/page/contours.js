@@ -1,0 +1,49 @@
+"use strict";
+// Contour lines of values at the points of the cells, each cell as one or two triangles.
+
+class Contours {
+    constructor() {
+        this.positions = new Float32Array(4096);
+        this.n = 0; // segments
+    }
+
+    // screen: pixel pairs of the points; levels are the multiples of `distance`.
+    find(cell_points, screen, values, distance) {
+        this.n = 0;
+        for (let i = 0; i < cell_points.length; i += 4) {
+            const [a, b, c, d] = [cell_points[i], cell_points[i + 1], cell_points[i + 2], cell_points[i + 3]];
+            this.triangle(a, b, c, screen, values, distance);
+            if (d !== c) this.triangle(a, c, d, screen, values, distance);
+        }
+    }
+
+    triangle(a, b, c, screen, values, distance) {
+        const va = values[a] / distance,
+            vb = values[b] / distance,
+            vc = values[c] / distance;
+        const first = Math.ceil(Math.min(va, vb, vc)),
+            last = Math.floor(Math.max(va, vb, vc));
+        for (let level = first; level <= last; ++level) {
+            let at = 4 * this.n,
+                found = 0;
+            if (at + 4 > this.positions.length) this.grow();
+            const cross = (p, q, vp, vq) => {
+                if (vp < level === vq < level || found === 2) return;
+                const t = (level - vp) / (vq - vp);
+                this.positions[at++] = screen[2 * p] + t * (screen[2 * q] - screen[2 * p]);
+                this.positions[at++] = screen[2 * p + 1] + t * (screen[2 * q + 1] - screen[2 * p + 1]);
+                ++found;
+            };
+            cross(a, b, va, vb);
+            cross(b, c, vb, vc);
+            cross(c, a, vc, va);
+            if (found === 2) ++this.n;
+        }
+    }
+
+    grow() {
+        const larger = new Float32Array(2 * this.positions.length);
+        larger.set(this.positions);
+        this.positions = larger;
+    }
+}

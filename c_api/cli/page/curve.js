@@ -1,0 +1,83 @@
+"use strict";
+// The B-spline curves: C(u) = sum_k N_k(u) P[indices[k]], rational where there are weights.
+
+class Curves {
+    constructor(data) {
+        this.weights = data.weights;
+        this.control0 = data.control;
+        this.control = data.control.slice(); // where the control points are now
+        this.curves = data.curves.map((curve) => Object.assign({ samples: this.tabulate(curve) }, curve));
+    }
+
+    move(moves) {
+        for (let i = 0; i < this.control.length; ++i) this.control[i] = this.control0[i] + moves[i];
+    }
+
+    // x,y pairs along a curve; `control`: those of now if not given.
+    outline(curve, control = this.control) {
+        const line = new Float64Array(2 * curve.samples.length);
+        curve.samples.forEach((sample, place) => {
+            let x = 0,
+                y = 0,
+                w = 0;
+            for (let k = 0; k <= curve.degree; ++k) {
+                const index = curve.indices[sample.first + k];
+                const value = sample.values[k] * (this.weights.length > 0 ? this.weights[index] : 1);
+                x += value * control[2 * index];
+                y += value * control[2 * index + 1];
+                w += value;
+            }
+            line[2 * place] = x / w;
+            line[2 * place + 1] = y / w;
+        });
+        return line;
+    }
+
+    // The control points of a curve in order; a closed one ends where it comes back to the first.
+    polygon(curve) {
+        const indices = [];
+        for (const index of curve.indices) {
+            indices.push(index);
+            if (indices.length > 1 && index === indices[0]) break;
+        }
+        return indices;
+    }
+
+    // The functions that are not 0, at equal distances in each span between two knots.
+    tabulate(curve) {
+        const samples = [],
+            per_span = 16,
+            { degree, knots } = curve,
+            n = curve.indices.length;
+        for (let span = degree; span < n; ++span) {
+            const begin = knots[span],
+                end = knots[span + 1];
+            if (!(begin < end)) continue;
+            for (let i = samples.length === 0 ? 0 : 1; i <= per_span; ++i) {
+                const u = begin + ((end - begin) * i) / per_span;
+                samples.push({ first: span - degree, values: this.functions_at(curve, span, u) });
+            }
+        }
+        return samples;
+    }
+
+    // Piegl and Tiller, The NURBS Book, A2.2.
+    functions_at(curve, span, u) {
+        const { degree, knots } = curve,
+            values = [1],
+            left = [0],
+            right = [0];
+        for (let j = 1; j <= degree; ++j) {
+            left[j] = u - knots[span + 1 - j];
+            right[j] = knots[span + j] - u;
+            let saved = 0;
+            for (let r = 0; r < j; ++r) {
+                const share = values[r] / (right[r + 1] + left[j - r]);
+                values[r] = saved + right[r + 1] * share;
+                saved = left[j - r] * share;
+            }
+            values[j] = saved;
+        }
+        return values;
+    }
+}

@@ -1,0 +1,39 @@
+"use strict";
+// What the program wrote into `page_data`: one object, whose arrays are little-endian numbers in base 64.
+//
+//   version, mesh, basis      text
+//   all_points, all_cells     of the whole mesh; points, in_cells, cells: of those on this page
+//   point [points]            their places in the mesh, from 0; the first in_cells are points of whole cells
+//   x, y [points]             coordinates before anything moves, in double precision
+//   cell [cells]              their places in the mesh; cell_points [4*cells]: counter-clockwise; a triangle repeats one
+//   face_points, face_markers boundary; markers: name, kind, and which curves or which body
+//   thin_edges [2*]           what is drawn of the mesh beyond the cells
+//   control, weights, curves  the B-spline as it was, see curve.js
+//   bodies                    marker and centre of each rigid body
+//   numbers                   of one value: 1 real, 2 complex, 4 a matrix xx, xy, yx, yy
+//   functions                 single precision: [function][number][point]
+//   moves                     a file of movements to begin with, or ""
+
+function decode_base64(text, Numbers) {
+    const characters = atob(text);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+    return new Numbers(bytes.buffer);
+}
+
+function decode(raw) {
+    const data = Object.assign({}, raw);
+    for (const name of ["x", "y", "control", "weights"]) data[name] = decode_base64(raw[name], Float64Array);
+    for (const name of ["point", "cell", "cell_points", "face_points", "face_markers", "thin_edges"]) {
+        data[name] = decode_base64(raw[name], Int32Array);
+    }
+    data.functions = decode_base64(raw.functions, Float32Array);
+    data.curves = raw.curves.map((curve) => ({
+        degree: curve.degree,
+        indices: decode_base64(curve.indices, Int32Array),
+        knots: decode_base64(curve.knots, Float64Array),
+    }));
+    data.n_control = data.control.length / 2;
+    data.n_functions = data.n_control + 2 * raw.bodies.length;
+    return data;
+}

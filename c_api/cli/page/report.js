@@ -1,0 +1,288 @@
+"use strict";
+// The report of one morph: page_data as in decode.js, without functions, and
+//
+//   dx, dy [points]           where every point went; moved [2*functions]: what hm_morph was given, as far as it came
+//   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error
+//                             what the program found, of the whole mesh
+//   safe, rung, steps, resolves, step_fraction, untangled, refusal      the way of hm_morph_safe
+
+const element = (id) => document.getElementById(id);
+
+class Report {
+    constructor(raw) {
+        const data = (this.data = decode(raw));
+        data.moved = decode_base64(raw.moved, Float64Array);
+        const dx = decode_base64(raw.dx, Float64Array),
+            dy = decode_base64(raw.dy, Float64Array),
+            zero = new Float64Array(dx.length);
+        const place = (mx, my) => ({
+            n: dx.length,
+            x0: data.x,
+            y0: data.y,
+            dx: mx,
+            dy: my,
+            x: data.x.map((x, k) => x + mx[k]),
+            y: data.y.map((y, k) => y + my[k]),
+        });
+        this.before = place(zero, zero);
+        this.after = place(dx, dy);
+        this.cells_before = new Cells(data, this.before);
+        this.cells = new Cells(data, this.after);
+        this.wall = new Wall(data, this.after);
+        for (const part of [this.cells_before, this.cells, this.wall]) part.judge();
+        this.sections = this.wall.chains
+            .filter((chain) => chain.closed)
+            .map((chain) => new Section(chain, data, this.after));
+        for (const section of this.sections) section.judge();
+        this.home = box_of_points(
+            this.after.x,
+            this.after.y,
+            this.wall.points.map((wall) => wall.point),
+        );
+        this.extent = Math.max(this.home[2] - this.home[0], this.home[3] - this.home[1]);
+        this.write_verdict();
+        this.write_cards();
+        this.write_moved();
+        this.draw();
+    }
+
+    write_verdict() {
+        const { data } = this,
+            reached = data.refusal === "" && data.inverted === 0 && !data.self_crossing;
+        const count = `${data.inverted} inverted ${data.inverted === 1 ? "cell" : "cells"}`;
+        element("name").textContent = `${data.mesh} · ${data.operator} functions · harmorph ${data.version}`;
+        element("verdict").className = "verdict " + (reached ? "good" : "bad");
+        element("verdict_word").textContent = reached
+            ? "Valid mesh"
+            : data.inverted > 0
+              ? count
+              : data.self_crossing
+                ? "The boundary crosses itself"
+                : "The target was not reached";
+        element("verdict_detail").textContent = data.refusal;
+        const rest = data.all_cells - data.cells;
+        element("footnote").textContent =
+            `Numbers at the top are of all ${data.all_cells.toLocaleString("en")} cells` +
+            (rest === 0
+                ? "."
+                : `; maps, histogram and worst cells of the ${data.cells.toLocaleString("en")} nearest to the body.`);
+    }
+
+    write_cards() {
+        const { data, cells_before } = this,
+            step = data.admissible_step === null ? Infinity : data.admissible_step;
+        const rungs = ["one linear morph", "another basis", "several steps", "steps, then untangling"];
+        const cards = [
+            ["Inverted cells", brief(data.inverted), `of ${data.all_cells.toLocaleString("en")}`],
+            [
+                "Admissible step",
+                step === Infinity ? "unlimited" : `${brief(step)} ×`,
+                "of this movement, in one linear morph",
+            ],
+            ["Least quality", data.min_quality.toFixed(3), `before ${cells_before.min_quality.toFixed(3)}`],
+            ["Mean quality", data.mean_quality.toFixed(4), `before ${cells_before.mean_quality.toFixed(4)}`],
+            ["Off the B-spline", brief(data.boundary_error), "at most, of what the wall moved"],
+        ];
+        if (data.safe) {
+            cards.push([
+                "The way",
+                data.steps === 0 ? "no step" : rungs[data.rung],
+                `${data.steps} steps, solved again ${data.resolves} times` +
+                    (data.untangled > 0 ? `, ${data.untangled} cells untangled` : ""),
+            ]);
+            cards.push(["Of the movement", `${brief(100 * data.step_fraction)} %`, "was reached"]);
+        }
+        for (const { name, start, now } of this.sections) {
+            cards.push([
+                `Thickness, ${name}`,
+                `${fixed(100 * now.thickness, 2)} %`,
+                `before ${fixed(100 * start.thickness, 2)} %`,
+            ]);
+            cards.push([
+                `Camber, ${name}`,
+                `${fixed(100 * now.camber, 2)} %`,
+                `before ${fixed(100 * start.camber, 2)} %`,
+            ]);
+            cards.push([`Area, ${name}`, brief(now.area), `before ${brief(start.area)}`]);
+        }
+        for (const [name, value, note] of cards) {
+            const card = document.createElement("div");
+            for (const [kind, text] of [
+                ["dt", name],
+                ["dd", value],
+                ["small", note],
+            ]) {
+                const line = document.createElement(kind);
+                line.textContent = text;
+                card.append(line);
+            }
+            element("cards").append(card);
+        }
+    }
+
+    write_moved() {
+        const { data } = this,
+            { moved } = data,
+            rows = [];
+        for (let i = 0; i < data.n_control; ++i) {
+            if (moved[2 * i] !== 0 || moved[2 * i + 1] !== 0)
+                rows.push([`control point ${i + 1}`, moved[2 * i], moved[2 * i + 1], "", ""]);
+        }
+        data.bodies.forEach((body, place) => {
+            const [dx, dy, re, im] = moved.subarray(2 * data.n_control + 4 * place);
+            rows.push([body.marker, dx, dy, (Math.atan2(im, 1 + re) * 180) / Math.PI, Math.hypot(1 + re, im)]);
+        });
+        const put = (row, texts, kind) =>
+            texts.forEach((text) => {
+                const cell = document.createElement(kind);
+                cell.textContent = typeof text === "number" ? brief(text) : text;
+                row.append(cell);
+            });
+        const names = data.bodies.length > 0 ? ["", "dx", "dy", "degrees", "scale"] : ["", "dx", "dy"];
+        put(element("moved").tHead.insertRow(), names, "th");
+        for (const row of rows) put(element("moved").tBodies[0].insertRow(), row.slice(0, names.length), "td");
+        element("moved_section").hidden = rows.length === 0;
+    }
+
+    // ---- Pictures
+
+    draw() {
+        const { data, after, before, cells, cells_before, home, extent } = this,
+            shown = { theme: "light", before: false };
+        this.map("change", after, cells, home, 0.12, { ...shown, colour: "none", before: true });
+        this.map("quality_before", before, cells_before, home, 0.12, { ...shown, colour: "quality" });
+        this.map("quality_after", after, cells, home, 0.12, { ...shown, colour: "quality" });
+        this.draw_scale();
+        this.draw_histogram();
+        this.draw_wall();
+        const order = [...cells.quality.keys()]
+            .sort((one, other) => cells.quality[one] - cells.quality[other])
+            .slice(0, 10);
+        for (const cell of order) this.draw_close_up(cell);
+        element("wall_section").hidden = this.wall.layer.length === 0 || !(extent > 0);
+        document.title = `Morph report: ${data.mesh}`;
+    }
+
+    map(canvas, model, cells, box, margin, options) {
+        const its = typeof canvas === "string" ? element(canvas) : canvas,
+            camera = new Camera(),
+            context = its.getContext("2d");
+        camera.resize(its.clientWidth, its.clientHeight);
+        camera.fit(box, margin);
+        const picture = new Picture(its, this.data, model, cells, new CanvasPainter(its));
+        picture.draw(camera, 2, options);
+        const path = (points, closed) => {
+            context.beginPath();
+            for (const k of points) context.lineTo(camera.pixel_x(model.x[k]), camera.pixel_y(model.y[k]));
+            if (closed) context.closePath();
+        };
+        for (const chain of this.wall.chains) {
+            path(chain.points, chain.closed);
+            context.strokeStyle = style_of("--wall");
+            context.lineWidth = 1.5;
+            context.stroke();
+        }
+        return { context, path, camera };
+    }
+
+    draw_scale() {
+        const canvas = element("quality_scale"),
+            context = canvas.getContext("2d");
+        [canvas.width, canvas.height] = [256, 1];
+        for (let i = 0; i < 256; ++i) {
+            context.fillStyle = scales.light.good.css(i / 255);
+            context.fillRect(i, 0, 1, 1);
+        }
+    }
+
+    draw_histogram() {
+        const n = 25,
+            count = (values) => {
+                const counts = new Array(n).fill(0);
+                for (const value of values) ++counts[Math.min(Math.floor(n * value), n - 1)];
+                return counts.map((its) => (100 * its) / values.length);
+            };
+        const before = count(this.cells_before.quality),
+            after = count(this.cells.quality);
+        const chart = new Chart({
+            x: [0, 1],
+            y: [0, Math.max(...before, ...after)],
+            x_name: "quality; before in blue, after in red",
+            y_name: "cells [%]",
+        });
+        chart.bars(before, "var(--before)", 0.08, 0.4);
+        chart.bars(after, "var(--after)", 0.52, 0.4);
+        element("quality_histogram").innerHTML = chart.svg();
+    }
+
+    // Along each wall, from its first point, by the arc before anything moved.
+    draw_wall() {
+        const place = new Map(this.wall.layer.map((its, i) => [its.point, i])),
+            { x, y } = this.before,
+            curves = [];
+        let arc = 0;
+        for (const { points } of this.wall.chains) {
+            const angle = [],
+                height = [];
+            points.forEach((point, k) => {
+                if (k > 0) arc += Math.hypot(x[point] - x[points[k - 1]], y[point] - y[points[k - 1]]);
+                const i = place.get(point);
+                if (i === undefined) return;
+                angle.push([arc, this.wall.angle[i]]);
+                height.push([arc, this.wall.height[i]]);
+            });
+            curves.push({ angle, height });
+        }
+        const all = (name) => curves.flatMap((curve) => curve[name].map(([, value]) => value));
+        const put = (id, name, low, high, y_name) => {
+            const room = 0.05 * (high - low);
+            const chart = new Chart({
+                x: [0, arc || 1],
+                y: [low === 0 ? 0 : low - room, high + room],
+                x_name: "arc along the wall before it moved",
+                y_name,
+            });
+            for (const curve of curves) if (curve[name].length > 0) chart.curve(curve[name], "var(--after)");
+            element(id).innerHTML = chart.svg();
+        };
+        put(
+            "angle_chart",
+            "angle",
+            0,
+            Math.max(0.1, ...all("angle")),
+            "change of the angle between wall and first-layer edge [degrees]",
+        );
+        put(
+            "height_chart",
+            "height",
+            Math.min(0.99, ...all("height")),
+            Math.max(1.01, ...all("height")),
+            "height of the first layer, after over before",
+        );
+    }
+
+    draw_close_up(cell) {
+        const figure = document.createElement("figure"),
+            canvas = document.createElement("canvas");
+        const caption = document.createElement("figcaption"),
+            { after, cells, data } = this;
+        figure.append(canvas, caption);
+        element("worst").append(figure);
+        const corners = data.cell_points.subarray(4 * cell, 4 * cell + 4),
+            [x, y] = cells.centre(cell, after.x, after.y);
+        const { context, path } = this.map(canvas, after, cells, box_of_points(after.x, after.y, corners), 0.3, {
+            theme: "light",
+            before: false,
+            colour: "quality",
+        });
+        path(corners, true);
+        context.strokeStyle = style_of("--ink");
+        context.lineWidth = 2.5;
+        context.stroke();
+        caption.textContent =
+            `cell ${data.cell[cell]}: ${cells.quality[cell] === 0 ? "inverted" : brief(cells.quality[cell])} at ` +
+            `(${brief(x)}, ${brief(y)})`;
+    }
+}
+
+const report = new Report(page_data);

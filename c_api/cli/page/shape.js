@@ -1,0 +1,136 @@
+"use strict";
+// What the user has moved, with undo and redo: control points one by one, design variables of sections, rigid bodies.
+
+class Shape {
+    constructor(data, sections) {
+        this.data = data;
+        this.sections = sections;
+        this.state = {
+            points: new Array(2 * data.n_control).fill(0), // dx, dy of each, besides what the variables do
+            variables: sections.map(() => Object.fromEntries(Section.variables.map((variable) => [variable.name, 0]))),
+            bodies: data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 })),
+        };
+        this.undone = [];
+        this.done = [];
+        this.last = JSON.stringify(this.state);
+    }
+
+    // A change is finished: what was before can be had again.
+    commit() {
+        const now = JSON.stringify(this.state);
+        if (now === this.last) return false;
+        this.done.push(this.last);
+        this.undone = [];
+        this.last = now;
+        return true;
+    }
+    undo() {
+        this.exchange(this.done, this.undone);
+    }
+    redo() {
+        this.exchange(this.undone, this.done);
+    }
+    exchange(from, to) {
+        if (from.length === 0) return;
+        to.push(this.last);
+        this.last = from.pop();
+        this.state = JSON.parse(this.last);
+    }
+
+    reset() {
+        this.state.points.fill(0);
+        for (const variables of this.state.variables) for (const name of Object.keys(variables)) variables[name] = 0;
+        for (const body of this.state.bodies) Object.assign(body, { x: 0, y: 0, degrees: 0, scale: 1 });
+        this.commit();
+    }
+
+    // dx,dy of control points, then each body's translation and s - 1: what hm_morph takes.
+    moves() {
+        const moves = new Float64Array(2 * this.data.n_functions),
+            { state, data } = this;
+        moves.set(state.points);
+        this.sections.forEach((section, place) => {
+            for (const [name, value] of Object.entries(state.variables[place])) {
+                if (value === 0) continue;
+                for (const i of section.control) {
+                    const [dx, dy] = section.moved_by(name, value, data.control[2 * i], data.control[2 * i + 1]);
+                    moves[2 * i] += dx;
+                    moves[2 * i + 1] += dy;
+                }
+            }
+        });
+        state.bodies.forEach((body, place) => {
+            const angle = (body.degrees * Math.PI) / 180,
+                at = 2 * data.n_control + 4 * place;
+            moves.set([body.x, body.y, body.scale * Math.cos(angle) - 1, body.scale * Math.sin(angle)], at);
+        });
+        return moves;
+    }
+
+    // The movement of one control point, of all reasons, becomes this.
+    set_point(index, dx, dy) {
+        const moves = this.moves(),
+            { points } = this.state;
+        points[2 * index] = dx - (moves[2 * index] - points[2 * index]);
+        points[2 * index + 1] = dy - (moves[2 * index + 1] - points[2 * index + 1]);
+    }
+
+    // moves.txt: numbers with all their digits, so that `harmorph morph` reads the same.
+    text() {
+        const moves = this.moves(),
+            lines = ["# control point, dx, dy"];
+        for (let i = 0; i < this.data.n_control; ++i) {
+            if (moves[2 * i] !== 0 || moves[2 * i + 1] !== 0)
+                lines.push(`${i + 1} ${moves[2 * i]} ${moves[2 * i + 1]}`);
+        }
+        this.state.bodies.forEach((body, place) => {
+            lines.push(`rigid ${this.data.bodies[place].marker} ${body.x} ${body.y} ${body.degrees} ${body.scale}`);
+        });
+        return lines.join("\n") + "\n";
+    }
+
+    // The opposite; nothing changes where a line is not understood, and the Error says which.
+    load(text) {
+        const points = new Array(2 * this.data.n_control).fill(0);
+        const bodies = this.data.bodies.map(() => ({ x: 0, y: 0, degrees: 0, scale: 1 }));
+        const seen = new Set();
+        text.split("\n").forEach((line, number) => {
+            const words = line
+                .replace(/#.*/, "")
+                .trim()
+                .split(/\s+/)
+                .filter((word) => word !== "");
+            if (words.length === 0) return;
+            const fail = (reason) => {
+                throw new Error(`line ${number + 1}: ${reason}`);
+            };
+            const rigid = words[0] === "rigid",
+                values = words.slice(rigid ? 2 : 1).map(Number);
+            if (!values.every(Number.isFinite)) fail("a finite number is expected");
+            const name = rigid ? `rigid ${words[1]}` : words[0];
+            if (seen.has(name)) fail(`${name} is moved a second time`);
+            seen.add(name);
+            if (rigid) {
+                const place = this.data.bodies.findIndex((body) => body.marker === words[1]);
+                if (place < 0) fail(`there is no rigid body ${words[1]}`);
+                if (values.length < 3 || values.length > 4) fail("rigid MARKER dx dy degrees [scale] is expected");
+                bodies[place] = {
+                    x: values[0],
+                    y: values[1],
+                    degrees: values[2],
+                    scale: values.length > 3 ? values[3] : 1,
+                };
+            } else {
+                const index = Number(words[0]);
+                if (!(Number.isInteger(index) && index >= 1 && index <= this.data.n_control)) {
+                    fail(`a control point between 1 and ${this.data.n_control} is expected`);
+                }
+                if (values.length !== 2) fail("index dx dy is expected");
+                points.splice(2 * index - 2, 2, ...values);
+            }
+        });
+        for (const variables of this.state.variables) for (const its of Object.keys(variables)) variables[its] = 0;
+        Object.assign(this.state, { points, bodies });
+        this.commit();
+    }
+}

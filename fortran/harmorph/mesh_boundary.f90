@@ -1,0 +1,79 @@
+
+! ---- The boundary of a mesh: faces with their markers, lists of points, or lines of a block --------------------------
+
+contains
+    ! ---- Mesh: boundary. Further calls add further faces, lists and lines.
+
+!@each integer
+    ! faces(points(2,n), markers(n)): in any order and direction.
+    subroutine faces_@FORM@(self, points, markers, stat, err)
+        class(hm_mesh), intent(inout) :: self
+        integer(@KIND@), intent(in) :: points(:, :), markers(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        call prepare_to_add(self, done)
+        call done%refuse_if(size(points, 1) /= 2 .or. size(points, 2) /= size(markers), &
+            "faces wants points(2,n), markers(n)")
+        if (done%ok()) then
+            call self%arrays%face_points%append(small(reshape(points, [size(points)])), done)
+            call self%arrays%face_markers%append(small(markers), done)
+        end if
+        call done%finish("mesh%faces", stat, err)
+    end subroutine
+
+    ! lists(points, start(n+1), markers(n)): points in order along the boundary; a closed list repeats its first point.
+    subroutine lists_@FORM@(self, points, start, markers, stat, err)
+        class(hm_mesh), intent(inout) :: self
+        integer(@KIND@), intent(in) :: points(:), start(:), markers(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        call prepare_to_add(self, done)
+        call done%refuse_if(size(start) /= size(markers) + 1, "lists wants start(n+1), markers(n)")
+        if (done%ok()) then
+            call check_rows("lists", self%arrays%first, size(points), small(start), done)
+            call add_lists(self%arrays, small(points), small(start), small(markers), done)
+        end if
+        call done%finish("mesh%lists", stat, err)
+    end subroutine
+
+!@end
+    subroutine add_lists(arrays, points, start, markers, done)
+        type(mesh_arrays), intent(inout) :: arrays
+        integer(c_int32_t), intent(in) :: points(:), start(:), markers(:)
+        type(outcome), intent(inout) :: done
+        call add_rows(arrays%first, arrays%list_points, arrays%list_start, points, start, done)
+        call arrays%list_markers%append(markers, done)
+    end subroutine
+
+    ! Points (i_from,j_from) .. (i_to,j_to) along i or j of a structured block, on a marker.
+    subroutine mesh_line(self, marker, i_from, i_to, j_from, j_to, stat, err)
+        class(hm_mesh), intent(inout) :: self
+        integer, intent(in) :: marker, i_from, i_to, j_from, j_to
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        integer :: n, i_step, j_step, k, ni, first
+        integer(c_int32_t), allocatable :: line(:)
+        call prepare_to_add(self, done)
+        ni = 0
+        first = 1
+        if (done%ok()) then
+            ni = self%arrays%ni
+            first = self%arrays%first
+            call done%refuse_if(self%arrays%layout /= hm_cells_structured, "the mesh has no structured points")
+            call done%refuse_if(i_from /= i_to .and. j_from /= j_to, "neither i nor j stays the same")
+            call done%refuse_if(min(i_from, i_to) < 1 .or. max(i_from, i_to) > ni .or. min(j_from, j_to) < 1 .or. &
+                max(j_from, j_to) > self%arrays%nj, "i or j is outside the block")
+        end if
+        if (done%ok()) then
+            n = max(abs(i_to - i_from), abs(j_to - j_from)) + 1
+            i_step = sign(merge(1, 0, i_to /= i_from), i_to - i_from)
+            j_step = sign(merge(1, 0, j_to /= j_from), j_to - j_from)
+            line = [(int(first + i_from - 1 + k * i_step + ni * (j_from - 1 + k * j_step), c_int32_t), k = 0, n - 1)]
+            call add_lists(self%arrays, line, int([first, first + n], c_int32_t), [int(marker, c_int32_t)], done)
+        end if
+        call done%finish("mesh%line", stat, err)
+    end subroutine
+

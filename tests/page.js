@@ -1,0 +1,272 @@
+"use strict";
+// Drives the page of `harmorph explore` as a user would, with pointer and key events, before the browser calls it
+// loaded; leaves its findings as text of the element `result`: lines "check NAME ok" or "check NAME FAILED ...", "value
+// NAME NUMBER", "moves" with the saved file, and "point INDEX X Y BOUND_X BOUND_Y", what `harmorph morph` should agree
+// with and how well.
+(() => {
+    const lines = [];
+    const check = (name, holds, found = "") => lines.push(`check ${name} ${holds ? "ok" : `FAILED ${found}`}`);
+    const handles = document.getElementById("handles");
+    window.addEventListener("error", (event) => lines.push(`check script FAILED ${event.message}`));
+
+    const pointer = (type, px, py, extra = {}) => {
+        const box = handles.getBoundingClientRect();
+        handles.dispatchEvent(
+            new PointerEvent(type, {
+                pointerId: 1,
+                pointerType: "mouse",
+                clientX: box.left + px,
+                clientY: box.top + py,
+                bubbles: true,
+                ...extra,
+            }),
+        );
+    };
+    const key = (name, extra = {}) =>
+        handles.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true, ...extra }));
+    // The frame that the page would draw next, now.
+    const frame = () => {
+        if (app.must_follow) app.follow();
+        app.draw();
+    };
+    const coordinates = () => app.model.x.join() + app.model.y.join();
+    const pixel_of = (i) => [
+        app.camera.pixel_x(app.curves.control[2 * i]),
+        app.camera.pixel_y(app.curves.control[2 * i + 1]),
+    ];
+
+    // From one pixel by so many, in steps; each with its frame. The median time of one [ms].
+    const drag = ([px, py], dx, dy, steps) => {
+        const times = [];
+        pointer("pointerdown", px, py);
+        for (let i = 1; i <= steps; ++i) {
+            const begin = performance.now();
+            pointer("pointermove", px + (dx * i) / steps, py + (dy * i) / steps);
+            frame();
+            app.picture.painter.finish();
+            times.push(performance.now() - begin);
+        }
+        pointer("pointerup", px + dx, py + dy);
+        return times.sort((a, b) => a - b)[steps >> 1];
+    };
+
+    const saved = () => {
+        const Blob_of_page = window.Blob,
+            make_url = URL.createObjectURL;
+        let text = "";
+        window.Blob = function (parts) {
+            text = parts.join("");
+        };
+        URL.createObjectURL = () => "#";
+        document.getElementById("save").click();
+        window.Blob = Blob_of_page;
+        URL.createObjectURL = make_url;
+        return text;
+    };
+
+    const drag_control_points = () => {
+        const i = Math.floor(app.data.n_control / 3),
+            start = coordinates();
+        const milliseconds = drag(pixel_of(i), 10, wanted.down, 40);
+        lines.push(`value frame_milliseconds ${milliseconds.toFixed(1)}`, `value points ${app.model.n}`);
+        const shift = wanted.down / app.camera.scale;
+        check(
+            "a dragged point is where the pointer is",
+            Math.abs(app.moves[2 * i + 1] + shift) <= app.digit,
+            app.moves[2 * i + 1],
+        );
+        const dragged = coordinates();
+        check("the mesh follows", dragged !== start);
+        key("z", { ctrlKey: true });
+        frame();
+        check("undo brings back every bit", coordinates() === start);
+        key("y", { ctrlKey: true });
+        frame();
+        check("redo does, too", coordinates() === dragged);
+        app.select(-1);
+        key("Tab");
+        check("Tab chooses the first point", app.selected === 0, app.selected);
+        key("ArrowUp");
+        frame();
+        check("an arrow key moves it", app.moves[1] > 0, app.moves[1]);
+        const field = document.getElementById("dx");
+        field.value = "0.00123";
+        field.dispatchEvent(new Event("input"));
+        field.dispatchEvent(new Event("change"));
+        frame();
+        check("a typed number is its movement", app.moves[0] === 0.00123, app.moves[0]);
+        pairs();
+        slider();
+        pinch();
+    };
+
+    const pairs = () => {
+        const i = [...app.pairs.partner.keys()].find((index) => app.pairs.partner[index] >= 0);
+        if (i === undefined) return;
+        const j = app.pairs.partner[i],
+            before = app.moves.slice();
+        document.querySelector("#pair [data-value=mirror]").click();
+        const px = pixel_of(i);
+        drag(px, 0, -20, 3);
+        const moved = app.moves[2 * i + 1] - before[2 * i + 1],
+            across = app.moves[2 * j + 1] - before[2 * j + 1];
+        check(
+            "the point across moves the other way",
+            Math.abs(moved + across) <= 2 * app.digit && moved !== 0,
+            `${moved} ${across}`,
+        );
+        document.querySelector("#pair [data-value=alone]").click();
+        key("z", { ctrlKey: true });
+        frame();
+        check(
+            "and back",
+            app.moves.every((move, k) => move === before[k]),
+        );
+    };
+
+    // Two fingers that part to twice their distance.
+    const pinch = () => {
+        const before = app.camera.scale,
+            moves = app.moves.join(),
+            finger = (type, id, x) => pointer(type, x, 40, { pointerId: id, pointerType: "touch" });
+        finger("pointerdown", 1, 300);
+        finger("pointerdown", 2, 400);
+        finger("pointermove", 1, 250);
+        finger("pointermove", 2, 450);
+        finger("pointerup", 1, 250);
+        finger("pointerup", 2, 450);
+        frame();
+        const zoom = app.camera.scale / before;
+        check("two fingers zoom", Math.abs(zoom - 2) < 1e-9 && app.moves.join() === moves, zoom);
+        app.fit();
+        frame();
+    };
+
+    const slider = () => {
+        const range = document.querySelector("#sliders input[type=range]");
+        if (!range || app.sections.length === 0) return;
+        if (!app.is_valid()) return;
+        const before = app.sections[0].now.thickness;
+        range.value = 10;
+        range.dispatchEvent(new Event("input"));
+        range.dispatchEvent(new Event("change"));
+        frame();
+        const ratio = app.sections[0].now.thickness / before;
+        check("10 % more thickness", Math.abs(ratio - 1.1) < 0.02, ratio);
+    };
+
+    const drag_body = () => {
+        const handle = app.body_handle(0),
+            start = coordinates();
+        drag([app.camera.pixel_x(handle.x), app.camera.pixel_y(handle.y)], 12, -9, 5);
+        const its = app.shape.state.bodies[0];
+        check("a body is where the pointer is", Math.abs(its.x - 12 / app.camera.scale) <= app.digit, its.x);
+        const moved = app.body_handle(0);
+        drag([moved.knob_x, moved.knob_y], -14, -30, 5); // up, so counter-clockwise
+        check("its knob turns it", its.degrees > 10, its.degrees);
+        key("z", { ctrlKey: true });
+        key("z", { ctrlKey: true });
+        frame();
+        check("undo brings back every bit", coordinates() === start);
+        key("y", { ctrlKey: true });
+        key("y", { ctrlKey: true });
+        frame();
+    };
+
+    // Rounding the functions to single precision moves a point by no more; that of sums in double precision comes on
+    // top.
+    const bounds = () => {
+        const { model, moves } = app,
+            bound_x = new Float64Array(model.n),
+            bound_y = new Float64Array(model.n);
+        const columns = {
+            1: [[1, 0, 0, 1]],
+            2: [
+                [1, 0, 0, 1],
+                [0, 1, 1, 0],
+            ],
+            4: [
+                [1, 0, 0, 0],
+                [0, 1, 0, 0],
+                [0, 0, 1, 0],
+                [0, 0, 0, 1],
+            ],
+        };
+        for (let i = 0; i < model.n_functions; ++i) {
+            const mx = Math.abs(moves[2 * i]),
+                my = Math.abs(moves[2 * i + 1]);
+            columns[model.numbers].forEach(([xx, xy, yx, yy], number) => {
+                const values = model.values(i, number);
+                for (let k = 0; k < model.n; ++k) {
+                    bound_x[k] += Math.abs(values[k]) * (xx * mx + xy * my);
+                    bound_y[k] += Math.abs(values[k]) * (yx * mx + yy * my);
+                }
+            });
+        }
+        const bound = (sum, at) => sum * (2 ** -24 + 2 ** -44) + 2 ** -50 * (Math.abs(at) + sum);
+        return [bound_x.map((sum, k) => bound(sum, model.x[k])), bound_y.map((sum, k) => bound(sum, model.y[k]))];
+    };
+
+    // Does it draw at all? Lines and cells, not the background alone.
+    const draws = (painter) => {
+        const { picture } = app,
+            painter_of_page = picture.painter,
+            { canvas } = painter;
+        picture.painter = painter;
+        document.body.append(canvas);
+        picture.draw(app.camera, 1, { ...app.options, colour: "quality", before: true });
+        const copy = document.createElement("canvas"),
+            context = copy.getContext("2d");
+        copy.width = canvas.width;
+        copy.height = canvas.height;
+        context.drawImage(canvas, 0, 0);
+        const pixels = new Set(new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer));
+        canvas.remove();
+        picture.painter = painter_of_page;
+        return pixels.size;
+    };
+    for (const Painter of [GlPainter, CanvasPainter]) {
+        const colours = draws(new Painter(document.createElement("canvas"), {}));
+        check(`${Painter.name} draws cells`, colours > 3, `${colours} colours`);
+    }
+    if (app.data.n_control > 0) drag_control_points();
+    if (app.data.bodies.length > 0) drag_body();
+    for (const colour of ["quality", "angle", "height", "function", "none"]) {
+        document.querySelector(`#colour [data-value=${colour}]`).click();
+        frame();
+    }
+    const text = saved(),
+        moves = app.moves.slice(),
+        here = coordinates();
+    document.getElementById("reset").click();
+    frame();
+    check("reset: nothing has moved", app.still);
+    app.load("1 0\n");
+    check(
+        "a file that is none changes nothing",
+        app.moves.every((move) => move === 0),
+    );
+    app.load(text);
+    frame();
+    check(
+        "a saved file gives the same movements",
+        app.moves.every((move, k) => move === moves[k]),
+    );
+    check("and the same mesh", coordinates() === here);
+    const { cells, wall, model, data } = app;
+    lines.push(
+        `value inverted ${cells.inverted}`,
+        `value admissible_step ${cells.step}`,
+        `value min_quality ${cells.min_quality}`,
+    );
+    lines.push(`value mean_quality ${cells.mean_quality}`, `value self_crossing ${wall.crossing.length > 0}`);
+    lines.push("moves", text.trimEnd(), "end");
+    const [bound_x, bound_y] = bounds();
+    data.point.forEach((point, k) =>
+        lines.push(`point ${point} ${model.x[k]} ${model.y[k]} ${bound_x[k]} ${bound_y[k]}`),
+    );
+    const result = document.createElement("pre");
+    result.id = "result";
+    result.textContent = `\nresult begins\n${lines.join("\n")}\nresult ends\n`;
+    document.body.append(result);
+})();

@@ -1,0 +1,137 @@
+#!/bin/sh
+# Tests of the page of `harmorph explore`: sh tests/page.sh path/to/harmorph path/to/meshes folder/for/output
+# Headless Chromium (CHROMIUM, or what is found) opens the page with tests/page.js behind it and prints what became of
+# it; `harmorph morph` with the moves that the page saved must put every point where the page has it.
+harmorph=$1 meshes=$2 tmp=$3
+rm -rf "$tmp"
+mkdir -p "$tmp" || exit 2
+tmp=$(cd "$tmp" && pwd)
+passed=0 failed=0
+ok() { passed=$((passed + 1)); }
+fail() { echo "FAIL $1"; failed=$((failed + 1)); }
+
+# ---- What needs no browser -------------------------------------------------------------------------------------------
+
+solve() { "$harmorph" solve "$@" >"$tmp/log" 2>&1 || { cat "$tmp/log"; fail "solve $*"; }; }
+explore() { "$harmorph" explore "$@" >"$tmp/log" 2>&1; }
+refuses() { # refuses NAME TEXT ARGUMENTS...
+    name=$1 text=$2; shift 2
+    if explore "$@"; then fail "$name: not refused"; elif grep -F -e "$text" "$tmp/log" >/dev/null; then ok; else
+        fail "$name: $(cat "$tmp/log")"
+    fi
+}
+naca=$meshes/naca0012.su2
+"$harmorph" fit "$naca" --marker airfoil -o "$tmp/airfoil.curve" >/dev/null || fail "fit"
+solve "$naca" --curve "airfoil=$tmp/airfoil.curve" -o "$tmp/conformal.basis"
+solve "$naca" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/laplace.basis"
+solve "$naca" --rigid airfoil=.25,0 -o "$tmp/rigid.basis"
+solve "$meshes/block.su2" --rigid block --slip outer -o "$tmp/slip.basis"
+if explore "$naca" "$tmp/conformal.basis" -o "$tmp/whole.html"; then ok; else fail "explore"; fi
+if grep -E '(src|href)=|https?:' "$tmp/whole.html" | grep -v 'link.href = URL' >/dev/null; then
+    fail "the page refers to something outside"
+else ok; fi
+refuses "a file that is no moves" "expected index dx dy" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --move "$naca"
+refuses "a file that is no basis" "basis" "$naca" "$naca" -o "$tmp/x.html"
+refuses "too few points" "--points" "$naca" "$tmp/conformal.basis" -o "$tmp/x.html" --points 3
+if [ -e "$tmp/x.html" ]; then fail "a refused command leaves a page"; else ok; fi
+
+# ---- In the browser --------------------------------------------------------------------------------------------------
+
+chromium=$CHROMIUM
+for name in chromium chromium-browser google-chrome; do
+    [ -n "$chromium" ] || chromium=$(command -v $name)
+done
+if [ -z "$chromium" ]; then
+    echo "SKIPPED: the page in a browser: no Chromium found (Debian's package chromium, or CHROMIUM=path)"
+    echo "$passed passed, $failed failed"
+    exit $((failed > 0))
+fi
+
+browse() { # browse PAGE: the page's elements as text, once it is loaded
+    timeout 120 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
+        --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" --use-angle=swiftshader \
+        --enable-unsafe-swiftshader --window-size=1280,800 --dump-dom "file://$1" 2>"$tmp/browser.log"
+    rm -rf "$tmp/profile"
+}
+value() { sed -n "s/^value $1 //p" "$tmp/$case.result"; }
+of_program() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/$case.json"; }
+near() { # near NAME ALLOWED: page and program agree, relative to the larger of both
+    if awk -v a="$(value $1)" -v b="$(of_program $1)" -v allowed="$2" 'BEGIN {
+        if (a == "Infinity" && b == "null") exit 0
+        size = (a * a > b * b ? a : b); difference = a - b
+        exit !(a != "" && b != "" && difference * difference <= allowed * allowed * size * size) }'; then ok; else
+        fail "$case: $1 is $(value $1) on the page, $(of_program $1) by the program"
+    fi
+}
+page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many pixels, and compare
+    case=$1 mesh=$2 basis=$3 pixels=$4; shift 4
+    explore "$mesh" "$basis" -o "$tmp/$case.html" "$@" || fail "$case: explore"
+    { echo "<script>const wanted = { down: $pixels };"; cat tests/page.js; echo "</script>"; } >>"$tmp/$case.html"
+    browse "$tmp/$case.html" | sed -n '/^result begins/,/^result ends/p' >"$tmp/$case.result"
+    if ! grep -q '^result ends' "$tmp/$case.result"; then
+        fail "$case: the page has not come to its end"
+        tail -n 3 "$tmp/browser.log"
+        return
+    fi
+    passed=$((passed + $(grep -c '^check .* ok *$' "$tmp/$case.result")))
+    grep '^check .*FAILED' "$tmp/$case.result" >"$tmp/log"
+    while read -r line; do fail "$case: $line"; done <"$tmp/log"
+    sed -n '/^moves$/,/^end$/p' "$tmp/$case.result" | sed '1d;$d' >"$tmp/$case.moves"
+    "$harmorph" morph "$mesh" "$basis" --move "$tmp/$case.moves" -o "$tmp/$case.su2" --force --json >"$tmp/$case.json" 2>/dev/null
+    # Coordinates that have not changed keep their text, which is in the mesh's own precision.
+    awk '/^NPOIN=/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside { print "at", n++, $1, $2 }' "$tmp/$case.su2" |
+        cat - "$tmp/$case.result" | awk '
+        function off(a, b) { return a > b ? a - b : b - a }
+        $1 == "at" { x[$2] = $3; y[$2] = $4; next }
+        $1 != "point" { next }
+        { ++n; dx = off($3, x[$2]); dy = off($4, y[$2]) }
+        dx > $5 || dy > $6 { ++wrong; if (wrong == 1) print "point", $2, "is off by", dx, dy, "and may be by", $5, $6 }
+        { if ($5 > 0 && dx / $5 > most) most = dx / $5; if ($6 > 0 && dy / $6 > most) most = dy / $6 }
+        END { print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"; exit !(n > 0 && wrong == 0) }' >"$tmp/log"
+    if [ $? -eq 0 ]; then ok; else fail "$case: $(cat "$tmp/log")"; fi
+    frame=$(value frame_milliseconds)
+    echo "$case: $(tail -n 1 "$tmp/log")${frame:+; a frame takes $frame ms, drawn without a graphics processor}"
+}
+judged_alike() { # the whole mesh is on the page
+    for name in inverted self_crossing; do
+        if [ "$(value $name)" = "$(of_program $name)" ]; then ok; else
+            fail "$case: $name is $(value $name) on the page, $(of_program $name) by the program"
+        fi
+    done
+    near admissible_step 1e-4
+    near min_quality 1e-4
+    near mean_quality 1e-6
+}
+
+page conformal "$naca" "$tmp/conformal.basis" 30
+judged_alike
+page inverted "$naca" "$tmp/laplace.basis" -250
+judged_alike
+if [ "$(value inverted)" -gt 0 ]; then ok; else fail "a large movement inverts no cell"; fi
+page rigid "$naca" "$tmp/rigid.basis" 0
+judged_alike
+page slip "$meshes/block.su2" "$tmp/slip.basis" 0
+judged_alike
+# The report of the movement that inverts cells: the same numbers, in double precision, and its pictures.
+case=report
+cp "$tmp/inverted.json" "$tmp/report.json"
+"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --report "$tmp/report.html" >/dev/null 2>&1
+cat >>"$tmp/report.html" <<'END'
+<script>
+const lines = [`value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
+    `value min_quality ${report.cells.min_quality}`, `value mean_quality ${report.cells.mean_quality}`,
+    `value self_crossing ${report.wall.crossing.length > 0}`, `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
+    `value charts ${document.querySelectorAll("article svg").length}`];
+document.body.innerHTML = `<pre>\n\nresult begins\n${lines.join("\n")}\nresult ends\n</pre>`;
+</script>
+END
+browse "$tmp/report.html" | sed -n '/^result begins/,/^result ends/p' >"$tmp/report.result"
+judged_alike
+if [ "$(value close_ups) $(value charts)" = "10 3" ]; then ok; else
+    fail "report: $(value close_ups) worst cells, $(value charts) charts"
+fi
+"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" >/dev/null 2>&1
+if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
+page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
+echo "$passed passed, $failed failed"
+[ $failed -eq 0 ]
