@@ -5,7 +5,8 @@
 #   make unit             the C++ tests alone
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
-#   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
+#   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
+#                         see tests/bench/run.sh
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page

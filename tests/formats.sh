@@ -138,7 +138,8 @@ farfield     1 6  1 2   1 25
 one_to_one   1 3  1 7   1 2   1 4  1 7  1 2 false
 END
 check "plot3d: names of a .nmf file" "$harmorph" check "$tmp/text-k.p3d" --json
-says "plot3d: names of a .nmf file: a side of two parts" '"lower_wall", "faces": 12}, {"name": "upper_wall", "faces": 12}, {"name": "farfield", "faces": 24'
+says "plot3d: names of a .nmf file: a side of two parts" \
+    '"farfield", "faces": 24}, {"name": "lower_wall", "faces": 12}, {"name": "upper_wall", "faces": 12}'
 sed -i.old 's/^1 25 7 2/1 25 8 2/' "$tmp/text-k.nmf"
 refuses "plot3d: .nmf of other sizes" "text-k.nmf:3: expected the block's size between 7 and 7, found '8'" "$harmorph" check "$tmp/text-k.p3d"
 rm "$tmp/text-k.nmf"
