@@ -5,7 +5,8 @@
 #   make unit             the C++ tests alone
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
-#   make bench            against CHOLMOD, Eigen and OpenBLAS, as far as they are there; see tests/bench/run.sh
+#   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
+#                         see tests/bench/run.sh
 #   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
@@ -40,7 +41,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api
+CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api -Ic_api/cli
 # Tests are compiled for one run: what the optimiser would take is not given back.
 UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
@@ -75,11 +76,11 @@ rules:
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
 	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \
-	cli=`some c_api/*.h c_api/cli/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
+	cli=`some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@mv $(BUILD)/rules.new $(BUILD)/rules.mk

@@ -51,8 +51,8 @@ for directory in tests/*/; do
 done
 
 # The program is a client of the C header alone.
-for file in c_api/cli/*.[ch]pp; do
-    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^sys/')"
+for file in c_api/cli/*.[ch]pp c_api/cli/formats/*; do
+    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats)/')"
 done
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -53,6 +53,7 @@ step "Fortran" sh tests/fortran.sh "$BUILD"
 step "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
 step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
 step "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"

@@ -41,7 +41,7 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
 }
 
 void run(const Arguments& arguments) {
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const hm_mesh_report report = MeshAnalysis(mesh).report();
     if (arguments.has("--json")) {
         print_json(report, mesh);
@@ -62,7 +62,9 @@ const Command check_command = {
     "Checks a mesh and reports its size and quality",
     "Refused with the line of the first offender: wrong indices, points repeated in a cell, edges of more than two cells,\n"
     "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
-    {{"--json", nullptr, "print one JSON object: points, cells, triangles, quads, inverted, min_area, min_quality,\n"
+    {format_option,
+     zone_option,
+     {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, inverted, min_area, min_quality,\n"
                          "mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",
     run};

@@ -7,7 +7,6 @@
 #include "numbers.hpp"
 #include "output_file.hpp"
 #include "refine.hpp"
-#include "su2.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -103,7 +102,7 @@ void write_fine_mesh(const std::string& mesh_path, const std::string& curve_path
 void copy_mesh(const std::string& from, const std::string& to) {
     const Mesh mesh = read_mesh(from);
     OutputFiles files;
-    write_su2(files.add(to), mesh, mesh.x.data(), mesh.y.data());
+    write_moved(files.add(to), mesh, mesh.x.data(), mesh.y.data());
     files.commit();
 }
 

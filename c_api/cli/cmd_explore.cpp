@@ -27,7 +27,7 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
 void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t most = arguments.whole("--points", 20000, 100, 2000000);
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     refuse_inverted_cells(mesh, basis);
     std::string moves;
@@ -66,7 +66,9 @@ const Command explore_command = {
     {{"-o", "PAGE", "page to write, HTML (required)"},
      {"--points", "N", "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
                        "for drawing (default 20000)"},
-     {"--move", "MOVES", "movement of the control points to begin with"}},
+     {"--move", "MOVES", "movement of the control points to begin with"},
+     format_option,
+     zone_option},
     "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
     run};
 

@@ -56,7 +56,7 @@ Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis)
 
 void export_level(const Arguments& arguments) {
     const std::string path = arguments.text("--svg");
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     OutputFiles files;
     const Box bodies = box_of_bodies(basis.info(), mesh.x, mesh.y);
@@ -71,7 +71,7 @@ void run(const Arguments& arguments) {
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg")) {
         arguments.refuse("nothing to write: name a file after --csv, --vtu or --svg");
     }
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
     const std::int32_t function = arguments.whole("--function", 1, 1, basis.functions()) - 1;
@@ -99,7 +99,9 @@ const Command export_command = {
     "Writes one function of a basis for other programs and as a picture",
     "Functions are numbered from 1 as their control points are. With --level: the cells that agglomeration merges instead,\n"
     "for a basis solved with --engine multigrid or fas.\n",
-    {{"--function", "I", "which function (required without --level)"},
+    {format_option,
+     zone_option,
+     {"--function", "I", "which function (required without --level)"},
      {"--csv", "FILE", "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
                        "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},

@@ -126,7 +126,7 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
     const bool is_section = ends_with(path, ".dat"), is_curve = ends_with(path, ".curve");
     if (!is_section && !is_curve) {
         const std::string tags = arguments.text("--marker");
-        const Mesh mesh = read_mesh(path);
+        const Mesh mesh = read_mesh(arguments, 0);
         return Outline(mesh, MeshAnalysis(mesh).boundary(mesh.find_markers(tags)));
     }
     if (arguments.has("--marker")) arguments.refuse("--marker goes with a mesh, and " + path + " is none");
@@ -171,6 +171,8 @@ const Command fit_command = {
                          "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
                          "away from the nose: open, with a second curve over the base; else tied at the sharpest corner"},
      {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, the\n"
                          "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
                          "backtracks (the curve runs back between two points), max_error, rms_error"}},

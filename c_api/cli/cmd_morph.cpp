@@ -1,6 +1,7 @@
 // harmorph morph: moves control points and with them the mesh, and judges the result.
 #include "commands.hpp"
 #include "curve_file.hpp"
+#include "formats/format.hpp"
 #include "json.hpp"
 #include "morph.hpp"
 #include "moves_file.hpp"
@@ -9,7 +10,6 @@
 #include "page_data.hpp"
 #include "page_text.hpp"
 #include "pictures.hpp"
-#include "su2.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
@@ -59,7 +59,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
                  const Companions& companions) {
     OutputFiles files;
     const Field& moved = morph.moved;
-    if (arguments.has("-o")) write_su2(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
+    if (arguments.has("-o")) write_moved(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
     if (!companions.curve.empty()) write_curve_file(files, companions.curve, morph.moved_curves(basis));
     if (!companions.reached.empty()) write_moves(files.add(companions.reached), morph.moves, basis, mesh);
     if (arguments.has("--vtu")) {
@@ -169,7 +169,7 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
 void run(const Arguments& arguments) {
     const std::string moves_path = arguments.text("--move");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
     const std::vector<double> moves = read_moves(moves_path, basis, mesh);
@@ -223,6 +223,8 @@ const Command morph_command = {
      threads_option,
      {"--force", nullptr, "write the files even if the morphed mesh is not valid, with --safe the last valid mesh\n"
                          "(exit code 1 all the same)"},
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
                          "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but step_fraction\n"

@@ -89,7 +89,7 @@ void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     if (!arguments.has("--curve") && !arguments.has("--rigid")) arguments.refuse("--curve or --rigid is missing");
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     Task task = task_of(arguments, mesh);
     std::vector<double> history(arguments.has("--history") ? longest_history : 0);
     task.options.history = history.data();
@@ -133,6 +133,8 @@ const Command solve_command = {
      threads_option,
      {"-o", "BASIS", "file to write (required)"},
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
                          "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
                          "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes,\n"

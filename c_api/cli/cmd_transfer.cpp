@@ -113,9 +113,9 @@ void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& b
 
 void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
-    const Mesh mesh = read_mesh(arguments.operand(0));
+    const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
-    const Mesh fine = read_mesh(arguments.operand(2));
+    const Mesh fine = read_mesh(arguments, 2);
     const Threads threads(threads_of(arguments));
     const Task task = task_on(arguments, basis, mesh, fine);
     Transfer transfer(fine, basis, task, threads);
@@ -144,6 +144,8 @@ const Command transfer_command = {
     {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
      storage_option,
      threads_option,
+     format_option,
+     zone_option,
      {"--json", nullptr, "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
                          "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
     "  harmorph transfer coarse.su2 coarse.basis fine.su2 -o fine.basis\n",

@@ -1,8 +1,8 @@
 #include "commands.hpp"
 
+#include "formats/format.hpp"
 #include "harmorph.h"
 #include "marker_names.hpp"
-#include "su2.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -13,7 +13,7 @@ namespace {
 
 const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
                                    &export_command, &check_command, &transfer_command, &explore_command,
-                                   &demo_command};
+                                   &convert_command, &demo_command};
 
 constexpr const char* introduction =
     "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
@@ -25,7 +25,8 @@ constexpr const char* conclusion =
     "\n"
     "  harmorph COMMAND --help   says more about a command\n"
     "  harmorph --version        prints the version\n\n"
-    "Meshes are SU2 files in two dimensions. Exit codes: 0 done; 1 the result is not usable (inverted cells, not\n"
+    "Meshes are files of two dimensions, or one cell thick; a morphed mesh is the same file with other coordinates.\n"
+    "Exit codes: 0 done; 1 the result is not usable (inverted cells, not\n"
     "converged) and was not written; 2 wrong usage; 3 a file cannot be read, understood or written.\n\n"
     "Examples:\n"
     "  harmorph demo demo-output\n"
@@ -40,7 +41,7 @@ std::string program_help() {
         name.resize(12, ' ');
         text += name + command->summary + '\n';
     }
-    return text + conclusion;
+    return text + conclusion + "\nFormats of meshes:\n" + format_table();
 }
 
 void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
@@ -64,11 +65,21 @@ void run_command(const std::vector<std::string>& words) {
     command.run(Arguments(command, rest));
 }
 
-Mesh read_mesh(const std::string& path) {
-    Mesh mesh = read_su2(path);
+Mesh read_mesh(const std::string& path, const ReadOptions& options) {
+    Mesh mesh = read_mesh_file(path, options);
     number_by_name(mesh);
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;
+}
+
+const Option format_option = {"--format", "NAME", "format of the mesh, if its content does not tell: `harmorph --help` has them"};
+const Option zone_option = {"--zone", "Z", "which zone of a file of several; the others stay as they are"};
+
+Mesh read_mesh(const Arguments& arguments, std::size_t operand) {
+    ReadOptions options;
+    if (arguments.has("--format")) options.format = arguments.text("--format");
+    if (arguments.has("--zone")) options.zone = arguments.text("--zone");
+    return read_mesh(arguments.operand(operand), options);
 }
 
 void warn(const std::string& message) { std::fprintf(stderr, "harmorph: warning: %s\n", message.c_str()); }

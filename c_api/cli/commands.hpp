@@ -2,21 +2,23 @@
 #pragma once
 
 #include "arguments.hpp"
-#include "mesh.hpp"
+#include "formats/format.hpp"
 
 #include <string>
 #include <vector>
 
 namespace cli {
 
-extern const Command fit_command, solve_command, morph_command, export_command, check_command, transfer_command, explore_command,
-    demo_command;
+extern const Command fit_command, solve_command, morph_command, export_command, check_command, transfer_command,
+    explore_command, convert_command, demo_command;
 
 // words: all after the program's name. A Failure says what went wrong.
 void run_command(const std::vector<std::string>& words);
 
-// Reads an SU2 file and tells the user on standard error what was passed over.
-Mesh read_mesh(const std::string& path);
+// Reads a mesh and tells the user on standard error what was passed over. Commands that do so have both options.
+extern const Option format_option, zone_option;
+Mesh read_mesh(const Arguments& arguments, std::size_t operand);
+Mesh read_mesh(const std::string& path, const ReadOptions& options = {});
 
 void warn(const std::string& message); // to standard error
 

@@ -61,4 +61,30 @@ std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
     return found;
 }
 
+std::int32_t Mesh::add_marker(std::string_view tag) {
+    const std::int32_t known = find_marker(*this, tag);
+    if (known >= 0) return known;
+    markers.emplace_back(tag);
+    return static_cast<std::int32_t>(markers.size()) - 1;
+}
+
+void Mesh::remark(const std::string& text) {
+    if (std::find(remarks.begin(), remarks.end(), text) == remarks.end()) remarks.push_back(text);
+}
+
+void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size_t y_offset) {
+    const std::int32_t point = points();
+    x.push_back(its_x);
+    y.push_back(its_y);
+    point_offset.push_back(x_offset);
+    in_file.slots.push_back({x_offset, point, takes_x});
+    in_file.slots.push_back({y_offset, point, takes_y});
+}
+
+void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset) {
+    face_points.insert(face_points.end(), {a, b});
+    face_markers.push_back(marker);
+    face_offset.push_back(offset);
+}
+
 } // namespace cli

@@ -1,5 +1,6 @@
 #include "morph.hpp"
 
+#include "formats/format.hpp"
 #include "solver.hpp"
 #include "stopwatch.hpp"
 
@@ -90,6 +91,7 @@ Curves Morph::moved_curves(const Basis& basis) const {
 }
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    round_as_file(mesh, moved.x, moved.y); // what is judged is what can be written
     const hm_mesh view = mesh.view();
     const hm_points along = displacement.read(), to = moved.read();
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);

@@ -7,8 +7,9 @@
 
 namespace cli {
 
-// The whole word must be a number: no sign of anything else around it. Real numbers must be finite.
+// The whole word must be a number: no sign of anything else around it. Real numbers must be finite; 1.5D3 is one, too.
 bool parse(std::string_view word, std::int32_t& value);
+bool parse(std::string_view word, std::int64_t& value);
 bool parse(std::string_view word, double& value);
 
 std::string exact(double value);              // 17 significant digits: reads back as the same bits

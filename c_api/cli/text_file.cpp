@@ -3,10 +3,12 @@
 #include "failure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 
 namespace cli {
@@ -19,8 +21,12 @@ std::string read_whole(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     std::string text;
     std::size_t filled = 0;
+    // The size as a guess, as pipes have none.
+    const long size = file && std::fseek(file.get(), 0, SEEK_END) == 0 ? std::ftell(file.get()) : 0;
+    if (file) std::rewind(file.get());
     while (file && !std::feof(file.get()) && !std::ferror(file.get())) {
-        text.resize(std::max<std::size_t>(2 * filled, 1 << 16));
+        const bool first = filled == 0 && size > 0 && size < std::numeric_limits<long>::max();
+        text.resize(first ? static_cast<std::size_t>(size) + 1 : std::max<std::size_t>(2 * filled, 1 << 16));
         filled += std::fread(&text[filled], 1, text.size() - filled, file.get());
     }
     if (!file || std::ferror(file.get())) {
@@ -29,6 +35,18 @@ std::string read_whole(const std::string& path) {
     text.resize(filled);
     return text;
 }
+
+// What each byte is to a reader of lines.
+enum : unsigned char { part_of_word, blank, end_of_line };
+
+constexpr auto kinds_of_bytes() {
+    std::array<unsigned char, 256> kinds = {};
+    for (const char c : {' ', '\t', '\v', '\f'}) kinds[static_cast<unsigned char>(c)] = blank;
+    for (const char c : {'\r', '\n'}) kinds[static_cast<unsigned char>(c)] = end_of_line;
+    return kinds;
+}
+constexpr std::array<unsigned char, 256> kinds = kinds_of_bytes();
+unsigned char kind(char c) { return kinds[static_cast<unsigned char>(c)]; }
 
 } // namespace
 
@@ -39,6 +57,7 @@ std::string TextFile::place(std::size_t offset) const {
     for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
         const bool lone_return = text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');
         if (text_[i] == '\n' || lone_return) ++line;
+        if (text_[i] == '\0') return path_ + ": byte " + std::to_string(offset);
     }
     return path_ + ":" + std::to_string(line);
 }
@@ -52,30 +71,34 @@ LineReader::LineReader(const TextFile& file, char comment) : file_(file), commen
     if (std::string_view(file.text()).substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
 }
 
-std::string_view LineReader::take_line() {
-    const std::string_view rest = std::string_view(file_.text()).substr(next_);
-    const std::size_t length = std::min(rest.find_first_of("\r\n"), rest.size());
-    const bool two_characters = rest.substr(length, 2) == "\r\n";
-    next_ = std::min(next_ + length + (two_characters ? 2 : 1), file_.text().size());
-    return rest.substr(0, length);
-}
-
+// One pass over the line's bytes finds its end, its comment and where it begins and ends without blanks.
 bool LineReader::next() {
-    while (next_ < file_.text().size()) {
-        const std::string_view whole = take_line();
-        line_ = trimmed(whole.substr(0, whole.find(comment_)));
+    const char* const text = file_.text().data();
+    const std::size_t size = file_.text().size();
+    while (next_ < size) {
+        std::size_t at = next_;
+        while (at < size && kind(text[at]) == blank) ++at;
+        const std::size_t begin = at;
+        std::size_t end = at; // behind the last byte that is no blank
+        for (; at < size && kind(text[at]) != end_of_line && text[at] != comment_; ++at) {
+            if (kind(text[at]) == part_of_word) end = at + 1;
+        }
+        while (at < size && kind(text[at]) != end_of_line) ++at;
+        next_ = at + (at < size ? 1 : 0) + (at + 1 < size && text[at] == '\r' && text[at + 1] == '\n' ? 1 : 0);
+        line_ = std::string_view(text + begin, end - begin);
         if (!line_.empty()) return true;
     }
-    line_ = std::string_view(file_.text()).substr(file_.text().size());
+    line_ = std::string_view(text + size, 0);
     return false;
 }
 
 const std::vector<std::string_view>& LineReader::words() {
     words_.clear();
-    for (std::size_t begin = 0; begin < line_.size();) {
-        const std::size_t end = std::min(line_.find_first_of(blanks, begin), line_.size());
-        words_.push_back(line_.substr(begin, end - begin));
-        begin = std::min(line_.find_first_not_of(blanks, end), line_.size());
+    for (const char *at = line_.data(), *const end = at + line_.size(); at != end;) {
+        const char* const begin = at;
+        while (at != end && kind(*at) == part_of_word) ++at;
+        words_.emplace_back(begin, static_cast<std::size_t>(at - begin));
+        while (at != end && kind(*at) != part_of_word) ++at;
     }
     return words_;
 }

@@ -1,4 +1,4 @@
-// A text file in memory, read line by line; errors name the file, the line and what was expected.
+// A file in memory, text for the most part, read line by line; errors name the file, the line and what was expected.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ public:
 
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
-    std::string place(std::size_t offset) const; // "FILE:LINE"
+    std::string place(std::size_t offset) const; // "FILE:LINE"; behind binary parts "FILE: byte N"
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
 
 private:
@@ -31,13 +31,13 @@ public:
     const std::vector<std::string_view>& words();                            // between blanks and tabs
     std::size_t offset() const { return offset(line_); }                     // of the line in the file's text
     std::size_t offset(std::string_view part) const;                         // of a part of it
+    std::size_t next_offset() const { return next_; }                        // of the line after it
+    void jump(std::size_t offset) { next_ = offset; }                        // next() goes on there
     [[noreturn]] void fail(const std::string& message) const;                // about this line
     [[noreturn]] void expected(const std::string& what) const;               // "expected WHAT, found LINE"
     [[noreturn]] void expected(const std::string& what, std::string_view found) const;
 
 private:
-    std::string_view take_line();
-
     const TextFile& file_;
     char comment_;
     std::size_t next_ = 0;

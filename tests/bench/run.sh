@@ -1,6 +1,6 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve iterative morph" \
+#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve iterative morph files" \
 #       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single JSON=bench.json
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
@@ -9,6 +9,11 @@ if [ "$PARTS" = iterative ]; then : "${SIZES:=10000 100000}"; fi # engines that 
 : "${SIZES:=10000 100000 1000000}" "${KINDS:=iso viscous unstructured}"
 : "${FUNCTIONS:=20 60}" "${THREADS:=1}"
 set -e
+case " $PARTS " in *" files "*)
+    BUILD="$BUILD" sh tests/bench/files.sh
+    PARTS=$(echo " $PARTS " | sed 's/ files / /')
+    [ "$PARTS" != " " ] || exit 0 ;;
+esac
 here=tests/bench out=$BUILD/bench
 mkdir -p "$out"
 flags="-std=c++17 -Wall -Wextra -Wconversion -Wshadow -ffp-contract=fast -pthread -Iinclude -Ic_api -Itests"

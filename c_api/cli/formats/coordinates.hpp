@@ -1,0 +1,45 @@
+// Where a mesh file keeps its coordinates. With that the file can be written again with other coordinates, and every
+// byte besides them stays: readers of all formats leave such a record, so that no format has a writer of its own for
+// this.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace cli {
+
+enum class NumberKind { text, real32, real64 };
+
+// One number of the file. It is a coordinate of a point of the mesh, or moves with one.
+struct CoordinateSlot {
+    std::size_t offset;  // of its first byte
+    std::int32_t point;  // of the mesh; from the number of points on: one of `between`
+    std::int32_t rule;   // takes_x, takes_y: the number is that coordinate; else a place in `directions`
+};
+enum CoordinateRule : std::int32_t { takes_x = -1, takes_y = -2 };
+
+// How a number of the file grows with the movement of its point: by dx along[0] + dy along[1].
+struct Direction {
+    double along[2];
+};
+
+// A point of the file that is none of the mesh, but lies between some: the middle of an edge (two corners), whose
+// distance from the straight edge turns and grows with the edge, or of a cell (three or four), which moves by their
+// mean.
+struct Between {
+    std::array<std::int32_t, 4> corners;
+    std::int32_t n_corners;
+    double x, y;
+};
+
+struct FileCoordinates {
+    NumberKind kind = NumberKind::text;
+    bool swapped = false; // binary numbers are not in this machine's byte order
+    std::vector<CoordinateSlot> slots;
+    std::vector<Direction> directions;
+    std::vector<Between> between;
+};
+
+} // namespace cli

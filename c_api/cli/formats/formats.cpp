@@ -1,0 +1,75 @@
+// The table of formats, and what all of them have in common.
+#include "formats/format.hpp"
+
+#include "failure.hpp"
+#include "formats/tidy.hpp"
+
+namespace cli {
+
+namespace {
+
+// Probed in this order: formats with a signature first.
+const Format* const formats[] = {&gmsh_format, &vtk_format, &su2_format, &ugrid_format, &plot3d_format};
+
+std::string format_names() {
+    std::string names;
+    for (const Format* format : formats) names += (names.empty() ? "" : ", ") + std::string(format->name);
+    return names;
+}
+
+const Format* find_format(const std::string& name) {
+    for (const Format* format : formats) {
+        if (name == format->name) return format;
+    }
+    throw Failure(exit_usage, "unknown format " + quoted(name) + ": known are " + format_names());
+}
+
+const Format& format_of(const TextFile& file) {
+    for (const Format* format : formats) {
+        if (format->probe(file)) return *format;
+    }
+    const std::string_view first = std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
+    file.fail(0,
+              (file.text().empty() ? "the file is empty" : "no mesh file that is known begins with " + quoted(first)) +
+                  "; read are " + format_names() + " (--format chooses)");
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+} // namespace
+
+std::string format_table() {
+    std::string table;
+    for (const Format* format : formats) {
+        std::string name = "  " + std::string(format->name);
+        name.resize(12, ' ');
+        table += name + format->title + (format->create ? " (also written by convert)" : "") + '\n';
+    }
+    return table;
+}
+
+Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
+    const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
+    Mesh mesh(path);
+    const Format& format = forced ? *forced : format_of(mesh.file);
+    format.read(mesh, options);
+    check_points(mesh);
+    drop_interior_faces(mesh, true);
+    return mesh;
+}
+
+const Format& format_to_create(const std::string& name, const std::string& path) {
+    std::string known;
+    for (const Format* format : formats) {
+        if (!format->create) continue;
+        if (name.empty() ? ends_with(path, format->extension) : name == format->name) return *format;
+        known += (known.empty() ? "" : ", ") + std::string(format->name) + " (" + format->extension + ")";
+    }
+    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + quoted(name) +
+                                                                                         " is not written") +
+                                  "; new files are " + known);
+}
+
+} // namespace cli

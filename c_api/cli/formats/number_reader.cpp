@@ -1,0 +1,96 @@
+#include "formats/number_reader.hpp"
+
+#include "formats/bytes.hpp"
+#include "numbers.hpp"
+
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
+
+} // namespace
+
+// Commas separate numbers in what Fortran's list-directed output and C programs write.
+std::string_view NumberReader::word() {
+    const std::string& text = file_.text();
+    while (at_ < text.size() && is_blank(text[at_])) ++at_;
+    number_ = at_;
+    while (at_ < text.size() && !is_blank(text[at_])) ++at_;
+    word_ = std::string_view(text).substr(number_, at_ - number_);
+    return word_;
+}
+
+std::string_view NumberReader::next_line() {
+    const std::string_view text = file_.text();
+    while (at_ < text.size()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at_), text.size());
+        const std::string_view line = trimmed(text.substr(at_, end - at_));
+        number_ = at_;
+        at_ = std::min(end + 1, text.size());
+        if (!line.empty()) return word_ = line;
+    }
+    number_ = at_;
+    return word_ = text.substr(text.size());
+}
+
+const char* NumberReader::take(std::size_t bytes, const char* what) {
+    const std::string& text = file_.text();
+    if (bytes > text.size() - at_) {
+        file_.fail(text.size(), std::string("expected ") + what + ", found the end of the file");
+    }
+    number_ = at_;
+    at_ += bytes;
+    return text.data() + number_;
+}
+
+void NumberReader::skip_bytes(std::size_t n, const char* what) { take(n, what); }
+
+bool NumberReader::at_end() {
+    if (!is_binary) {
+        const std::size_t here = at_;
+        const bool end = word().empty();
+        at_ = here;
+        return end;
+    }
+    return at_ == file_.text().size();
+}
+
+std::int64_t NumberReader::whole(const char* what, int bytes) {
+    if (is_binary) {
+        const char* const from = take(static_cast<std::size_t>(bytes), what);
+        if (bytes == 8) return load<std::int64_t>(from, swapped);
+        return bytes == 4 ? load<std::int32_t>(from, swapped) : load<std::int8_t>(from, swapped);
+    }
+    std::int64_t value = 0;
+    if (!parse(word(), value)) expected(what);
+    return value;
+}
+
+std::int64_t NumberReader::count(const char* what, int bytes) {
+    const std::int64_t value = whole(what, bytes);
+    if (value < 0 || value > INT32_MAX) {
+        fail(std::string("expected ") + what + " between 0 and 2147483647, found " + std::to_string(value));
+    }
+    return value;
+}
+
+double NumberReader::real(const char* what, int bytes) {
+    double value = 0;
+    if (is_binary) {
+        const char* const from = take(static_cast<std::size_t>(bytes), what);
+        value = bytes == 8 ? load<double>(from, swapped) : static_cast<double>(load<float>(from, swapped));
+        if (!std::isfinite(value)) fail(std::string("expected ") + what + ", found a number that is not finite");
+    } else if (!parse(word(), value)) {
+        expected(what);
+    }
+    return value;
+}
+
+void NumberReader::expected(const std::string& what) const {
+    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? "the end of the file" : quoted(word_)));
+}
+
+} // namespace cli

@@ -1,0 +1,212 @@
+// AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
+// cell thick: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file
+// beside the mesh gives their tags, else the tags themselves.
+#include "formats/format.hpp"
+
+#include "formats/bytes.hpp"
+#include "formats/number_reader.hpp"
+#include "numbers.hpp"
+#include "one_cell_thick.hpp"
+
+#include <filesystem>
+#include <map>
+
+namespace cli {
+
+namespace {
+
+enum Count { nodes, triangles, quads, tetrahedra, pyramids, prisms, hexahedra, n_counts };
+using Counts = std::array<std::int64_t, n_counts>;
+
+struct Layout {
+    bool is_text = true, swapped = false;
+    int real_bytes = 8;
+};
+
+// Whole numbers behind the coordinates: points of faces, tags of faces, points of cells.
+std::int64_t whole_numbers(const Counts& n) {
+    return 4 * n[triangles] + 5 * n[quads] + 4 * n[tetrahedra] + 5 * n[pyramids] + 6 * n[prisms] + 8 * n[hexahedra];
+}
+
+bool binary_counts(const TextFile& file, bool swapped, Counts& n) {
+    if (file.text().size() < 4 * n_counts) return false;
+    for (std::size_t i = 0; i < n_counts; ++i) {
+        n[i] = load<std::int32_t>(file.text().data() + 4 * i, swapped);
+        if (n[i] < 0) return false;
+    }
+    return n[nodes] > 0;
+}
+
+bool is_binary(const TextFile& file) { return file.text().substr(0, 4 * n_counts).find('\0') != std::string::npos; }
+
+// The bytes that a binary file of such a layout has; some have more, of grid levels.
+std::int64_t binary_size(const Counts& n, int real_bytes) {
+    return 4 * n_counts + 3 * real_bytes * n[nodes] + 4 * whole_numbers(n);
+}
+
+bool find_layout(const TextFile& file, Layout& layout) {
+    layout.is_text = !is_binary(file);
+    Counts n = {};
+    for (const bool swapped : {false, true}) {
+        for (const int real_bytes : {8, 4}) {
+            layout.swapped = swapped;
+            layout.real_bytes = real_bytes;
+            if (layout.is_text || !binary_counts(file, swapped, n)) continue;
+            if (binary_size(n, real_bytes) == static_cast<std::int64_t>(file.text().size())) return true;
+        }
+    }
+    return false;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// Where the size fits none, the name must say it.
+Layout layout_of(const TextFile& file) {
+    Layout layout;
+    if (find_layout(file, layout) || layout.is_text) return layout;
+    const bool little = ends_with(file.path(), ".lb8.ugrid") || ends_with(file.path(), ".lb4.ugrid");
+    layout.swapped = little != little_endian_machine();
+    layout.real_bytes = ends_with(file.path(), "b4.ugrid") ? 4 : 8;
+    Counts n = {};
+    const std::string kind = little ? "little-endian" : "big-endian";
+    if (!binary_counts(file, layout.swapped, n))
+        file.fail(0, "expected 7 counts in " + kind + " byte order, as the name says");
+    const std::int64_t wanted = binary_size(n, layout.real_bytes);
+    if (wanted > static_cast<std::int64_t>(file.text().size())) {
+        file.fail(file.text().size(), "of " + std::to_string(n[nodes]) + " nodes in " + kind +
+                                          " byte order the file would have " + std::to_string(wanted) +
+                                          " bytes, but it has " + std::to_string(file.text().size()));
+    }
+    return layout;
+}
+
+std::map<std::int64_t, std::string> read_names(const std::string& mesh) {
+    std::filesystem::path path = std::filesystem::path(mesh).replace_extension(); // .ugrid
+    for (const char* kind : {".b8", ".lb8", ".b4", ".lb4"}) {
+        if (path.extension() == kind) path.replace_extension();
+    }
+    path += ".mapbc";
+    std::map<std::int64_t, std::string> names;
+    if (!std::filesystem::exists(path)) return names;
+    const TextFile file(path.string());
+    LineReader lines(file, '!');
+    if (!lines.next()) lines.expected("the number of boundaries");
+    while (lines.next()) {
+        const auto& words = lines.words();
+        std::int64_t tag = 0;
+        if (words.size() < 2 || !parse(words[0], tag)) lines.expected("a boundary: tag, condition and name");
+        names[tag] = words.size() > 2 ? std::string(words[2]) : std::string(words[0]);
+    }
+    return names;
+}
+
+class UgridReader {
+public:
+    UgridReader(Mesh& mesh, const Layout& layout) : mesh_(mesh), layout_(layout), numbers_(mesh.file) {
+        numbers_.is_binary = !layout.is_text;
+        numbers_.swapped = mesh.in_file.swapped = layout.swapped;
+        if (!layout.is_text) mesh.in_file.kind = layout.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
+    }
+
+    void read() {
+        for (std::int64_t& n : counts_) n = numbers_.count("a count");
+        if (counts_[tetrahedra] + counts_[pyramids] > 0) {
+            numbers_.fail("the mesh has tetrahedra or pyramids: it has three dimensions, and is not one cell thick");
+        }
+        if (counts_[nodes] == 0 || counts_[prisms] + counts_[hexahedra] == 0) {
+            numbers_.fail("the mesh has no prisms and no hexahedra");
+        }
+        read_points();
+        OneCellThick thick(mesh_, space_);
+        read_sides(thick);
+        for (const Count kind : {prisms, hexahedra}) {
+            for (std::int64_t i = 0; i < counts_[kind]; ++i) {
+                const std::size_t n = kind == prisms ? 6 : 8;
+                std::int32_t points[8];
+                const std::size_t offset = read_item(points, n);
+                thick.add_cell(points, n, offset);
+            }
+        }
+        thick.finish();
+    }
+
+private:
+    void read_points() {
+        for (std::int64_t i = 0; i < counts_[nodes]; ++i) {
+            for (std::size_t d = 0; d < 3; ++d) {
+                space_.x[d].push_back(numbers_.real("a coordinate", layout_.real_bytes));
+                space_.offset[d].push_back(numbers_.number_offset());
+            }
+        }
+    }
+
+    std::size_t read_item(std::int32_t* points, std::size_t n) {
+        std::size_t offset = 0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::int64_t point = numbers_.whole("a point");
+            if (k == 0) offset = numbers_.number_offset();
+            if (point < 1 || point > counts_[nodes]) {
+                numbers_.fail("expected points between 1 and " + std::to_string(counts_[nodes]) + ", found " +
+                              std::to_string(point));
+            }
+            points[k] = static_cast<std::int32_t>(point) - 1;
+        }
+        return offset;
+    }
+
+    // All faces, then all their tags.
+    void read_sides(OneCellThick& thick) {
+        struct Side {
+            std::int32_t points[4];
+            std::size_t n, offset;
+        };
+        std::vector<Side> sides;
+        for (const Count kind : {triangles, quads}) {
+            for (std::int64_t i = 0; i < counts_[kind]; ++i) {
+                Side side = {{}, kind == triangles ? 3u : 4u, 0};
+                side.offset = read_item(side.points, side.n);
+                sides.push_back(side);
+            }
+        }
+        const std::map<std::int64_t, std::string> names = read_names(mesh_.file.path());
+        for (const Side& side : sides) {
+            const std::int64_t tag = numbers_.whole("a face's tag");
+            const auto name = names.find(tag);
+            thick.add_side(side.points, side.n, name == names.end() ? std::to_string(tag) : name->second, side.offset);
+        }
+    }
+
+    Mesh& mesh_;
+    const Layout& layout_;
+    NumberReader numbers_;
+    Counts counts_ = {};
+    SpacePoints space_;
+};
+
+// Of text the first line: seven counts and nothing else.
+bool probe(const TextFile& file) {
+    Layout layout;
+    if (ends_with(file.path(), ".ugrid") || find_layout(file, layout)) return true;
+    if (!layout.is_text) return false;
+    LineReader lines(file, '#');
+    if (!lines.next() || lines.words().size() != n_counts) return false;
+    std::int32_t count = 0;
+    for (const std::string_view word : lines.words()) {
+        if (!parse(word, count) || count < 0) return false;
+    }
+    return true;
+}
+
+void read(Mesh& mesh, const ReadOptions&) {
+    const Layout layout = layout_of(mesh.file);
+    UgridReader(mesh, layout).read();
+}
+
+} // namespace
+
+const Format ugrid_format = {"ugrid", ".ugrid", "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
+                             probe,   read,     nullptr};
+
+} // namespace cli

@@ -1,0 +1,242 @@
+#!/bin/sh
+# Tests of mesh files: sh tests/formats.sh path/to/harmorph folder/for/output
+# One line per check; the last line counts them. Exit status 1 if any failed.
+if [ $# -ne 2 ]; then
+    echo "usage: sh tests/formats.sh HARMORPH OUTPUT" >&2
+    exit 2
+fi
+harmorph=$1 tmp=$2/formats-test
+: "${CXX:=c++}"
+rm -rf "$tmp"
+mkdir -p "$tmp" || exit 2
+passed=0 failed=0
+
+ok() { echo "ok   $1"; passed=$((passed + 1)); }
+fail() { echo "FAIL $1"; failed=$((failed + 1)); }
+check() { # check NAME COMMAND...: the command succeeds
+    name=$1; shift
+    if "$@" >"$tmp/out" 2>"$tmp/err"; then ok "$name"; else fail "$name"; sed 's/^/     | /' "$tmp/err" | head -5; fi
+}
+says() { # says NAME TEXT: the last command checked, on either output
+    if grep -F -e "$2" "$tmp/out" "$tmp/err" >/dev/null; then ok "$1"; else fail "$1: does not say '$2'"; fi
+}
+refuses() { # refuses NAME TEXT COMMAND...: exit code 3, and the message contains the text
+    name=$1 text=$2; shift 2
+    "$@" >"$tmp/out" 2>"$tmp/err"
+    code=$?
+    if [ $code -eq 3 ] && grep -F -e "$text" "$tmp/err" >/dev/null; then ok "$name"; else
+        fail "$name: exit code $code, does not say '$text'"
+        sed 's/^/     | /' "$tmp/err" | head -5
+    fi
+}
+alike() { # alike TOLERANCE A B: all numbers of two files are the same to this tolerance, all else is the same
+    awk -v eps="$1" 'NR == FNR { line[FNR] = $0; n = FNR; next }
+        { m = split(line[FNR], a); if (m != NF) exit 1
+          for (k = 1; k <= NF; k++) {
+              d = a[k] - $k
+              is_text = a[k] + 0 == 0 && a[k] !~ /^[-+.0-9e]*$/
+              if (d > eps || -d > eps || (is_text && a[k] "" != $k "")) { bad = 1; exit } } }
+        END { exit bad || FNR != n }' "$2" "$3"
+}
+body_of() { # the markers of the ring's inner circle, with commas
+    "$harmorph" check "$@" --json 2>/dev/null | grep -o '"name": "[^"]*"' | sed 's/.*: "//; s/"//' |
+        grep -E '^(body|1|boundary1|[0-9]:[jk]min)$' | paste -s -d , -
+}
+
+check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
+make_mesh=$tmp/make_mesh
+awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
+: >"$tmp/none.txt"
+
+# ---- Every kind: check, fit, solve, morph --------------------------------------------------------------------------
+
+# What is read, written again by make_mesh, is the file; what is morphed is make_mesh's file of the new coordinates.
+"$make_mesh" plain.su2 "$tmp/ring.su2"
+for kind in plain.su2 $("$make_mesh" list | grep -v plain.su2); do
+    mesh=$tmp/$kind moved=$tmp/moved-$kind zone= close=1e-9
+    case $kind in zones.su2) zone="--zone 2" ;; text*.vtk | fixed.su2 | leading-zero.su2) close=1e-7 ;; *single*) close=1e-5 ;; esac
+    "$make_mesh" $kind "$mesh"
+    check "$kind: check" "$harmorph" check "$mesh" $zone
+    before=$tmp/before.su2 after=$tmp/after.su2
+    check "$kind: convert" "$harmorph" convert "$mesh" "$before" $zone
+    body=$(body_of "$mesh" $zone)
+    check "$kind: fit" "$harmorph" fit "$mesh" --marker "$body" --points 8 -o "$tmp/curve" $zone
+    check "$kind: solve" "$harmorph" solve "$mesh" --curve "$body=$tmp/curve" -o "$tmp/basis" $zone
+    check "$kind: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$moved" $zone
+    check "$kind: zero move: the same file" cmp "$mesh" "$moved"
+    check "$kind: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved" $zone
+    check "$kind: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
+    [ $kind = zones.su2 ] || check "$kind: the format is forced" "$harmorph" check "$mesh" --format \
+        "$(case $kind in *.su2) echo su2 ;; *.msh) echo gmsh ;; *.ugrid) echo ugrid ;; *.vtk) echo vtk ;; *) echo plot3d ;; esac)"
+    check "$kind: convert the morphed" "$harmorph" convert "$moved" "$after" $zone
+    # Points of two blocks have another order.
+    case $kind in two-*)
+        for file in "$before" "$after"; do
+            mv "$file" "$tmp/two-points.su2"
+            "$make_mesh" plain.su2 "$file" "$tmp/two-points.su2"
+        done ;;
+    esac
+    if [ $kind = quadratic.msh ]; then
+        "$make_mesh" $kind "$tmp/expected" "$after"
+        check "$kind: middles of edges move along with them" alike 1e-12 "$tmp/expected" "$moved"
+    else
+        "$make_mesh" $kind "$tmp/expected" "$before"
+        check "$kind: read as it is" cmp "$tmp/expected" "$mesh"
+        "$make_mesh" $kind "$tmp/expected" "$after"
+        check "$kind: morph: only coordinates differ" cmp "$tmp/expected" "$moved"
+    fi
+    sed '1,/^NPOIN/d; /^NMARK/,$d' "$after" | awk '{ print $1, $2 }' >"$tmp/points"
+    [ $kind = plain.su2 ] && cp "$tmp/points" "$tmp/points-of-all"
+    [ $kind = prisms.lb8.ugrid ] || check "$kind: moves as all do" alike $close "$tmp/points-of-all" "$tmp/points"
+done
+
+# ---- What is particular ----------------------------------------------------------------------------------------------
+
+refuses "several zones: which" "zones.su2:1: the file has 3 zones: choose one with --zone" "$harmorph" check "$tmp/zones.su2"
+"$harmorph" check "$tmp/zones.su2" --zone 4 >"$tmp/out" 2>"$tmp/err"
+says "several zones: one that does not exist" 'between 1 and 3'
+sed 's/^IZONE= 3/IZONE= 4/' "$tmp/zones.su2" >"$tmp/bad.su2"
+refuses "several zones: out of order" 'expected IZONE= 3' "$harmorph" check "$tmp/bad.su2" --zone 2
+sed '/^IZONE= 3/,$d' "$tmp/zones.su2" >"$tmp/bad.su2"
+refuses "several zones: one is missing" 'bad.su2:1: NZONE= announces 3 zones' "$harmorph" check "$tmp/bad.su2" --zone 2
+sed 's/MARKER_TAG= far/MARKERTAG= far/' "$tmp/ring.su2" >"$tmp/bad.su2"
+line=$(grep -n MARKERTAG "$tmp/bad.su2" | cut -d: -f1)
+refuses "MARKERTAG" "bad.su2:$line: expected MARKER_TAG=" "$harmorph" check "$tmp/bad.su2"
+"$harmorph" check "$tmp/odd.su2" >"$tmp/out" 2>"$tmp/err"
+says "faces between cells are ignored, and said" "24 faces of marker 'inside line' between two cells"
+echo 'hello world' >"$tmp/bad.mesh"
+refuses "no mesh at all" "bad.mesh:1: no mesh file that is known begins with 'hello world'" "$harmorph" check "$tmp/bad.mesh"
+: >"$tmp/bad.mesh"
+refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
+"$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>"$tmp/err"
+says "an unknown format" "unknown format 'cgnz'"
+
+# Gmsh
+sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: another version" 'bad.msh:2: expected version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
+sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: three dimensions" 'bad.msh:50: expected nodes in one plane' "$harmorph" check "$tmp/bad.msh"
+sed 's/^100 3 2 3 7 \(.*\)/100 5 2 3 7 \1 \1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: hexahedra" 'element type 5: a mesh of three dimensions' "$harmorph" check "$tmp/bad.msh"
+sed '/^\$EndNodes/,$d' "$tmp/text-4.msh" >"$tmp/bad.msh"
+refuses "gmsh: cut off" 'found the end of the file' "$harmorph" check "$tmp/bad.msh"
+sed '/^[0-9]* 1 2 2 7/d; s/^192$/168/' "$tmp/text-2.msh" >"$tmp/open.msh"
+check "gmsh: boundary without lines" "$harmorph" check "$tmp/open.msh" --json
+says "gmsh: boundary without lines: gets a name" '"boundary1", "faces": 24'
+
+# PLOT3D
+cat >"$tmp/text-k.nmf" <<'END'
+# a ring, one cell thick
+1
+1 25 7 2
+# type       block face from to from to
+symmetry_z   1 1  1 25  1 7
+symmetry_z   1 2  1 25  1 7
+lower_wall   1 5  1 2   1 13
+upper_wall   1 5  1 2   13 25
+farfield     1 6  1 2   1 25
+one_to_one   1 3  1 7   1 2   1 4  1 7  1 2 false
+END
+check "plot3d: names of a .nmf file" "$harmorph" check "$tmp/text-k.p3d" --json
+says "plot3d: names of a .nmf file: a side of two parts" \
+    '"farfield", "faces": 24}, {"name": "lower_wall", "faces": 12}, {"name": "upper_wall", "faces": 12}'
+sed -i.old 's/^1 25 7 2/1 25 8 2/' "$tmp/text-k.nmf"
+refuses "plot3d: .nmf of other sizes" "text-k.nmf:3: expected the block's size between 7 and 7, found '8'" "$harmorph" check "$tmp/text-k.p3d"
+rm "$tmp/text-k.nmf"
+head -c 2000 "$tmp/fortran-swapped.p3d" >"$tmp/bad.p3d"
+refuses "plot3d: cut off records" 'byte 16: the record of block 1 (1 block 25 x 7) has 3500 bytes, but the file ends after 1980' \
+    "$harmorph" check "$tmp/bad.p3d"
+sed '$d' "$tmp/text.p3d" >"$tmp/bad.p3d"
+refuses "plot3d: cut off text" 'the file would have 352 numbers, but it has' "$harmorph" check "$tmp/bad.p3d"
+awk 'BEGIN { print "3 3 3"; for (d = 0; d < 3; d++) for (k = 0; k < 3; k++) for (j = 0; j < 3; j++) for (i = 0; i < 3; i++) {
+    print d == 0 ? i : d == 1 ? j : k } }' >"$tmp/cube.p3d"
+refuses "plot3d: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$harmorph" check "$tmp/cube.p3d"
+awk 'BEGIN { print "4 3 2"; for (d = 0; d < 3; d++) for (k = 0; k < 2; k++) for (j = 0; j < 3; j++) for (i = 0; i < 4; i++) {
+    print d == 0 ? i + .1 * (k == 1 && i == 2) : d == 1 ? j : k } }' >"$tmp/skew.p3d"
+refuses "plot3d: a point without a partner" 'is not opposite point 3 of the file (2, 0, 0)' "$harmorph" check "$tmp/skew.p3d"
+# A C-mesh round a plate: both sides of the wake have the same coordinates; the corner i = 1 is a pole.
+awk 'BEGIN { pi = atan2(0, -1); ni = 41; nj = 7; print ni, nj
+    for (d = 0; d < 2; d++) for (j = 0; j < nj; j++) for (i = 0; i < ni; i++) {
+        s = (i - 20) / 20; wake = s < 0 ? -s : s
+        side = s < 0 ? -1 : 1
+        if (wake > .5) { x = fx = 1 + 8 * (wake - .5); y = 0; fy = 2 * side } else {
+            t = 2 * pi * wake; x = (1 - cos(t)) / 2; y = .1 * side * sin(t)
+            t = pi - pi * wake; fx = 1 + 2 * cos(t); fy = 2 * side * sin(t) }
+        r = j / (nj - 1); r = r * r
+        print d == 0 ? x + r * (fx - x) : y + r * (fy - y) } }' >"$tmp/wake.p3d"
+check "plot3d: a wake is a cut" "$harmorph" check "$tmp/wake.p3d" --json
+says "plot3d: a wake is a cut: what is left is the airfoil" '"1:jmin", "faces": 20}'
+says "plot3d: a wake is a cut: and no points are double" '"points": 276'
+
+# UGRID
+printf '4\n1 4000 body\n2 5000 outer rim\n3 6662 sym1\n4 6662 sym2\n' >"$tmp/prisms.mapbc"
+check "ugrid: names of a .mapbc file" "$harmorph" check "$tmp/prisms.lb8.ugrid" --json
+says "ugrid: names of a .mapbc file: those that are not in the planes" '"body", "faces": 24}, {"name": "outer", "faces": 24}]'
+echo 'body 5' >>"$tmp/prisms.mapbc"
+refuses "ugrid: a bad .mapbc file" 'prisms.mapbc:6: expected' "$harmorph" check "$tmp/prisms.lb8.ugrid"
+rm "$tmp/prisms.mapbc"
+head -c 9000 "$tmp/prisms.lb8.ugrid" >"$tmp/bad.lb8.ugrid"
+refuses "ugrid: cut off" 'little-endian byte order the file would have' "$harmorph" check "$tmp/bad.lb8.ugrid"
+cp "$tmp/bad.lb8.ugrid" "$tmp/bad.b8.ugrid"
+refuses "ugrid: cut off, and of the other byte order than its name says" 'bad.b8.ugrid' "$harmorph" check "$tmp/bad.b8.ugrid"
+printf '4 0 0 1 0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3 4\n' >"$tmp/bad.ugrid"
+refuses "ugrid: three dimensions in earnest" 'bad.ugrid:1: the mesh has tetrahedra' "$harmorph" check "$tmp/bad.ugrid"
+sed '20s/^[^ ]*/7/' "$tmp/text.ugrid" >"$tmp/bad.ugrid"
+refuses "ugrid: a point without a partner" 'point 19 of the file (7, 1, 0.6593) is not opposite point 20' "$harmorph" check "$tmp/bad.ugrid"
+
+# VTK
+sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
+refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangles and quadrilaterals are read; the mesh has three' \
+    "$harmorph" check "$tmp/bad.vtk"
+check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
+check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
+says "vtk: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
+
+# ---- Other programs ---------------------------------------------------------------------------------------------------
+
+if command -v gmsh >/dev/null 2>&1; then
+    cat >"$tmp/two.geo" <<'END'
+Point(1) = {0, 0, 0, .3}; Point(2) = {1, 0, 0, .3}; Point(3) = {-1, 0, 0, .3};
+Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 2};
+Point(4) = {-4, -4, 0, 2}; Point(5) = {4, -4, 0, 2}; Point(6) = {4, 4, 0, 2}; Point(7) = {-4, 4, 0, 2};
+Line(3) = {4, 5}; Line(4) = {5, 6}; Line(5) = {6, 7}; Line(6) = {7, 4};
+Curve Loop(1) = {3, 4, 5, 6}; Curve Loop(2) = {1, 2}; Plane Surface(1) = {1, 2};
+Physical Curve("body") = {1, 2}; Physical Curve("far") = {3, 4, 5, 6}; Physical Surface("air") = {1};
+END
+    for variant in "msh22 0 1" "msh22 1 2" "msh41 0 2" "msh41 1 1"; do
+        set -- $variant
+        mesh=$tmp/gmsh-$1-$2-$3.msh
+        check "gmsh: writes $variant" gmsh -2 "$tmp/two.geo" -format $1 -setnumber Mesh.Binary $2 -order $3 -o "$mesh"
+        check "gmsh $variant: fit" "$harmorph" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
+        check "gmsh $variant: solve" "$harmorph" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
+        check "gmsh $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$mesh.same.msh"
+        check "gmsh $variant: zero move: the same file" cmp "$mesh" "$mesh.same.msh"
+        check "gmsh $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$mesh.moved.msh"
+        gmsh -check "$mesh.moved.msh" >"$tmp/gmsh" 2>&1
+        check "gmsh $variant: gmsh finds nothing wrong" sh -c "! grep -E 'Error|Warning' '$tmp/gmsh'"
+    done
+    check "gmsh: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.msh"
+    check "gmsh: reads what convert writes" gmsh -check "$tmp/ring.msh"
+    check "gmsh: writes SU2 of it" gmsh -2 "$tmp/ring.msh" -save -o "$tmp/again.su2"
+    check "gmsh: its SU2 file" "$harmorph" check "$tmp/again.su2" --json
+    says "gmsh: its SU2 file: the same cells" '"points": 168, "cells": 144'
+    says "gmsh: its SU2 file: the same markers" '"body", "faces": 24}, {"name": "far", "faces": 24'
+else
+    echo "gmsh is not installed: its own files are not tested (Debian's gmsh)"
+fi
+
+# ---- Broken files -----------------------------------------------------------------------------------------------------
+
+program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp"
+sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all"
+if echo 'int main() {}' | $CXX $sanitize -x c++ - -o "$tmp/empty" 2>/dev/null && "$tmp/empty" 2>/dev/null; then :; else
+    echo "the compiler has no sanitizers: broken files are read without"
+    sanitize=
+fi
+check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -Ic_api -Ic_api/cli -o "$tmp/mutate" tests/formats/mutate.cpp $program
+check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
+    $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ')"
+cat "$tmp/out"
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
