@@ -35,8 +35,9 @@ JOBS = 2
 MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
-# No C++ runtime, no errno, no traps, so that only mem* stay undefined; no contraction, so that compilers agree on bits.
-CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-trapping-math -ffp-contract=off \
+# No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
+# trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here.
+CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
 CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api

@@ -269,7 +269,9 @@ typedef struct hm_condition {
     int32_t  marker;
     int32_t  kind;                 /* HM_ON_CURVE, ... */
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
-                                      first_curve+n_curves-1 */
+                                      first_curve+n_curves-1. A point that is farther from its curve
+                                      than the control polygon is wide or high is refused: the
+                                      marker is another one's */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
@@ -770,8 +772,9 @@ HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error
  * `move` (see hm_morph). `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
  * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_SHORT: the last valid mesh,
  * report.step_fraction of the movement. If the call is refused or cancelled, `to` is unchanged. `to` never contains an
- * inverted cell. options NULL: defaults. report may be NULL. The threads are those of the plan. Afterwards the plan has
- * another factor: call hm_plan_factor before the next hm_plan_solve.
+ * inverted cell, and the boundary of `to` does not cross itself unless the boundary of the mesh does.
+ * options NULL: defaults. report may be NULL. The threads are those of the plan. Afterwards the plan has another
+ * factor: call hm_plan_factor before the next hm_plan_solve.
  *
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of the functions of all
  * steps, each weighted by the part of the movement that the step made. With this basis hm_morph is the derivative of

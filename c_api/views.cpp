@@ -56,7 +56,7 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
         return fault.refuse(Status::unsupported, "the offset correction goes with the conformal operator only");
     }
     constexpr std::int32_t usual[] = {6, 0, 4};
-    method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, 0);
+    method.quarters = o.exponent_quarters == 0 ? usual[o.operator_kind] : larger(o.exponent_quarters, Index{0});
     method.offset_correction = o.offset_correction;
     return Status::ok;
 }

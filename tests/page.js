@@ -241,12 +241,12 @@
     document.getElementById("reset").click();
     frame();
     check("reset: nothing has moved", app.still);
-    app.load("1 0\n");
+    app.files.load("1 0\n");
     check(
         "a file that is none changes nothing",
         app.moves.every((move) => move === 0),
     );
-    app.load(text);
+    app.files.load(text);
     frame();
     check(
         "a saved file gives the same movements",

@@ -32,7 +32,9 @@ cat >"$dir/tools" <<'END'
 HOME=$dir/home
 make() { command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }
 cc() { command $CC "$@"; }
-gfortran() { command $FC "$@"; }
+# As debugging builds of solvers do: what traps these must not die in the library.
+traps=; if $FC --version 2>/dev/null | grep -q '^GNU'; then traps=-ffpe-trap=invalid,zero,overflow; fi
+gfortran() { command $FC $traps "$@"; }
 set -e
 cd "$dir"
 END
@@ -64,7 +66,10 @@ first_lines() {
 }
 check "the first two commands" first_lines
 # No other block holds commands: those of the program stand in blocks that are run.
-no_other_commands() { ! awk '/^```/ { inside = !inside && $0 != "```sh"; next } inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .; }
+no_other_commands() {
+    ! awk '/^```/ { inside = !inside && $0 != "```sh"; next }
+        inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .
+}
 check "commands stand in blocks that are run" no_other_commands
 
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.

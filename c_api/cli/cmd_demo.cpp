@@ -147,8 +147,8 @@ const Command demo_command = {
     {"DIR"},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
     "Each step is printed as the command that does the same. In DIR are then, among others: mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, one that only --safe does; fine.su2, the mesh with\n"
-    "each cell divided in four. The commands that --help shows work on them.\n",
+    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, one that only --safe does; fine.su2, the\n"
+    "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
     "  harmorph demo demo-output\n",
     run};

@@ -135,7 +135,8 @@ const Command solve_command = {
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
                          "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
-                         "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes, storage"}},
+                         "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes,\n"
+                         "storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run};

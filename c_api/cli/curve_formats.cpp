@@ -10,7 +10,8 @@ namespace cli {
 
 bool ends_with(const std::string& path, const std::string& ending) {
     const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-    return path.size() >= ending.size() && std::equal(path.end() - std::ptrdiff_t(ending.size()), path.end(), ending.begin(), same);
+    if (path.size() < ending.size()) return false;
+    return std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [&](char b, char a) { return same(a, b); });
 }
 
 void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves) {

@@ -102,11 +102,13 @@ void write_step(std::ostream& out, const Curves& curves) {
     StepWriter step(out);
     std::vector<std::string> points;
     for (std::size_t k = 0; k < curves.control.size(); k += 2) {
-        points.push_back(step.put("CARTESIAN_POINT('',(" + real(curves.control[k]) + "," + real(curves.control[k + 1]) + ",0.))"));
+        const std::string coordinates = real(curves.control[k]) + "," + real(curves.control[k + 1]) + ",0.";
+        points.push_back(step.put("CARTESIAN_POINT('',(" + coordinates + "))"));
     }
     std::vector<std::string> written;
     for (const Curve& curve : curves.curves) written.push_back(put_curve(step, curves, curve, points));
-    put_product(step, step.put("GEOMETRIC_CURVE_SET(''," + list_of(written, [](const std::string& name) { return name; }) + ")"));
+    const std::string members = list_of(written, [](const std::string& name) { return name; });
+    put_product(step, step.put("GEOMETRIC_CURVE_SET(''," + members + ")"));
     out << "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 

@@ -5,10 +5,12 @@
 namespace harmorph {
 namespace {
 
-// Largest size of differences for which products of four of them cannot overflow, and what their underflows may add up
-// to: a few times 2^-1074 times the square of that size.
+// Largest size of coordinates for which products of four of their differences cannot overflow, and what their underflows may
+// add up to: a few times 2^-1074 times the square of that size.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
+constexpr Real size_of(Vec2 p) noexcept { return larger(absolute(p.x), absolute(p.y)); }
+constexpr Real size_of(Vec2 a, Vec2 b, Vec2 c) noexcept { return larger(larger(size_of(a), size_of(b)), size_of(c)); }
 constexpr int sign_of(Real x) noexcept { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 // A finite number as whole * 2^shift, whole being odd or 0.
@@ -178,27 +180,26 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
 // Every product has gone through 4 roundings: of its two differences, its own, and that of the sum. 5 cover their
 // squares.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
+    if (!(size_of(a, b, c) < large)) return exact_orientation_sign(a, b, c);
     Vec2 const p = a - c, q = b - c;
     Real const left = p.x * q.y, right = p.y * q.x;
-    Real const size = larger(larger(absolute(p.x), absolute(p.y)), larger(absolute(q.x), absolute(q.y)));
     Real const bound = 2.5 * epsilon * (absolute(left) + absolute(right)) + underflow;
-    if (size < large && absolute(left - right) > bound) return sign_of(left - right);
-    return exact_orientation_sign(a, b, c);
+    return absolute(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
 }
 
 // The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Its products go through 11 roundings: 4 in each of
 // their two factors, one of their own, two of the sums. 12 cover their squares.
 int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
+    if (!(size_of(a, b, c) < large) || !(size_of(d) < large)) return exact_in_circle_sign(a, b, c, d);
     Vec2 const from[] = {a - d, b - d, c - d};
-    Real sum = 0, magnitude = 0, size = 0;
+    Real sum = 0, magnitude = 0;
     for (Index k = 0; k < 3; ++k) {
         Vec2 const p = from[(k + 1) % 3], q = from[(k + 2) % 3];
         Real const left = p.x * q.y, right = p.y * q.x, squared = square(from[k]);
         sum += squared * (left - right);
         magnitude += squared * (absolute(left) + absolute(right));
-        size = larger(size, larger(absolute(p.x), absolute(p.y)));
     }
-    if (size < large && absolute(sum) > 6 * epsilon * magnitude + underflow) return sign_of(sum);
+    if (absolute(sum) > 6 * epsilon * magnitude + underflow) return sign_of(sum);
     return exact_in_circle_sign(a, b, c, d);
 }
 

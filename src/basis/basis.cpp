@@ -24,7 +24,7 @@ std::uint64_t pair(Index a, Index b) noexcept { return static_cast<std::uint64_t
 std::uint64_t checksum_of(BasisHeader const& header) noexcept {
     Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
     const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
-    return hash_of_block(block + covered_from, header.bytes - covered_from);
+    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from);
 }
 
 void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
@@ -61,7 +61,7 @@ Size Basis::bytes(BasisCounts const& counts) noexcept {
 
 Basis Basis::view(void* block) noexcept {
     BasisHeader const& header = *static_cast<const BasisHeader*>(block);
-    Arena arena = Arena::at_origin(block, header.bytes);
+    Arena arena = Arena::at_origin(block, static_cast<Size>(header.bytes));
     Basis basis;
     basis.lay_out(arena, header.counts);
     return basis;

@@ -15,10 +15,13 @@ Real power_of_two_below(Real x) noexcept {
     return power;
 }
 
+// 0 of nothing, and of what is so small that its inverse is not finite: no floating-point exception is raised.
+Real inverse_of(Real square) noexcept { return square >= 0x1p-1000 ? 1 / square : 0; }
+
 Real distance_from_segment(Vec2 from, Vec2 to, Vec2 point) noexcept {
     Vec2 const along = to - from;
-    Real const t = dot(point - from, along) / square(along);
-    return length(point - from - (t > 0 ? smaller(t, 1.0) : 0) * along);  // NaN of no length: 0
+    Real const t = inverse_of(square(along)) * dot(point - from, along);
+    return length(point - from - clamp(t, 0.0, 1.0) * along);
 }
 
 struct Extent {
@@ -35,12 +38,11 @@ struct Extent {
 
 void FaceDistance::Segments::set(Index lane, Vec2 from, Vec2 to) noexcept {
     Vec2 const along = to - from;
-    Real const its_inverse = 1 / square(along);
     x[lane] = from.x;
     y[lane] = from.y;
     along_x[lane] = along.x;
     along_y[lane] = along.y;
-    inverse[lane] = is_finite(its_inverse) ? its_inverse : 0;
+    inverse[lane] = inverse_of(square(along));
 }
 
 void FaceDistance::Chords::clear(Index lane) noexcept {
@@ -105,13 +107,17 @@ void FaceDistance::build(Points points) noexcept {
 }
 
 void FaceDistance::find_unit(Points points) noexcept {
+    extent = unit = 0;
+    inverse_unit = 1;
+    middle = half_size = {};
+    if (count == 0) return;
     Extent all;
     for (Face const& face : faces.first(count)) {
         for (Index const point : face.point) all.include(points[point]);
     }
-    extent = count == 0 ? 0 : larger(all.size().x, all.size().y);
-    unit = power_of_two_below(extent);
-    inverse_unit = unit > 0 && is_finite(1 / unit) ? 1 / unit : 1;
+    extent = larger(all.size().x, all.size().y);
+    unit = power_of_two_below(extent);  // of a denormal number 0
+    if (unit > 0) inverse_unit = 1 / unit;
     constexpr Real margin = 1.0 / 32;
     middle = 0.5 * (inverse_unit * all.low + inverse_unit * all.high);
     half_size = 0.5 * (inverse_unit * all.size()) + Vec2{margin, margin};

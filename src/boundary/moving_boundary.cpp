@@ -144,6 +144,34 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
     return Status::ok;
 }
 
+// The larger of width and height of a curve's control polygon, in which the curve lies.
+Real extent_of(Curve const& curve) noexcept {
+    Vec2 low = curve.point(0), high = low;
+    for (Index k = 1; k < curve.n_indices; ++k) {
+        Vec2 const p = curve.point(k);
+        low = {smaller(low.x, p.x), smaller(low.y, p.y)};
+        high = {larger(high.x, p.x), larger(high.y, p.y)};
+    }
+    return larger(high.x - low.x, high.y - low.y);
+}
+
+// A boundary farther from its curve than that is large is another boundary: its marker is not the one that was meant.
+Status check_distances(Points points, Span<const Curve> curves, Wall const& wall, Fault& fault) noexcept {
+    Index farthest = none;
+    Real largest = 0;
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        if (wall.curve[slot] >= curves.count()) continue;  // on a rigid body
+        Curve const& curve = curves[wall.curve[slot]];
+        Real const distance = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]);
+        if (!(distance > extent_of(curve)) || !(distance > largest)) continue;
+        largest = distance;
+        farthest = slot;
+    }
+    if (farthest == none) return Status::ok;
+    return fault.refuse(Status::bad_condition, "point # is ~ from its curve, farther than that is large: is its marker another one?",
+                        Counts::mesh, wall.point[farthest], none, largest);
+}
+
 }  // namespace
 
 void Wall::lay_out(Arena& arena, Mesh const& mesh) noexcept {
@@ -185,7 +213,8 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
     for (Condition const& condition : conditions) {
         if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
     }
-    return apply_given(given, curves, topology.representative, work, wall, fault);
+    HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
+    return check_distances(topology.mesh.points, curves, wall, fault);
 }
 
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {

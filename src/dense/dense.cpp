@@ -133,7 +133,7 @@ constexpr Index pieces(Index n, Index size) noexcept { return (n + size - 1) / s
 template <class Body>
 void spread(Executor const& executor, Offset multiplications, Index n, Body const& body) noexcept {
     bool const alone = executor.is_serial() || multiplications < worth_threads;
-    Index const used = alone ? smaller(n, 1) : smaller(executor.n_threads, n);
+    Index const used = alone ? smaller(n, Index{1}) : smaller(executor.n_threads, n);
     executor.for_each(used, [&](Index thread) {
         for (Index i = thread; i < n; i += used) body(i);
     });
@@ -144,7 +144,7 @@ template <class Body>
 void spread_rows(Executor const& executor, Index begin, Index end, Offset multiplications_per_row, Body const& body) noexcept {
     Index const tiles = pieces(end - begin, most_tile_rows);
     bool const alone = executor.is_serial() || multiplications_per_row * (end - begin) < worth_threads;
-    Index const ranges = alone ? smaller(tiles, 1) : smaller(executor.n_threads, tiles);
+    Index const ranges = alone ? smaller(tiles, Index{1}) : smaller(executor.n_threads, tiles);
     auto const bound = [&](Index i) { return smaller(end, begin + i * tiles / ranges * most_tile_rows); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }

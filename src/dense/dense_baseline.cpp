@@ -1,8 +1,5 @@
-// Dense kernels for whatever the compiler may assume: SSE2 on x86-64, NEON on aarch64, plain numbers elsewhere.
-#if defined(__aarch64__)
-#include <arm_neon.h>
-#endif
-
+// Dense kernels for whatever the compiler may assume: SSE2 on x86-64, NEON on aarch64, plain numbers elsewhere. Products
+// are rounded before they are added, also where one instruction could do both: so all processors agree on the bits.
 #include "harmorph/dense/dense.hpp"
 
 #define HARMORPH_KERNEL baseline
@@ -18,23 +15,8 @@ template <class Number>
 struct Registers {
     typedef Number Vector __attribute__((vector_size(16), aligned(sizeof(Number)), may_alias));
 
-#if defined(__aarch64__)
-    static HARMORPH_INLINE float64x2_t multiply_add(float64x2_t a, float64x2_t b, float64x2_t c) noexcept {
-        return vfmaq_f64(c, a, b);
-    }
-    static HARMORPH_INLINE float64x2_t multiply_subtract(float64x2_t a, float64x2_t b, float64x2_t c) noexcept {
-        return vfmsq_f64(c, a, b);
-    }
-    static HARMORPH_INLINE float32x4_t multiply_add(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
-        return vfmaq_f32(c, a, b);
-    }
-    static HARMORPH_INLINE float32x4_t multiply_subtract(float32x4_t a, float32x4_t b, float32x4_t c) noexcept {
-        return vfmsq_f32(c, a, b);
-    }
-#else
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
-#endif
     struct Picks {
         Index from[16 / sizeof(Number)];
     };

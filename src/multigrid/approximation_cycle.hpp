@@ -132,7 +132,7 @@ private:
     // Changes shrink by a rate from cycle to cycle: what all that are to come amount to, at least the last one again.
     Real estimate_left(Index iteration, Real change, Index k) noexcept {
         Real& oldest = changes_[iteration % remembered][k];
-        Real const rate = iteration < remembered ? 1 : square_root(square_root(change / oldest));
+        Real const rate = iteration < remembered || oldest == 0 ? 1 : square_root(square_root(change / oldest));
         oldest = change;
         if (change == 0) return 0;
         return rate < 1 ? larger(rate / (1 - rate), 1.0) * change : infinity;

@@ -99,7 +99,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     }
     fill(reached, 0.0);
     aim(1);
-    bool const fits = is_admissible(work, basis);
+    bool const fits = is_admissible(work, basis) && !crosses(work);
     report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step(), Overlaps::ignored);
     if (report.crossing.found) {
         return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
@@ -115,7 +115,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Rung::other); ++i) {
             Basis const& other = options.others[i];
             if (derivative != nullptr && other.kind() != basis.kind()) continue;
-            if (!is_admissible(work, other)) continue;
+            if (!is_admissible(work, other) || crosses(work)) continue;
             report.rung = Rung::other;
             report.other = i;
             take_step(work, other, 0, 1);
@@ -147,33 +147,42 @@ bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
     return work.report.limit.step > 1;
 }
 
+// No mesh at the end of a step is valid whose boundary crosses itself.
+bool SafeMorph::crosses(Work const& work) const noexcept {
+    return find_crossing(work.basis.boundary_point, work.basis.loop_start, now(), step()).found;
+}
+
 Status SafeMorph::substeps(Work& work) noexcept {
     SafeReport& report = work.report;
-    Basis scratch = work.basis;
-    Basis const* by = &work.basis;
+    Basis const here = unsolved_copy(work.basis);
+    // A solution that failed may have left anything in `here`; the functions of the start always serve.
+    auto const functions = [&]() -> Basis const& { return here.header->solved == 1 ? here : work.basis; };
     while (work.options.tries(Rung::substeps)) {
-        Real const length = find_step(work, *by, report.fraction);
+        Real const length = find_step(work, functions(), report.fraction);
         if (length < least_step) break;
         report.rung = Rung::substeps;
-        take_step(work, *by, report.fraction, smaller(report.fraction + length, 1.0));
+        take_step(work, functions(), report.fraction, smaller(report.fraction + length, 1.0));
         if (report.fraction >= 1) return Status::ok;
         if (report.resolves == work.options.most_resolves) break;
-        if (by == &work.basis) {  // all but the values stays as it is
-            Size const bytes = static_cast<Size>(reinterpret_cast<unsigned char*>(work.basis.value.data()) -
-                                                 reinterpret_cast<unsigned char*>(work.basis.header));
-            std::memcpy(block.data(), work.basis.header, bytes);
-            scratch = Basis::view(static_cast<void*>(block.data()));
-            by = &scratch;
-        }
         Fault why;
-        Status const status = solve_here(work, scratch, why);
+        Status const status = solve_at_present(work, here, why);
         if (failed(status) && status != Status::cancelled) break;  // a scheme that cannot, or a mesh too poor
         if (status != Status::ok) work.fault = why;                // not converged: a warning, and on
         HARMORPH_TRY(status);
         ++report.resolves;
     }
     if (!work.options.tries(Rung::untangled)) return Status::ok;
-    return untangle(work, *by);
+    return untangle(work, functions());
+}
+
+// All but the values stays as it is.
+Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
+    auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
+    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
+    std::memcpy(block.data(), begin, static_cast<Size>(end - begin));
+    Basis const copy = Basis::view(static_cast<void*>(block.data()));
+    copy.unseal();
+    return copy;
 }
 
 // The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible.
@@ -184,8 +193,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
         aim(end);
         is_admissible(work, by);
         Real const share = work.report.limit.step * share_of_admissible;
-        if (share >= 1) return length;
-        length *= clamp(0.99 * share, 0.05, 0.9);
+        if (share >= 1 && !crosses(work)) return length;
+        length *= clamp(0.99 * share, 0.05, share >= 1 ? 0.5 : 0.9);
     }
     return 0;
 }
@@ -218,10 +227,10 @@ void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept 
     }
 }
 
-Status SafeMorph::solve_here(Work& work, Basis const& scratch, Fault& why) noexcept {
+Status SafeMorph::solve_at_present(Work& work, Basis const& basis, Fault& why) noexcept {
     SolveReport solved;
     HARMORPH_TRY(work.plan.factor(now(), why));
-    return work.plan.solve(scratch, solved, why);
+    return work.plan.solve(basis, solved, why);
 }
 
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.
@@ -239,6 +248,7 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
         dx[k] -= x[k];
         dy[k] -= y[k];
     }
+    if (crosses(work)) return Status::ok;  // points that slide have passed others
     take_step(work, by, from, 1);
     work.report.rung = Rung::untangled;
     return Status::ok;

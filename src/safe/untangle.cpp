@@ -35,7 +35,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         return Status::not_converged;
     }
     // Each region is round what the last one left, and begins where that ended.
-    for (Index layers = larger(options.layers, 1); region.n_cells > 0; layers *= 2) {
+    for (Index layers = larger(options.layers, Index{1}); region.n_cells > 0; layers *= 2) {
         bool const is_whole = layers >= Region::whole;
         region.grow(tangle, layers);
         HARMORPH_TRY(check_reference(fault));

@@ -186,3 +186,24 @@ TEST_CASE("markers with a curve each share their points: these belong to the con
         CHECK(solved.report.partition_defect < 1e-15);
     }
 }
+
+TEST_CASE("the curve of another body: points farther from it than it is large are refused, with point and distance") {
+    for (double const size : {1.0, 1e-6, 1e6}) {
+        Case its = airfoil_case();
+        for (std::vector<double>* const numbers : {&its.mesh.x, &its.mesh.y, &its.curves.control})
+            for (double& number : *numbers) number *= size;
+        Attempt right;
+        CHECK(right.analyse(its.problem()));
+        its.conditions.clear();
+        its.put_on_curves(far_field);   // on the airfoil's curve
+        Attempt wrong;
+        CHECK(!wrong.analyse(its.problem()));
+        CHECK(wrong.status == HM_BAD_CONDITION);
+        CHECK(wrong.error.value > 6 * size);   // a circle of radius 8 round the chord
+        CHECK(wrong.error.value < 9 * size);
+        std::vector<std::int32_t> farthest;
+        for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
+            if (its.mesh.face_markers[face] == far_field) farthest.push_back(its.mesh.faces[2 * face]);
+        CHECK(std::find(farthest.begin(), farthest.end(), wrong.error.item) != farthest.end());
+    }
+}

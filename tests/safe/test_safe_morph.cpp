@@ -56,8 +56,27 @@ public:
             CHECK(report.inverted == quality.inverted);
             CHECK(report.min_quality == quality.min_quality);
             CHECK(report.mean_quality == quality.mean_quality);
+            CHECK(quality.self_crossing == 0);
+            CHECK(!crosses());
         }
         return quality.inverted == 0;
+    }
+    // Faces whose ends lie clearly on both sides of each other: every pair is looked at.
+    bool crosses() const {
+        auto const at = [&](std::size_t end) {
+            std::size_t const point = static_cast<std::size_t>(mesh.faces[end]);
+            return Point{x[point], y[point]};
+        };
+        auto const parts = [&](std::size_t face, std::size_t other) {
+            Point const a = at(face), b = at(face + 1);
+            double const c = twice_area(a, b, at(other)), d = twice_area(a, b, at(other + 1));
+            double const rounding = 1e-13 * distance(a, b);
+            return (c > rounding && d < -rounding) || (c < -rounding && d > rounding);
+        };
+        for (std::size_t face = 0; face < mesh.faces.size(); face += 2)
+            for (std::size_t other = 0; other < face; other += 2)
+                if (parts(face, other) && parts(other, face)) return true;
+        return false;
     }
     double boundary_error(std::vector<double> const& move) const {
         double error_found = -1;

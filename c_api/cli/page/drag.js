@@ -13,7 +13,7 @@ class Drag {
         window.addEventListener("dragover", (event) => event.preventDefault());
         window.addEventListener("drop", (event) => {
             event.preventDefault();
-            if (event.dataTransfer.files.length > 0) app.open(event.dataTransfer.files[0]);
+            if (event.dataTransfer.files.length > 0) app.files.open(event.dataTransfer.files[0]);
         });
     }
 
@@ -153,7 +153,7 @@ class Drag {
             event.preventDefault();
             action();
         };
-        if (control && key === "s") return does(() => app.save());
+        if (control && key === "s") return does(() => app.files.save());
         if (control && key === "o") return does(() => element("file").click());
         if (typing) return undefined;
         if (control && key === "z") return does(() => (event.shiftKey ? app.redo() : app.undo()));

@@ -24,6 +24,7 @@ class App {
         this.times = { morph: 0, judge: 0, draw: 0 }; // of the last frame [ms]
         this.camera = new Camera();
         this.legend = new Legend(this);
+        this.files = new Files(this);
         this.picture = new Picture(element("mesh"), data, this.model, this.cells);
         this.overlay = new Overlay(element("handles"), this);
         this.set_theme(this.options.theme);
@@ -34,7 +35,7 @@ class App {
         new ResizeObserver(() => this.resize()).observe(element("stage"));
         this.camera.is_home = true;
         this.resize();
-        if (data.moves !== "") this.load(data.moves);
+        if (data.moves !== "") this.files.load(data.moves);
         this.follow();
         this.draw();
     }
@@ -78,13 +79,13 @@ class App {
         on("redo", () => this.redo());
         on("reset", () => this.after(() => this.shape.reset()));
         on("load", () => element("file").click());
-        on("save", () => this.save());
+        on("save", () => this.files.save());
         on("previous", () =>
             this.select(((this.selected < 0 ? 0 : this.selected) + this.data.n_control - 1) % this.data.n_control),
         );
         on("next", () => this.select((this.selected + 1) % this.data.n_control));
         element("file").onchange = (event) => {
-            if (event.target.files.length > 0) this.open(event.target.files[0]);
+            if (event.target.files.length > 0) this.files.open(event.target.files[0]);
             event.target.value = "";
         };
     }
@@ -179,45 +180,8 @@ class App {
         this.times.draw = performance.now() - begin;
     }
 
-    // ---- Files
-
     is_valid() {
         return this.cells.inverted === 0 && this.wall.crossing.length === 0;
-    }
-
-    save() {
-        const link = document.createElement("a");
-        link.href = URL.createObjectURL(new Blob([this.shape.text()], { type: "text/plain" }));
-        link.download = "moves.txt";
-        link.click();
-        setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-        this.say(
-            this.is_valid()
-                ? "Saved as moves.txt, for harmorph morph --move"
-                : "Saved as moves.txt; harmorph morph will want --safe or --force",
-        );
-    }
-
-    open(file) {
-        file.text().then((text) => this.load(text, file.name));
-    }
-
-    load(text, name = "moves.txt") {
-        try {
-            this.after(() => this.shape.load(text));
-        } catch (error) {
-            this.say(`${name}: ${error.message}`);
-        }
-    }
-
-    say(text) {
-        const message = element("message");
-        message.textContent = text;
-        message.hidden = false;
-        clearTimeout(this.saying);
-        this.saying = setTimeout(() => {
-            message.hidden = true;
-        }, 4000);
     }
 
     said_hello() {

@@ -19,7 +19,7 @@ namespace harmorph {
 // Boxes and radii are wide enough for rounding, so that distances depend on the faces alone, to the last bit.
 struct FaceDistance {
     static constexpr Index lanes = 8, most_heights = 12;
-    static constexpr Real far_away = 1e300;  // in units: its square is infinite
+    static constexpr Real far_away = 1e100;  // in units: beyond every place, and its square does not overflow
     static constexpr Real slack = 1e-12;     // relative; more than rounding leaves of any comparison here
 
     struct Face {

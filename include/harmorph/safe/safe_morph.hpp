@@ -66,10 +66,12 @@ private:
     Points step() const noexcept { return {dx.data(), dy.data(), 1}; }
     void aim(Real time) noexcept;
     bool is_admissible(Work& work, Basis const& by) noexcept;
+    bool crosses(Work const& work) const noexcept;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
-    Status solve_here(Work& work, Basis const& scratch, Fault& why) noexcept;
+    Basis unsolved_copy(Basis const& basis) const noexcept;
+    Status solve_at_present(Work& work, Basis const& basis, Fault& why) noexcept;
     void mark_held(Work const& work) const noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_first_layer(Work& work) noexcept;
