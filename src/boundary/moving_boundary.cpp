@@ -214,7 +214,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
         if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
     }
     HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
-    return check_distances(mesh.points, curves, wall, fault);
+    return check_distances(topology.mesh.points, curves, wall, fault);
 }
 
 Vec2 offset_from(Curve const& curve, Real u, Vec2 point) noexcept {
