@@ -40,7 +40,7 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here.
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
-	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Ic_api
+	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
 CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api -Ic_api/cli
 # Tests are compiled for one run: what the optimiser would take is not given back.
 UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests

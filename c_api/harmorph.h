@@ -375,7 +375,8 @@ enum {                             /* start of HM_FAS */
 };
 
 enum {                             /* kernel: results agree to rounding; one that the processor lacks: HM_UNSUPPORTED */
-    HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3
+    HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3,
+    HM_KERNEL_NEON = 4             /* 64-bit ARM; the AVX kernels are those of x86-64 */
 };
 enum {                             /* precision; HM_SINGLE is available with HM_DIRECT in all its combinations */
     HM_DOUBLE = 0,

@@ -267,7 +267,7 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
         return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~", Counts::from_zero,
                             none, none, o.tolerance);
     }
-    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_AVX512 || !has_kernel(static_cast<Kernel>(o.kernel))) {
+    if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON || !has_kernel(static_cast<Kernel>(o.kernel))) {
         return fault.refuse(Status::unsupported, "options.kernel is #, which this processor does not have",
                             Counts::from_zero, o.kernel);
     }

@@ -127,7 +127,7 @@ program layout
         hm_periodic_pair, hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_nodal_gradient, &
         hm_bounded, hm_nodal_gradient_plain, hm_direct, &
         hm_multigrid, hm_fas, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, &
-        hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_double, hm_single, &
+        hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_kernel_neon, hm_double, hm_single, &
         hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
         hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))

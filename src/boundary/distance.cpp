@@ -1,34 +1,12 @@
 #include "harmorph/boundary/distance.hpp"
 
 #include "harmorph/base/sort.hpp"
-#include "harmorph/base/kernel_call.hpp"
+#include "distance_table.hpp"
 
 namespace harmorph {
-
-#define HARMORPH_DECLARE(kernel)                                                                      \
-    namespace kernel {                                                                                \
-    Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept;                  \
-    void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const Real* y, Real* k, \
-                     Index& group) noexcept;                                                          \
-    }
-HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
-
 namespace {
 
 constexpr Index lanes = FaceDistance::lanes;
-
-// Squared distance in units, of a place in units. group: where it is tried first, and then where the nearest face is;
-// a good guess saves time.
-Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept {
-    HARMORPH_CALL(tree.kernel, nearest_square(tree, from, group))
-}
-
-// k [lanes] of the places (x, y), which search together: fast if they are neighbours. group: where they begin, and then
-// where the next ones should.
-void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const Real* y, Real* k,
-                 Index& group) noexcept {
-    HARMORPH_CALL(tree.kernel, weigh_eight(tree, quarters, x, y, k, group))
-}
 
 // Places in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
 // finest at the faces and reaches to infinity, in Morton's order.
@@ -73,6 +51,7 @@ template <class ForEachPlace>
 void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor,
            ForEachPlace for_each_place) noexcept {
     if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
+    DistanceKernels const& kernels = distance_kernels(faces.kernel);
     constexpr Index least_blocks = 8;
     constexpr Index block = SortedPlaces::most;
     executor.for_ranges((k.count() + block - 1) / block, least_blocks, [&](Index begin, Index end) {
@@ -85,7 +64,7 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
             sorted.sort(faces, place, n);
             for (Index i = 0; i < sorted.n; i += lanes) {
                 Real its[lanes];
-                weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, its, group);
+                kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, its, group);
                 for (Index lane = 0; lane < lanes; ++lane) k[first + sorted.number[i + lane]] = its[lane];
             }
         }
@@ -97,13 +76,13 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
 Real FaceDistance::distance(Vec2 from) const noexcept {
     if (count == 0) return infinity;
     Index group = 0;
-    return square_root(nearest_square(*this, inverse_unit * from, group)) / inverse_unit;
+    return square_root(distance_kernels(kernel).nearest_square(*this, inverse_unit * from, group)) / inverse_unit;
 }
 
 FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     if (count == 0) return {};
     Vec2 const here = inverse_unit * from;
-    nearest_square(*this, here, group);
+    distance_kernels(kernel).nearest_square(*this, here, group);
     Segments const& its = groups[group];
     Foot best;
     Real least = infinity;

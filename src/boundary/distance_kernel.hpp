@@ -1,28 +1,17 @@
-// Searches of the tree of FaceDistance for one kind of vector register; see dense_kernel.hpp for what the including
-// file defines, and here, of vectors: HARMORPH_LESS(a, b): a bit for each lane in which a < b; HARMORPH_LARGER(a, b)
-// and HARMORPH_SMALLER(a, b): of each lane's numbers, b where one is NaN; HARMORPH_ROOT(v): square roots.
-// Every kernel finds the least of the same numbers, whichever it passes over: so the bits are the same.
-#include "harmorph/boundary/distance.hpp"
+// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each by distance_table.cpp. All of
+// them find the least of the same numbers, whichever they pass over: so the bits are the same.
 
-namespace harmorph::HARMORPH_KERNEL {
+namespace harmorph::HARMORPH_SET {
 namespace {
 
+using Registers = simd::HARMORPH_SET::Registers<Real>;
+using Vector = Registers::Vector;
+
 constexpr Index lanes = FaceDistance::lanes;
-constexpr Index width = HARMORPH_LANES;
+constexpr Index width = Registers::lanes;
 constexpr Index vectors = lanes / width;
 constexpr Real slack = FaceDistance::slack;
 constexpr Real least_distance = 1e-30;
-
-// Never references to vectors: clang forgets then that they may begin at any number.
-typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
-#define HARMORPH_INLINE inline __attribute__((always_inline))
-
-HARMORPH_INLINE Vector load(const Real* from) noexcept { return *reinterpret_cast<const Vector*>(from); }
-HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
-HARMORPH_INLINE Vector larger_of(Vector a, Vector b) noexcept { return Vector(HARMORPH_LARGER(a, b)); }
-HARMORPH_INLINE Vector smaller_of(Vector a, Vector b) noexcept { return Vector(HARMORPH_SMALLER(a, b)); }
-HARMORPH_INLINE Vector root_of(Vector v) noexcept { return Vector(HARMORPH_ROOT(v)); }
-HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept { return static_cast<unsigned>(HARMORPH_LESS(a, b)); }
 
 HARMORPH_INLINE Real largest_of(Real* eight) noexcept {
     for (Index half = lanes / 2; half > 0; half /= 2) {
@@ -43,14 +32,14 @@ HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment alo
                                    Place place_x, Place place_y) noexcept {
     Vector x = place_x - begin_x, y = place_y - begin_y;
     Vector const nearest = (x * along_x + y * along_y) * inverse;
-    Vector const t = smaller_of(larger_of(nearest, Vector{}), Vector{} + 1);
+    Vector const t = Registers::smaller(Registers::larger(nearest, Vector{}), Vector{} + 1);
     x -= t * along_x;
     y -= t * along_y;
     return x * x + y * y;
 }
 HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& its, Index lane, Vec2 place) noexcept {
-    return square_from(load(its.x + lane), load(its.y + lane), load(its.along_x + lane), load(its.along_y + lane),
-                       load(its.inverse + lane), place.x, place.y);
+    return square_from(Registers::load(its.x + lane), Registers::load(its.y + lane), Registers::load(its.along_x + lane), Registers::load(its.along_y + lane),
+                       Registers::load(its.inverse + lane), place.x, place.y);
 }
 HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& its, Index lane, Vector x, Vector y) noexcept {
     return square_from(its.x[lane], its.y[lane], its.along_x[lane], its.along_y[lane], its.inverse[lane], x, y);
@@ -59,8 +48,8 @@ HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& its, Index lane
 template <class Corner, class Place>
 HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y, Place place_x,
                                       Place place_y) noexcept {
-    Vector const x = larger_of(larger_of(low_x - place_x, place_x - high_x), Vector{});
-    Vector const y = larger_of(larger_of(low_y - place_y, place_y - high_y), Vector{});
+    Vector const x = Registers::larger(Registers::larger(low_x - place_x, place_x - high_x), Vector{});
+    Vector const y = Registers::larger(Registers::larger(low_y - place_y, place_y - high_y), Vector{});
     return x * x + y * y;
 }
 
@@ -70,13 +59,13 @@ class Candidates {
 public:
     HARMORPH_INLINE Candidates(FaceDistance::Boxes const& its, Vec2 from, Real reach) noexcept {
         for (Index k = 0; k < lanes; k += width) {
-            add(k, square_outside(load(its.low_x + k), load(its.low_y + k), load(its.high_x + k), load(its.high_y + k),
+            add(k, square_outside(Registers::load(its.low_x + k), Registers::load(its.low_y + k), Registers::load(its.high_x + k), Registers::load(its.high_y + k),
                                   from.x, from.y), Vector{} + (1 + 2 * slack) * reach * reach);
         }
     }
     HARMORPH_INLINE Candidates(FaceDistance::Chords const& its, Vec2 from, Real reach) noexcept {
         for (Index k = 0; k < lanes; k += width) {
-            Vector const limit = (1 + slack) * (reach + load(its.radius + k));
+            Vector const limit = (1 + slack) * (reach + Registers::load(its.radius + k));
             add(k, square_from(its.axis, k, from), limit * limit);
         }
     }
@@ -98,8 +87,8 @@ public:
 
 private:
     HARMORPH_INLINE void add(Index first, Vector squares, Vector limits) noexcept {
-        store(square_ + first, squares);
-        left_ |= less(squares, limits) << first;
+        Registers::store(square_ + first, squares);
+        left_ |= Registers::less(squares, limits) << first;
     }
 
     unsigned left_ = 0;
@@ -124,7 +113,7 @@ struct One {
     }
     HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index its) noexcept {
         Real squares[lanes];
-        for (Index k = 0; k < lanes; k += width) store(squares + k, square_from(segments, k, centre));
+        for (Index k = 0; k < lanes; k += width) Registers::store(squares + k, square_from(segments, k, centre));
         Real const nearest = smallest_of(squares);
         if (!(nearest < square || (nearest == square && its < group))) return;  // whichever was tried first
         square = nearest;
@@ -148,8 +137,8 @@ struct Eight {
     // To their images, of which the distances found so far are bounds as well.
     HARMORPH_INLINE void move(const Real* its_x, const Real* its_y, Vec2 shift) noexcept {
         for (Index v = 0; v < vectors; ++v) {
-            x[v] = load(its_x + v * width) + shift.x;
-            y[v] = load(its_y + v * width) + shift.y;
+            x[v] = Registers::load(its_x + v * width) + shift.x;
+            y[v] = Registers::load(its_y + v * width) + shift.y;
         }
         set_centre();
     }
@@ -159,7 +148,7 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) {
             Vector const bound =
                 square_outside(its.low_x[lane], its.low_y[lane], its.high_x[lane], its.high_y[lane], x[v], y[v]);
-            any |= less(bound, (1 + 2 * slack) * square[v]);
+            any |= Registers::less(bound, (1 + 2 * slack) * square[v]);
         }
         return any != 0;
     }
@@ -167,7 +156,7 @@ struct Eight {
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
             Vector const limit = (1 + slack) * (distance[v] + its.radius[lane]);
-            any |= less(square_from(its.axis, lane, x[v], y[v]), limit * limit);
+            any |= Registers::less(square_from(its.axis, lane, x[v], y[v]), limit * limit);
         }
         return any != 0;
     }
@@ -176,14 +165,14 @@ struct Eight {
         for (Index v = 0; v < vectors; ++v) nearest[v] = square[v];
         for (Index lane = 0; lane < lanes; ++lane) {
             for (Index v = 0; v < vectors; ++v) {
-                nearest[v] = smaller_of(nearest[v], square_from(segments, lane, x[v], y[v]));
+                nearest[v] = Registers::smaller(nearest[v], square_from(segments, lane, x[v], y[v]));
             }
         }
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
-            any |= less(nearest[v], square[v]);
+            any |= Registers::less(nearest[v], square[v]);
             square[v] = nearest[v];
-            distance[v] = root_of(nearest[v]);
+            distance[v] = Registers::square_root(nearest[v]);
         }
         if (any == 0) return;
         group = its;
@@ -201,13 +190,13 @@ private:
         for (Index k = 0; k < width; ++k) centre = centre + 1.0 / lanes * Vec2{sum_x[k], sum_y[k]};
         for (Index v = 0; v < vectors; ++v) {
             Vector const to_x = x[v] - centre.x, to_y = y[v] - centre.y;
-            from_centre[v] = root_of(to_x * to_x + to_y * to_y);
+            from_centre[v] = Registers::square_root(to_x * to_x + to_y * to_y);
         }
         set_reach();
     }
     HARMORPH_INLINE void set_reach() noexcept {
         Real farthest[lanes];
-        for (Index v = 0; v < vectors; ++v) store(farthest + v * width, from_centre[v] + distance[v]);
+        for (Index v = 0; v < vectors; ++v) Registers::store(farthest + v * width, from_centre[v] + distance[v]);
         reach = (1 + slack) * largest_of(farthest);
     }
 };
@@ -246,20 +235,18 @@ private:
 
 // d^(-quarters / 4), from square roots alone.
 HARMORPH_INLINE Vector weight_of(Vector square, Index quarters) noexcept {
-    Vector const d = larger_of(Vector{} + least_distance, root_of(square));  // NaN stays
+    Vector const d = Registers::larger(Vector{} + least_distance, Registers::square_root(square));  // NaN stays
     Vector power = Vector{} + 1;
     if ((quarters & 16) != 0) power *= (d * d) * (d * d);
     if ((quarters & 8) != 0) power *= d * d;
     if ((quarters & 4) != 0) power *= d;
     if ((quarters & 3) != 0) {
-        Vector const root = root_of(d);
+        Vector const root = Registers::square_root(d);
         if ((quarters & 2) != 0) power *= root;
-        if ((quarters & 1) != 0) power *= root_of(root);
+        if ((quarters & 1) != 0) power *= Registers::square_root(root);
     }
     return 1 / power;
 }
-
-}  // namespace
 
 Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept {
     One place(from, group);
@@ -279,7 +266,15 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
         places.move(x, y, tree.shift[image]);
         Search<Eight>(tree, places, none).run();
     }
-    for (Index v = 0; v < vectors; ++v) store(k + v * width, weight_of(places.square[v], quarters));
+    for (Index v = 0; v < vectors; ++v) Registers::store(k + v * width, weight_of(places.square[v], quarters));
 }
 
-}  // namespace harmorph::HARMORPH_KERNEL
+constexpr DistanceKernels kernels{nearest_square, weigh_eight};
+
+}  // namespace
+}  // namespace harmorph::HARMORPH_SET
+
+namespace harmorph::simd {
+template <>
+inline constexpr const DistanceKernels* table<DistanceKernels, Kernel::HARMORPH_SET> = &harmorph::HARMORPH_SET::kernels;
+}  // namespace harmorph::simd

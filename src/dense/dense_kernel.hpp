@@ -1,10 +1,11 @@
-// The dense kernels for one kind of vector register. A file that includes this has defined HARMORPH_KERNEL (a namespace),
-// HARMORPH_TILE_ROWS, and in that namespace Registers<double> and Registers<float>: see dense_baseline.cpp. It has told the
-// compiler which instructions it may use.
+// Factorisation and substitution of a front with the registers of one instruction set; compiled for each by dense_table.cpp.
 #include "dense_sums.hpp"
 
-namespace harmorph::dense::HARMORPH_KERNEL {
+namespace harmorph::dense::HARMORPH_SET {
 namespace {
+
+HARMORPH_INLINE double square_root(double x) noexcept { return __builtin_sqrt(x); }
+HARMORPH_INLINE float square_root(float x) noexcept { return __builtin_sqrtf(x); }
 
 // A diagonal block A beside a unit matrix. Elimination without roots turns [A | 1] into [D L^H | L^-1], A = L D L^H.
 template <Index planes, class Number>
@@ -57,7 +58,7 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
         if (!(pivot > floor * its_size)) return k;
         if (pivot < least_left * its_size) least_left = pivot / its_size;
         Number const inverse = 1 / pivot;
-        scale[k] = 1 / Registers<Number>::square_root(pivot);
+        scale[k] = 1 / square_root(pivot);
         for (Index r = k + 1; r < n; ++r) {
             Number const real = both.at[k][0][r] * inverse, imaginary = planes == 2 ? both.at[k][planes - 1][r] * inverse : 0;
             both.subtract(r, k, real, imaginary);
@@ -83,8 +84,6 @@ template <Index planes, class Number>
 HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) noexcept {
     return InRows<Number, planes>{y, width}.at(row, 0);
 }
-
-}  // namespace
 
 template <class Number, Index planes>
 void take_off_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
@@ -209,25 +208,18 @@ void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Numb
     }
 }
 
-#define HARMORPH_MAKE(Number, planes)                                                                                      \
-    template void take_off_earlier<Number, planes>(Slabs<Number> const&, Slabs<Number> const&, Index, Index, Index,        \
-                                                   Index) noexcept;                                                        \
-    template void sum_tails<Number, planes>(Panel<Number> const&, Index, Index, Index, Index, TailSums<Number>&) noexcept; \
-    template Index factor_diagonal<Number, planes>(Panel<Number> const&, Index, Index, Number*, TailSums<Number>&, Number, \
-                                                   Number&) noexcept;                                                      \
-    template void finish_columns<Number, planes>(Panel<Number> const&, Slabs<Number> const&, Index, Index, Index, Index,   \
-                                                 Number*, Number*) noexcept;                                               \
-    template void update_band<Number, planes>(Panel<Number> const&, UpdateMatrix<Number> const&, Index,                    \
-                                              const Number*) noexcept;                                                     \
-    template void solve_strip_forward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Index) noexcept;        \
-    template void take_off_forward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Number*, Index, Index,     \
-                                                   Index) noexcept;                                                        \
-    template void take_off_backward<Number, planes>(Slabs<Number> const&, Index, Number*, Number*, Index, Index,           \
-                                                    Index) noexcept;                                                       \
-    template void solve_strip_backward<Number, planes>(Slabs<Number> const&, Index, Index, Number*, Index) noexcept;
-HARMORPH_MAKE(double, 1)
-HARMORPH_MAKE(double, 2)
-HARMORPH_MAKE(float, 1)
-HARMORPH_MAKE(float, 2)
+template <class Number, Index planes>
+constexpr FrontKernels<Number, planes> front_kernels{take_off_earlier<Number, planes>,     sum_tails<Number, planes>,
+                                                     factor_diagonal<Number, planes>,      finish_columns<Number, planes>,
+                                                     update_band<Number, planes>,          solve_strip_forward<Number, planes>,
+                                                     take_off_forward<Number, planes>,     take_off_backward<Number, planes>,
+                                                     solve_strip_backward<Number, planes>};
 
-}  // namespace harmorph::dense::HARMORPH_KERNEL
+}  // namespace
+}  // namespace harmorph::dense::HARMORPH_SET
+
+namespace harmorph::simd {
+template <class Number, Index planes>
+inline constexpr const dense::FrontKernels<Number, planes>* table<dense::FrontKernels<Number, planes>, Kernel::HARMORPH_SET> =
+    &dense::HARMORPH_SET::front_kernels<Number, planes>;
+}  // namespace harmorph::simd

@@ -1,8 +1,8 @@
-// Moves of numbers between fronts, and between fronts and the caller's rows, for one kind of vector register: see
-// dense_kernel.hpp, whose vectors these are.
+// Moves of numbers between fronts, and between fronts and the caller's rows, with the registers of one instruction set;
+// compiled for each by dense_table.cpp.
 #include "dense_kernel.hpp"
 
-namespace harmorph::dense::HARMORPH_KERNEL {
+namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 // Columns of a child that come to one vector of its parent's front lie next to each other, in one vector or two.
@@ -94,8 +94,6 @@ HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {
     for (Offset i = 0; i < numbers; i += line) __builtin_prefetch(row + i);
 }
 
-}  // namespace
-
 template <class Number>
 void extend_add(UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
                 UpdateMatrix<Number> const& update) noexcept {
@@ -135,18 +133,19 @@ void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> c
     }
 }
 
-#define HARMORPH_MAKE_MOVES(Number)                                                                                       \
-    template void extend_add<Number>(UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                      \
-                                     UpdateMatrix<Number> const&) noexcept;                                                \
-    template void add_rows<Number>(Index, const Number*, const Index*, Number*, Index) noexcept;
-#define HARMORPH_MAKE_COPIES(Number, Value)                                                                               \
-    template void gather<Number>(harmorph::RowsOf<Value> const&, const Index*, Index, Index, Number*, Index,               \
-                                 Index) noexcept;                                                                         \
-    template void scatter<Number>(const Number*, Index, Index, harmorph::RowsOf<Value> const&, Index, Index) noexcept;
-HARMORPH_MAKE_MOVES(double)
-HARMORPH_MAKE_MOVES(float)
-HARMORPH_MAKE_COPIES(double, double)
-HARMORPH_MAKE_COPIES(float, double)
-HARMORPH_MAKE_COPIES(float, float)
+template <class Number>
+constexpr MoveKernels<Number> move_kernels{extend_add<Number>, add_rows<Number>};
+template <class Number, class Value>
+constexpr CopyKernels<Number, Value> copy_kernels{gather<Number, Value>, scatter<Number, Value>};
 
-}  // namespace harmorph::dense::HARMORPH_KERNEL
+}  // namespace
+}  // namespace harmorph::dense::HARMORPH_SET
+
+namespace harmorph::simd {
+template <class Number>
+inline constexpr const dense::MoveKernels<Number>* table<dense::MoveKernels<Number>, Kernel::HARMORPH_SET> =
+    &dense::HARMORPH_SET::move_kernels<Number>;
+template <class Number, class Value>
+inline constexpr const dense::CopyKernels<Number, Value>* table<dense::CopyKernels<Number, Value>, Kernel::HARMORPH_SET> =
+    &dense::HARMORPH_SET::copy_kernels<Number, Value>;
+}  // namespace harmorph::simd

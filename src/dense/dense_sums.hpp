@@ -1,7 +1,7 @@
-// Sums of rows, for one kind of vector register; see dense_kernel.hpp for what is defined where this is included.
+// Sums of rows with the registers of one instruction set; compiled for each by dense_table.cpp.
 #include "dense_tiles.hpp"
 
-namespace harmorph::dense::HARMORPH_KERNEL {
+namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 template <class Number>
@@ -9,8 +9,8 @@ HARMORPH_INLINE Number magnitude(Number x) noexcept { return x < 0 ? -x : x; }
 // Without the signs' bits.
 template <class Number>
 HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
-    using Word = typename std::conditional<sizeof(Number) == 8, std::uint64_t, std::uint32_t>::type;
-    typedef Word Words __attribute__((vector_size(sizeof(Vector<Number>)), may_alias));
+    using Words = typename Registers<Number>::Words;
+    using Word = typename Registers<Number>::Word;
     return Vector<Number>(Words(v) & (~Word{0} >> 1));
 }
 
@@ -118,4 +118,4 @@ void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Num
 }
 
 }  // namespace
-}  // namespace harmorph::dense::HARMORPH_KERNEL
+}  // namespace harmorph::dense::HARMORPH_SET

@@ -1,8 +1,7 @@
-// Products of dense blocks for one kind of vector register; see dense_kernel.hpp for what is defined where this is included.
-// Everything rests on D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
-#include "harmorph/dense/dense.hpp"
+// Products of dense blocks with the registers of one instruction set; compiled for each by dense_table.cpp. Everything rests
+// on D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
 
-namespace harmorph::dense::HARMORPH_KERNEL {
+namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
 // Not the core's: a copy of that compiled here might be linked everywhere.
@@ -10,27 +9,27 @@ HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a;
 HARMORPH_INLINE Index larger(Index a, Index b) noexcept { return a < b ? b : a; }
 
 template <class Number>
+using Registers = simd::HARMORPH_SET::Registers<Number>;
+template <class Number>
 using Vector = typename Registers<Number>::Vector;
 template <class Number>
-constexpr Index lanes = static_cast<Index>(sizeof(Vector<Number>) / sizeof(Number));
+constexpr Index lanes = Registers<Number>::lanes;
 
-// A complex tile takes two registers for each one of a real tile.
-template <Index planes>
-constexpr Index tile_rows = HARMORPH_TILE_ROWS / planes;
+// The sums of a tile take three quarters of the processor's registers, and twice as many of a complex tile as of a real one.
 constexpr Index tile_vectors = 3;
+template <Index planes>
+constexpr Index tile_rows = Registers<double>::count / 4 / planes;
 template <class Number>
 constexpr Index tile_columns = tile_vectors * lanes<Number>;
 static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0, "a slab is a whole number of vectors");
 static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (3 * slab) == 0, "whole tiles, whole blocks");
 
 template <class Number>
-HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept {
-    return *reinterpret_cast<const Vector<Number>*>(from);
-}
+HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept { return Registers<Number>::load(from); }
 template <class Number>
-HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept {
-    *reinterpret_cast<Vector<Number>*>(to) = v;
-}
+HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept { Registers<Number>::store(to, v); }
+template <class Number>
+HARMORPH_INLINE Vector<Number> all(Number x) noexcept { return Registers<Number>::all(x); }
 
 // From a slab's row to the next.
 template <Index planes>
@@ -124,14 +123,14 @@ struct Tile {
             for (Index v = 0; v < vectors; ++v) row[r][v] *= inverse[r * slab + r];
 #pragma GCC unroll 8
             for (Index k = 0; k < r; ++k) {
-                Vector<Number> const factor = inverse[r * slab + k] - Vector<Number>{};
+                Vector<Number> const factor = all(inverse[r * slab + k]);
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v], row[r][v]);
             }
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) {
                 store(d.at[v] + r * d.row, row[r][v]);
-                taken[v] = Registers<Number>::multiply_add(y[r] - Vector<Number>{}, row[r][v], taken[v]);
+                taken[v] = Registers<Number>::multiply_add(all(y[r]), row[r][v], taken[v]);
             }
         }
 #pragma GCC unroll 8
@@ -151,17 +150,16 @@ private:
         for (Index v = 0; v < vectors; ++v) factor[v] = load(b.at[v] + at);
 #pragma GCC unroll 8
         for (Index r = 0; r < rows; ++r) {
-            Vector<Number> const real = a[r * next_row] - Vector<Number>{};
+            Vector<Number> const real = all(a[r * next_row]);
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) {
                 sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
             }
             if constexpr (planes == 2) {
                 constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);  // i * i = -1, the conjugate's sign
-                Vector<Number> const imaginary = a[r * next_row + slab] - Vector<Number>{};
+                Vector<Number> const imaginary = all(a[r * next_row + slab]);
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) {
-                    // No reference to a vector: clang would forget that it may begin at any number.
                     if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v], sum[1 - plane][r][v]);
                     else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v], sum[1 - plane][r][v]);
                 }
@@ -294,4 +292,4 @@ void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, pl
 }
 
 }  // namespace
-}  // namespace harmorph::dense::HARMORPH_KERNEL
+}  // namespace harmorph::dense::HARMORPH_SET

@@ -21,8 +21,8 @@ Index for_point_ranges(Index n_points, Executor const& executor, Body const& bod
 
 // Of numbers first .. first+width-1 of n rows that follow one another, and the gradients by their points: gradient(i).
 template <class Number, class Gradient>
-void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, BinaryScale scale, Index first,
-              Index width, Gradient const& gradient, FixedSums& total) noexcept {
+void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, BinaryScale scale,
+              Index first, Index width, Gradient const& gradient, FixedSums& total) noexcept {
     Offset const length = basis.row_length();
     BinaryScale const units = scale.units();
     for (Index begin = 0; begin < n; begin += block_points) {
@@ -33,7 +33,7 @@ void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, Bi
             by[i] = {units.down(its.x), units.down(its.y)};
         }
         ValueRows<Number> const block{rows + begin * length + first, length, count, width};
-        multiply_rows_transposed(kernel, block, by, total);
+        kernels.of(block).multiply_transposed(block, by, total);
     }
 }
 
@@ -41,11 +41,10 @@ void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, Bi
 struct SumsBlock {
     FixedSum x[Movements::most], y[Movements::most];
 
-    SumsBlock(Basis const& basis, Points by_points, BinaryScale scale, Index first, Index width,
-              Executor const& executor) noexcept {
-        Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
+    SumsBlock(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, Index first,
+              Index width, Executor const& executor) noexcept {
         auto const add = [&](auto* rows, Index n, auto const& gradient, FixedSums& total) {
-            add_rows(kernel, basis, rows, n, scale, first, width, gradient, total);
+            add_rows(kernels, basis, rows, n, scale, first, width, gradient, total);
         };
         FixedSums part[most_ranges];
         Index const ranges = for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
@@ -85,6 +84,10 @@ void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
     for (Index i = 0; i < 2 * basis.n_functions(); ++i) gradient[i] = value;
 }
 
+ProductKernels const& kernels_for(Basis const& basis) noexcept {
+    return product_kernels_for(Offset{basis.n_points()} * basis.row_length());
+}
+
 template <class Body>
 void for_each_block(Index row_length, Body const& body) noexcept {
     for (Index first = 0; first < row_length; first += Movements::most) {
@@ -117,8 +120,9 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     Offset const n = basis.row_length();
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
+    ProductKernels const& kernels = kernels_for(basis);
     for_each_block(basis.row_length(), [&](Index first, Index width) {
-        SumsBlock const block(basis, gradient_by_points, scale, first, width, executor);
+        SumsBlock const block(kernels, basis, gradient_by_points, scale, first, width, executor);
         for (Index k = 0; k < width; ++k) {
             std::int64_t* const to = sums + first + k;
             to[0] = block.x[k].coarse;
@@ -143,8 +147,9 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
     BinaryScale const scale = adjoint_scale(basis, gradient_by_points, executor);
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);
+    ProductKernels const& kernels = kernels_for(basis);
     for_each_block(basis.row_length(), [&](Index first, Index width) {
-        SumsBlock const block(basis, gradient_by_points, scale, first, width, executor);
+        SumsBlock const block(kernels, basis, gradient_by_points, scale, first, width, executor);
         for (Index k = 0; k < width; ++k) add_to_gradient(basis, first + k, scale, block.x[k], block.y[k], gradient);
     });
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index block_points = 1024;     // their sums stay in the first-level cache
 constexpr Index least_range = 8192;      // points that are worth a thread
-// As add_sums() does.
+// As ProductKernels::add_sums does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
 // What each number of a row of values is multiplied with, in blocks of Movements::most numbers. The first blocks, all of most
@@ -56,10 +56,11 @@ private:
 
 // Row p of `rows`, which follow one another, times the movements, is added to point p.
 template <class Number>
-void add_rows(Kernel kernel, Basis const& basis, const Number* rows, Index n, RowMovements const& move,
+void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, RowMovements const& move,
               Sums const& to) noexcept {
     move.for_each_block([&](Index first, Index width, Movements const& by) {
-        multiply_rows(kernel, ValueRows<Number>{rows + first, basis.row_length(), n, width}, by, to);
+        ValueRows<Number> const block{rows + first, basis.row_length(), n, width};
+        kernels.of(block).multiply(block, by, to);
     });
 }
 
@@ -68,8 +69,8 @@ void prefetch(const Real* from, Index n) noexcept {
 }
 
 // Points begin .. begin+n-1, n <= block_points.
-void morph_block(Kernel kernel, Basis const& basis, RowMovements const& move, Points from, MutablePoints to, Index begin,
-                 Index n) noexcept {
+void morph_block(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, Points from, MutablePoints to,
+                 Index begin, Index n) noexcept {
     constexpr Real zero[block_points] = {};
     Real x[block_points] = {}, y[block_points] = {};
     bool const in_rows = (!from.given() || from.stride == 1) && to.stride == 1;
@@ -79,11 +80,11 @@ void morph_block(Kernel kernel, Basis const& basis, RowMovements const& move, Po
         prefetch(from_x, n);
         prefetch(from_y, n);
     }
-    if (basis.in_single()) add_rows(kernel, basis, basis.single_row(begin), n, move, {x, y});
-    else add_rows(kernel, basis, basis.row(begin), n, move, {x, y});
+    if (basis.in_single()) add_rows(kernels, basis, basis.single_row(begin), n, move, {x, y});
+    else add_rows(kernels, basis, basis.row(begin), n, move, {x, y});
     if (in_rows) {
-        add_sums(kernel, from_x, to.x + begin, x, n);
-        add_sums(kernel, from_y, to.y + begin, y, n);
+        kernels.add_sums(from_x, to.x + begin, x, n);
+        kernels.add_sums(from_y, to.y + begin, y, n);
         return;
     }
     for (Index p = 0; p < n; ++p) {
@@ -93,11 +94,11 @@ void morph_block(Kernel kernel, Basis const& basis, RowMovements const& move, Po
 }
 
 // In single storage the wall has not moved yet: its rows there are 0.
-void morph_wall(Kernel kernel, Basis const& basis, RowMovements const& move, MutablePoints to) noexcept {
+void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, MutablePoints to) noexcept {
     auto const move_point = [&](Index point, Index slot) {
         Vec2 const old = to[point];
         Vec2 sum;
-        add_rows(kernel, basis, basis.row(slot), 1, move, {&sum.x, &sum.y});
+        add_rows(kernels, basis, basis.row(slot), 1, move, {&sum.x, &sum.y});
         to.set(point, {moved(old.x, sum.x), moved(old.y, sum.y)});
     };
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) move_point(basis.wall_point[slot], slot);
@@ -107,14 +108,14 @@ void morph_wall(Kernel kernel, Basis const& basis, RowMovements const& move, Mut
 }  // namespace
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
-    Kernel const kernel = product_kernel(Offset{basis.n_points()} * basis.row_length());
+    ProductKernels const& kernels = product_kernels_for(Offset{basis.n_points()} * basis.row_length());
     RowMovements const movements(basis, move);
     executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
         for (Index begin = range_begin; begin < range_end; begin += block_points) {
-            morph_block(kernel, basis, movements, from, to, begin, smaller(block_points, range_end - begin));
+            morph_block(kernels, basis, movements, from, to, begin, smaller(block_points, range_end - begin));
         }
     });
-    if (basis.in_single()) morph_wall(kernel, basis, movements, to);
+    if (basis.in_single()) morph_wall(kernels, basis, movements, to);
 }
 
 }  // namespace harmorph

@@ -1,36 +1,19 @@
-// The products for one kind of vector register; see dense_kernel.hpp for what the including file defines, and here
-// HARMORPH_LANE_NUMBERS: 0, 1, ... HARMORPH_LANES - 1;
-// HARMORPH_LOAD_PART(from, n): the first n < HARMORPH_LANES numbers, and zeros; HARMORPH_LOAD_SINGLE_PART(from, n): the
-// same in single precision;
-// HARMORPH_ROUND(v), where there is such an instruction: a vector's numbers rounded to integers of 64 bits.
-#include "harmorph/morph/product.hpp"
+// The products of morphing with the registers of one instruction set; compiled for each by product.cpp.
 
-namespace harmorph::HARMORPH_KERNEL {
+namespace harmorph::HARMORPH_SET {
 namespace {
 
-constexpr Index lanes = HARMORPH_LANES;
+using Registers = simd::HARMORPH_SET::Registers<Real>;
+using Vector = Registers::Vector;
+using Words = Registers::Words;
+
+constexpr Index lanes = Registers::lanes;
 constexpr Index sums = 8;                // partial sums of a point, in all kernels: number k goes to sum k modulo 8
 constexpr Index vectors = sums / lanes;
 constexpr Index at_once = lanes == 8 ? 8 : lanes == 4 ? 2 : 1;  // points whose partial sums fit into the registers
 constexpr Index tile_points = 4;         // of the transpose: sums stay in registers meanwhile
 constexpr Index streams = 2;             // places that are read in turn: memory gives two more than one
 constexpr Offset prefetch_ahead = 4096;  // bytes at least: memory is a page, or a tile, ahead of the registers
-
-typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
-typedef float Singles __attribute__((vector_size(4 * HARMORPH_LANES), aligned(4), may_alias));
-typedef std::uint64_t Integers __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
-#define HARMORPH_INLINE inline __attribute__((always_inline))
-
-// Never references to vectors: clang forgets then that they may begin at any number.
-HARMORPH_INLINE Vector load(const Real* from) noexcept { return *reinterpret_cast<const Vector*>(from); }
-HARMORPH_INLINE Vector load(const float* from) noexcept {
-    return __builtin_convertvector(*reinterpret_cast<const Singles*>(from), Vector);
-}
-HARMORPH_INLINE Vector load_part(const Real* from, Index n) noexcept { return Vector(HARMORPH_LOAD_PART(from, n)); }
-HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
-    return __builtin_convertvector(Singles(HARMORPH_LOAD_SINGLE_PART(from, n)), Vector);
-}
-HARMORPH_INLINE void store(Real* to, Vector v) noexcept { *reinterpret_cast<Vector*>(to) = v; }
 
 // From a number to the one that is fetched meanwhile: whole rows on, as they may be longer than what is used of them.
 template <class Number>
@@ -41,7 +24,13 @@ HARMORPH_INLINE Offset numbers_ahead(ValueRows<Number> const& rows) noexcept {
 
 template <Index... lane>
 struct Lanes {};
-using AllLanes = Lanes<HARMORPH_LANE_NUMBERS>;
+template <Index n, Index... lane>
+struct FirstLanes : FirstLanes<n - 1, n - 1, lane...> {};
+template <Index... lane>
+struct FirstLanes<0, lane...> {
+    using All = Lanes<lane...>;
+};
+using AllLanes = FirstLanes<lanes>::All;
 
 // Lanes i and i + distance of a are added, and of b; the sums of b come to where the second ones of a were.
 template <Index distance, Index... lane>
@@ -51,9 +40,9 @@ HARMORPH_INLINE Vector fold(Vector a, Vector b, Lanes<lane...>) noexcept {
     Vector const moved =
         __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...);
 #else
-    Vector const kept = __builtin_shuffle(a, b, Integers{((lane & distance) != 0 ? lanes + lane : lane)...});
+    Vector const kept = __builtin_shuffle(a, b, Words{((lane & distance) != 0 ? lanes + lane : lane)...});
     Vector const moved =
-        __builtin_shuffle(a, b, Integers{((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...});
+        __builtin_shuffle(a, b, Words{((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...});
 #endif
     return kept + moved;
 }
@@ -82,9 +71,9 @@ HARMORPH_INLINE void multiply_points(const Number* values, Offset row, Index n, 
     for (; k + sums <= n; k += sums) {
         for (Index p = 0; p < points; ++p) __builtin_prefetch(values + p * row + k + ahead);
         for (Index v = 0; v < vectors; ++v) {
-            Vector const by_x = load(by.x + k + v * lanes), by_y = load(by.y + k + v * lanes);
+            Vector const by_x = Registers::load(by.x + k + v * lanes), by_y = Registers::load(by.y + k + v * lanes);
             for (Index p = 0; p < points; ++p) {
-                Vector const f = load(values + p * row + k + v * lanes);
+                Vector const f = Registers::load(values + p * row + k + v * lanes);
                 x[p][v] += f * by_x;
                 y[p][v] += f * by_y;
             }
@@ -92,10 +81,10 @@ HARMORPH_INLINE void multiply_points(const Number* values, Offset row, Index n, 
     }
     for (Index v = 0; v < vectors && k + v * lanes < n; ++v) {
         Index const here = k + v * lanes, left = n - here;
-        Vector const by_x = load(by.x + here), by_y = load(by.y + here);
+        Vector const by_x = Registers::load(by.x + here), by_y = Registers::load(by.y + here);
         for (Index p = 0; p < points; ++p) {
             const Number* const from = values + p * row + here;
-            Vector const f = left >= lanes ? load(from) : load_part(from, left);
+            Vector const f = left >= lanes ? Registers::load(from) : Registers::load_part(from, left);
             x[p][v] += f * by_x;
             y[p][v] += f * by_y;
         }
@@ -113,12 +102,12 @@ HARMORPH_INLINE void multiply_group(ValueRows<Number> const& rows, Index p, Move
     for (Index i = 0; i < lanes; i += at_once) {
         multiply_points<at_once>(rows.values + (p + i) * rows.row, rows.row, rows.n_functions, by, ahead, x + i, y + i);
     }
-    store(to.x + p, load(to.x + p) + totals_of(x));
-    store(to.y + p, load(to.y + p) + totals_of(y));
+    Registers::store(to.x + p, Registers::load(to.x + p) + totals_of(x));
+    Registers::store(to.y + p, Registers::load(to.y + p) + totals_of(y));
 }
 
 template <class Number>
-HARMORPH_INLINE void multiply_all(ValueRows<Number> const& rows, Movements const& by, Sums const& to) noexcept {
+void multiply_rows(ValueRows<Number> const& rows, Movements const& by, Sums const& to) noexcept {
     Offset const ahead = numbers_ahead(rows);
     Index const stream = rows.n_points / streams / lanes * lanes;
     for (Index p = 0; p < stream; p += lanes) {
@@ -139,14 +128,17 @@ HARMORPH_INLINE void multiply_all(ValueRows<Number> const& rows, Movements const
 }
 
 // Two sums of products in fixed point, see FixedSum, of which settled() makes the coarse and the fine one.
-struct Sum {
-    Integers first, second;
+template <class Of, bool rounds = Of::rounds>
+struct SumIn;
 
-#if defined(HARMORPH_ROUND)
+template <class Of>
+struct SumIn<Of, true> {
+    Words first, second;
+
     // Modulo 2^64, and in floating point: that is wrong by far less than 2^63, so it tells how many 2^64 are missing.
     HARMORPH_INLINE void add(Vector t) noexcept {
-        first += Integers(HARMORPH_ROUND(t));
-        second = reinterpret_cast<Integers>(reinterpret_cast<Vector>(second) + t);
+        first += Of::round(t);
+        second = reinterpret_cast<Words>(reinterpret_cast<Vector>(second) + t);
     }
     static HARMORPH_INLINE FixedSum settled(std::uint64_t first, std::uint64_t second, Index) noexcept {
         Real rough;
@@ -157,30 +149,36 @@ struct Sum {
         return {times * coarse_in_word + static_cast<std::int64_t>(first >> FixedSum::fine_bits),
                 static_cast<std::int64_t>(first & FixedSum::fine_mask)};
     }
-#else
+};
+
+template <class Of>
+struct SumIn<Of, false> {
+    Words first, second;
+
     // The bits of numbers on FixedSum's grids: multiples of its units, above the grids' own bits.
     HARMORPH_INLINE void add(Vector t) noexcept {
         Vector const on_grid = t + FixedSum::coarse_grid;
-        first += reinterpret_cast<Integers>(on_grid);
-        second += reinterpret_cast<Integers>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
+        first += reinterpret_cast<Words>(on_grid);
+        second += reinterpret_cast<Words>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
     }
     static HARMORPH_INLINE FixedSum settled(std::uint64_t first, std::uint64_t second, Index n_points) noexcept {
         std::uint64_t const times = static_cast<std::uint64_t>(n_points);
         return {static_cast<std::int64_t>(first - times * FixedSum::bits_of_coarse_grid),
                 static_cast<std::int64_t>(second - times * FixedSum::bits_of_fine_grid)};
     }
-#endif
 };
+
+using Sum = SumIn<Registers>;
 
 struct BlockOfSums {
     std::uint64_t first[Movements::most], second[Movements::most];
 
     HARMORPH_INLINE Sum at(Index k) const noexcept {
-        return {*reinterpret_cast<const Integers*>(first + k), *reinterpret_cast<const Integers*>(second + k)};
+        return {Registers::load_words(first + k), Registers::load_words(second + k)};
     }
     HARMORPH_INLINE void set(Index k, Sum its) noexcept {
-        *reinterpret_cast<Integers*>(first + k) = its.first;
-        *reinterpret_cast<Integers*>(second + k) = its.second;
+        Registers::store_words(first + k, its.first);
+        Registers::store_words(second + k, its.second);
     }
 };
 
@@ -192,7 +190,7 @@ HARMORPH_INLINE void multiply_transposed(const Number* values, Offset row, Index
         for (Index p = 0; p < points; ++p) {
             const Number* const from = values + p * row + k;
             if (k % sums == 0) __builtin_prefetch(from + ahead);
-            Vector const f = n - k >= lanes ? load(from) : load_part(from, n - k);
+            Vector const f = n - k >= lanes ? Registers::load(from) : Registers::load_part(from, n - k);
             x.add(f * by[p].x);
             y.add(f * by[p].y);
         }
@@ -202,7 +200,7 @@ HARMORPH_INLINE void multiply_transposed(const Number* values, Offset row, Index
 }
 
 template <class Number>
-HARMORPH_INLINE void multiply_all_transposed(ValueRows<Number> const& rows, const Vec2* by, FixedSums& total) noexcept {
+void multiply_rows_transposed(ValueRows<Number> const& rows, const Vec2* by, FixedSums& total) noexcept {
     Offset const ahead = numbers_ahead(rows);
     Index const n = rows.n_functions;
     BlockOfSums x, y;
@@ -226,31 +224,23 @@ HARMORPH_INLINE void multiply_all_transposed(ValueRows<Number> const& rows, cons
     }
 }
 
-HARMORPH_INLINE void add_all(const Real* from, Real* to, const Real* sum, Index n) noexcept {
+void add_sums(const Real* from, Real* to, const Real* sum, Index n) noexcept {
     Index i = 0;
     for (; i + lanes <= n; i += lanes) {
-        Vector const old = load(from + i), by = load(sum + i);
-        store(to + i, by == 0 ? old : old + by);
+        Vector const old = Registers::load(from + i), by = Registers::load(sum + i);
+        Registers::store(to + i, by == 0 ? old : old + by);
     }
     for (; i < n; ++i) to[i] = sum[i] == 0 ? from[i] : from[i] + sum[i];
 }
 
+constexpr ProductKernels kernels{{multiply_rows<Real>, multiply_rows_transposed<Real>},
+                                 {multiply_rows<float>, multiply_rows_transposed<float>},
+                                 add_sums};
+
 }  // namespace
+}  // namespace harmorph::HARMORPH_SET
 
-void multiply_rows(ValueRows<Real> const& rows, Movements const& by, Sums const& to) noexcept {
-    multiply_all(rows, by, to);
-}
-void multiply_rows(ValueRows<float> const& rows, Movements const& by, Sums const& to) noexcept {
-    multiply_all(rows, by, to);
-}
-
-void multiply_rows_transposed(ValueRows<Real> const& rows, const Vec2* by, FixedSums& total) noexcept {
-    multiply_all_transposed(rows, by, total);
-}
-void multiply_rows_transposed(ValueRows<float> const& rows, const Vec2* by, FixedSums& total) noexcept {
-    multiply_all_transposed(rows, by, total);
-}
-
-void add_sums(const Real* from, Real* to, const Real* sum, Index n) noexcept { add_all(from, to, sum, n); }
-
-}  // namespace harmorph::HARMORPH_KERNEL
+namespace harmorph::simd {
+template <>
+inline constexpr const ProductKernels* table<ProductKernels, Kernel::HARMORPH_SET> = &harmorph::HARMORPH_SET::kernels;
+}  // namespace harmorph::simd

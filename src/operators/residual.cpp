@@ -1,24 +1,14 @@
 #include "harmorph/operators/residual.hpp"
 
-#include "harmorph/base/kernel_call.hpp"
+#include "residual_table.hpp"
 
 namespace harmorph {
-
-#define HARMORPH_DECLARE(kernel)                                                                                        \
-    namespace kernel {                                                                                                  \
-    /* Balances of all rows, into `value` if there is one. */                                                           \
-    template <class To>                                                                                                 \
-    void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first,     \
-                       Index n, To* value, Index width, Residual::Norms& norms) noexcept;                               \
-    }
-HARMORPH_FOR_EACH_KERNEL(HARMORPH_DECLARE)
-
 namespace {
 
 template <class To>
 void find_balances(Residual const& its, Matrix const& matrix, Lines const& lines, Index first, Index n, To* value,
                    Residual::Norms& norms) noexcept {
-    HARMORPH_CALL(its.kernel, find_balances(matrix, lines, its.latest, its.next, first, n, value, its.width, norms))
+    residual_kernels<To>(its.kernel).find_balances(matrix, lines, its.latest, its.next, first, n, value, its.width, norms);
 }
 
 // Of two lines a point.

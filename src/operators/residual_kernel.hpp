@@ -1,27 +1,23 @@
-// Balances of all rows for one kind of vector register; see dense_kernel.hpp for what the including file defines, and
-// here HARMORPH_LOAD_PART(from, n): the first n <= HARMORPH_LANES numbers, and zeros. A column's arithmetic is the same in
-// all kernels, and so are its bits.
-#include "harmorph/operators/residual.hpp"
+// Balances of all rows with the registers of one instruction set; compiled for each by residual_table.cpp. A column's arithmetic is
+// the same in all of them, and so are its bits.
 
-namespace harmorph::HARMORPH_KERNEL {
+namespace harmorph::HARMORPH_SET {
 namespace {
 
-constexpr Index lanes = HARMORPH_LANES;
+using Registers = simd::HARMORPH_SET::Registers<Real>;
+using Vector = Registers::Vector;
+
+constexpr Index lanes = Registers::lanes;
 constexpr Index block = 8;  // columns at a time
 constexpr Index vectors = block / lanes;
 constexpr Index most_at_once = 32;  // neighbours
 constexpr Index rows_ahead = 4;     // lines lie anywhere: those are on their way while a row is summed
 static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
 
-typedef Real Vector __attribute__((vector_size(8 * HARMORPH_LANES)));
-// In memory, only ever read and written at once: of references to them, clang forgets that they may begin at any number.
-typedef Real Stored __attribute__((vector_size(8 * HARMORPH_LANES), aligned(8), may_alias));
-#define HARMORPH_INLINE inline __attribute__((always_inline))
-
 // The first n columns from a place in a line, n <= block.
 HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
     for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
-        to[v] = n >= lanes ? Vector(*reinterpret_cast<const Stored*>(from)) : Vector(HARMORPH_LOAD_PART(from, n > 0 ? n : 0));
+        to[v] = n >= lanes ? Registers::load(from) : Registers::load_part(from, n > 0 ? n : 0);
     }
 }
 
@@ -187,7 +183,7 @@ private:
                 }
             }
             for (Index p = 0; p < planes; ++p) {
-                for (Index v = 0; v < vectors; ++v) *reinterpret_cast<Stored*>(rest_[p] + k + v * lanes) = rest[p][v];
+                for (Index v = 0; v < vectors; ++v) Registers::store(rest_[p] + k + v * lanes, rest[p][v]);
             }
         }
         count_ = 0;
@@ -214,8 +210,6 @@ private:
     Neighbour neighbour_[most_at_once];
 };
 
-}  // namespace
-
 template <class To>
 void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n,
                    To* value, Index width, Residual::Norms& norms) noexcept {
@@ -226,10 +220,14 @@ void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest,
     }
 }
 
-#define HARMORPH_MAKE(To)                                                                                                \
-    template void find_balances<To>(Matrix const&, Lines const&, Span<Index>, Span<Index>, Index, Index, To*, Index,     \
-                                    Residual::Norms&) noexcept;
-HARMORPH_MAKE(double)
-HARMORPH_MAKE(float)
+template <class To>
+constexpr ResidualKernels<To> kernels{find_balances<To>};
 
-}  // namespace harmorph::HARMORPH_KERNEL
+}  // namespace
+}  // namespace harmorph::HARMORPH_SET
+
+namespace harmorph::simd {
+template <class To>
+inline constexpr const ResidualKernels<To>* table<ResidualKernels<To>, Kernel::HARMORPH_SET> =
+    &harmorph::HARMORPH_SET::kernels<To>;
+}  // namespace harmorph::simd

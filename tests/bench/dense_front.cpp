@@ -82,6 +82,7 @@ std::string DenseFront::kernel_name(int kernel) {
     switch (chosen(kernel)) {
         case harmorph::Kernel::avx512: return "avx512";
         case harmorph::Kernel::avx2: return "avx2";
+        case harmorph::Kernel::neon: return "neon";
         default: return "baseline";
     }
 }

@@ -23,7 +23,7 @@ namespace {
 char const* const usage =
     "usage: bench [--parts \"dense solve iterative morph\"] [--sizes \"10000 100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
-    "             [--kernel 0..3] [--precision double|single] [--json FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--json FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 #include "harmorph/base/value_kind.hpp"
 
 namespace harmorph {

@@ -4,7 +4,7 @@
 #include "harmorph/mesh/boundary.hpp"
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 #include "harmorph/mesh/periodic_translations.hpp"
 
 namespace harmorph {

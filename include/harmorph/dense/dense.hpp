@@ -22,7 +22,7 @@
 #pragma once
 
 #include "harmorph/base/executor.hpp"
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 #include "harmorph/base/row_view.hpp"
 #include "harmorph/base/span.hpp"
 

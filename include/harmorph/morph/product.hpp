@@ -3,7 +3,7 @@
 #pragma once
 
 #include "harmorph/base/fixed_sum.hpp"
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 #include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
@@ -33,16 +33,27 @@ struct FixedSums {
     FixedSum x[Movements::most], y[Movements::most];
 };
 
-// Few values are multiplied before the processor has told what it is.
-Kernel product_kernel(Offset values) noexcept;
+// For values of one type.
+template <class Number>
+struct RowProducts {
+    // to[p] += values of point p . movements
+    void (*multiply)(ValueRows<Number> const& rows, Movements const& by, Sums const& to) noexcept;
+    // total += sum over the points of their values times by[p]; no product may reach 2^63, and n_points not 2^20.
+    void (*multiply_transposed)(ValueRows<Number> const& rows, const Vec2* by, FixedSums& total) noexcept;
+};
 
-// to[p] += values of point p . movements
-void multiply_rows(Kernel kernel, ValueRows<Real> const& rows, Movements const& by, Sums const& to) noexcept;
-void multiply_rows(Kernel kernel, ValueRows<float> const& rows, Movements const& by, Sums const& to) noexcept;
-// total += sum over the points of their values times by[p]; no product may reach 2^63, and n_points not 2^20.
-void multiply_rows_transposed(Kernel kernel, ValueRows<Real> const& rows, const Vec2* by, FixedSums& total) noexcept;
-void multiply_rows_transposed(Kernel kernel, ValueRows<float> const& rows, const Vec2* by, FixedSums& total) noexcept;
-// to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be to.
-void add_sums(Kernel kernel, const Real* from, Real* to, const Real* sum, Index n) noexcept;
+struct ProductKernels {
+    RowProducts<Real> in_double;
+    RowProducts<float> in_single;
+    // to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be to.
+    void (*add_sums)(const Real* from, Real* to, const Real* sum, Index n) noexcept;
+
+    RowProducts<Real> const& of(ValueRows<Real> const&) const noexcept { return in_double; }
+    RowProducts<float> const& of(ValueRows<float> const&) const noexcept { return in_single; }
+};
+
+ProductKernels const& product_kernels(Kernel kernel) noexcept;
+// The best ones for so many values; below 2^16 the question to the processor costs more than they save.
+ProductKernels const& product_kernels_for(Offset values) noexcept;
 
 }  // namespace harmorph

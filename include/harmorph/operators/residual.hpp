@@ -4,7 +4,7 @@
 #include "harmorph/basis/basis.hpp"
 #include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 #include "harmorph/base/row_view.hpp"
 
 namespace harmorph {

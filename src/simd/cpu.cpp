@@ -1,4 +1,4 @@
-#include "harmorph/base/cpu.hpp"
+#include "harmorph/simd/cpu.hpp"
 
 #if defined(__x86_64__) && defined(__GNUC__)
 #include <cpuid.h>
@@ -36,15 +36,26 @@ Kernel best_kernel() noexcept {
     return has_avx512 && has_avx2 ? Kernel::avx512 : has_avx2 ? Kernel::avx2 : Kernel::baseline;
 }
 
+// In their order each set has what those before it have.
+bool has_kernel(Kernel kernel) noexcept {
+    return kernel == Kernel::automatic || kernel == Kernel::baseline ||
+           (kernel <= Kernel::avx512 && kernel <= best_kernel());
+}
+
+#elif defined(__AARCH64EL__)
+
+Kernel best_kernel() noexcept { return Kernel::neon; }
+
+bool has_kernel(Kernel kernel) noexcept {
+    return kernel == Kernel::automatic || kernel == Kernel::baseline || kernel == Kernel::neon;
+}
+
 #else
 
 Kernel best_kernel() noexcept { return Kernel::baseline; }
 
-#endif
+bool has_kernel(Kernel kernel) noexcept { return kernel == Kernel::automatic || kernel == Kernel::baseline; }
 
-bool has_kernel(Kernel kernel) noexcept {
-    return kernel == Kernel::automatic || kernel == Kernel::baseline ||
-           static_cast<std::int32_t>(kernel) <= static_cast<std::int32_t>(best_kernel());
-}
+#endif
 
 }  // namespace harmorph

@@ -1,4 +1,4 @@
-// Which vector instructions this processor has, asked of the processor itself.
+// Instruction sets for which kernels exist, and which of them this processor has, asked of the processor itself.
 #pragma once
 
 #include "harmorph/base/types.hpp"
@@ -6,7 +6,7 @@
 namespace harmorph {
 
 // The numbers are those of the C header. Every kernel computes the same to rounding; one kernel, the same bits.
-enum class Kernel : std::int32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3 };
+enum class Kernel : std::int32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
 
 // Never automatic. Asking may take microseconds on a virtual machine: once for each plan.
 Kernel best_kernel() noexcept;

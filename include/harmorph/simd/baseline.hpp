@@ -1,0 +1,99 @@
+// Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of Registers.
+#define HARMORPH_SET baseline
+#include "harmorph/simd/begin.hpp"
+
+namespace harmorph::simd::baseline {
+
+// What one register holds, and what the instruction set does with it; see Register in begin.hpp for the rest. + - * / are
+// the compiler's, and are never contracted.
+template <class Of>
+struct Registers;
+
+template <>
+struct Registers<double> : Register<double, 2> {
+    static constexpr Index count = 16;  // of the processor
+
+    // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros. No others are read.
+    using Register::load;
+    static HARMORPH_INLINE Vector load(const float* from) noexcept { return load_converted<lanes>(from); }
+    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept { return Vector{n > 0 ? *from : 0, 0}; }
+    static HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
+        return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
+    }
+
+    // Of each lane's numbers; b where one is NaN.
+    static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_max_pd(a, b));
+#else
+        return Vector{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+#endif
+    }
+    static HARMORPH_INLINE Vector smaller(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_min_pd(a, b));
+#else
+        return Vector{a[0] < b[0] ? a[0] : b[0], a[1] < b[1] ? a[1] : b[1]};
+#endif
+    }
+    // A bit for each lane in which a < b, the first lane's lowest.
+    static HARMORPH_INLINE unsigned less(Vector a, Vector b) noexcept {
+#if defined(__SSE2__)
+        return static_cast<unsigned>(_mm_movemask_pd(_mm_cmplt_pd(a, b)));
+#else
+        return (a[0] < b[0] ? 1u : 0u) | (a[1] < b[1] ? 2u : 0u);
+#endif
+    }
+    static HARMORPH_INLINE Vector square_root(Vector v) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_sqrt_pd(v));
+#else
+        return Vector{harmorph::square_root(v[0]), harmorph::square_root(v[1])};
+#endif
+    }
+
+    // Whether there is round(v): to the nearest integers, in two's complement.
+    static constexpr bool rounds = false;
+
+    // c + a b and c - a b, contracted where there are instructions for that.
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+
+    // Numbers picked from two registers: in each lane that of lane `picked` of the first, or, counted on, of the second, or 0
+    // where that is none.
+    struct Picks {
+        Index from[lanes];
+    };
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return {{picked[0], picked[1]}}; }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < lanes; ++lane) {
+            Index const from = its.from[lane];
+            if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
+        }
+        return v;
+    }
+};
+
+template <>
+struct Registers<float> : Register<float, 4> {
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
+
+    struct Picks {
+        Index from[lanes];
+    };
+    static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
+        return {{picked[0], picked[1], picked[2], picked[3]}};
+    }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+        Vector v = {};
+        for (Index lane = 0; lane < lanes; ++lane) {
+            Index const from = its.from[lane];
+            if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
+        }
+        return v;
+    }
+};
+
+}  // namespace harmorph::simd::baseline

@@ -1,0 +1,47 @@
+// Opens the code of one instruction set. The header of the set has defined HARMORPH_SET, its name in enum Kernel, and
+// HARMORPH_TARGET, what the compiler may use beside the plain architecture, if that is anything. From here to end.hpp all
+// functions are compiled for the set, and what they are made of stands in a namespace of that name: a name outside of it
+// could be linked where the processor is another one. For the same reason all shared headers come before.
+#define HARMORPH_INLINE inline __attribute__((always_inline))
+
+#if defined(HARMORPH_TARGET)
+#define HARMORPH_PRAGMA_TEXT(text) _Pragma(#text)
+#define HARMORPH_PRAGMA(text) HARMORPH_PRAGMA_TEXT(text)
+#if defined(__clang__)
+HARMORPH_PRAGMA(clang attribute push(__attribute__((target(HARMORPH_TARGET))), apply_to = function))
+#else
+HARMORPH_PRAGMA(GCC push_options)
+HARMORPH_PRAGMA(GCC target(HARMORPH_TARGET))
+#endif
+#endif
+
+namespace harmorph::simd::HARMORPH_SET {
+
+// What every register of `n` numbers has. In memory, numbers may begin anywhere.
+template <class Of, Index n>
+struct Register {
+    static constexpr Index lanes = n;
+    typedef Of Vector __attribute__((vector_size(n * sizeof(Of))));
+    // The bits of its numbers.
+    using Word = typename std::conditional<sizeof(Of) == 8, std::uint64_t, std::uint32_t>::type;
+    typedef Word Words __attribute__((vector_size(n * sizeof(Of))));
+
+    static HARMORPH_INLINE Vector load(const Of* from) noexcept { return *reinterpret_cast<const Stored*>(from); }
+    static HARMORPH_INLINE void store(Of* to, Vector v) noexcept { *reinterpret_cast<Stored*>(to) = v; }
+    static HARMORPH_INLINE Words load_words(const Word* from) noexcept { return *reinterpret_cast<const StoredWords*>(from); }
+    static HARMORPH_INLINE void store_words(Word* to, Words v) noexcept { *reinterpret_cast<StoredWords*>(to) = v; }
+    static HARMORPH_INLINE Vector all(Of x) noexcept { return x - Vector{}; }  // the bits of x: -0.0 - 0.0 is -0.0
+
+private:
+    typedef Of Stored __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
+    typedef Word StoredWords __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
+};
+
+// Numbers in single precision become double ones on their way into registers.
+template <Index n>
+HARMORPH_INLINE typename Register<double, n>::Vector load_converted(const float* from) noexcept {
+    typedef float Stored __attribute__((vector_size(4 * n), aligned(4), may_alias));
+    return __builtin_convertvector(*reinterpret_cast<const Stored*>(from), typename Register<double, n>::Vector);
+}
+
+}  // namespace harmorph::simd::HARMORPH_SET

@@ -1,0 +1,63 @@
+// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1. `columns`: the panel's own
+// or its border's, of which from .. to-1 are wanted.
+#pragma once
+
+#include "harmorph/dense/dense.hpp"
+
+namespace harmorph::dense {
+
+// Factorisation and substitution of a panel of real (one plane) or complex numbers (two planes).
+template <class Number, Index planes>
+struct FrontKernels {
+    // The strip's rows, minus what earlier strips contribute.
+    void (*take_off_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
+                             Index to) noexcept;
+    // Of the strip's rows from .. to-1: what is behind its own columns, summed; see TailSums.
+    void (*sum_tails)(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
+                      TailSums<Number>& tails) noexcept;
+    // Factors the strip's own columns; sums: of the front's rows, of which the strip's become U^-H of them.
+    Index (*factor_diagonal)(Panel<Number> const& panel, Index first, Index end, Number* sums, TailSums<Number>& tails,
+                             Number floor, Number& least_left) noexcept;
+    // And then any others, taken off the sums of the rows that they will be: column_sums.
+    void (*finish_columns)(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
+                           Index to, Number* sums, Number* column_sums) noexcept;
+    // The band of the update matrix that begins at row `first`; sums: the border's.
+    void (*update_band)(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
+                        const Number* sums) noexcept;
+
+    // Right-hand sides y: a strip's own pivots, and what they contribute to rows from .. to-1 of `rest`, which belong to
+    // `columns`.
+    void (*solve_strip_forward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
+    void (*take_off_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
+                             Index from, Index to) noexcept;
+    // And what pivots from .. to-1 receive from the columns' rows of `rest`, from `begin` on.
+    void (*take_off_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
+                              Index to) noexcept;
+    void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
+};
+
+// Moves between fronts; see dense.hpp.
+template <class Number>
+struct MoveKernels {
+    void (*extend_add)(UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
+                       UpdateMatrix<Number> const& update) noexcept;
+    void (*add_rows)(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;
+};
+
+// Moves between fronts and rows of values; see dense.hpp. positions null: begin, begin + 1, ...
+template <class Number, class Value>
+struct CopyKernels {
+    void (*gather)(RowsOf<Value> const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
+                   Index planes) noexcept;
+    void (*scatter)(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin, Index n) noexcept;
+};
+
+// What follows is there for double and float; values are doubles, or floats where numbers are.
+template <class Number, Index planes>
+FrontKernels<Number, planes> const& front_kernels(Kernel kernel) noexcept;
+template <class Number>
+MoveKernels<Number> const& move_kernels(Kernel kernel) noexcept;
+template <class Number, class Value>
+CopyKernels<Number, Value> const& copy_kernels(Kernel kernel) noexcept;
+
+}  // namespace harmorph::dense

@@ -1,0 +1,19 @@
+// The residuals of all rows with one instruction set as a function table.
+#pragma once
+
+#include "harmorph/operators/residual.hpp"
+
+namespace harmorph {
+
+// Of numbers in double or in single precision.
+template <class To>
+struct ResidualKernels {
+    // Balances of all rows, into `value` if there is one: columns first .. first+n-1. The rest as in Residual.
+    void (*find_balances)(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n,
+                          To* value, Index width, Residual::Norms& norms) noexcept;
+};
+
+template <class To>
+ResidualKernels<To> const& residual_kernels(Kernel kernel) noexcept;
+
+}  // namespace harmorph
