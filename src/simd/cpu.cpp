@@ -36,10 +36,10 @@ Kernel best_kernel() noexcept {
     return has_avx512 && has_avx2 ? Kernel::avx512 : has_avx2 ? Kernel::avx2 : Kernel::baseline;
 }
 
-// In their order each set has what those before it have.
+// A processor with AVX-512 has AVX2, too.
 bool has_kernel(Kernel kernel) noexcept {
-    return kernel == Kernel::automatic || kernel == Kernel::baseline ||
-           (kernel <= Kernel::avx512 && kernel <= best_kernel());
+    if (kernel == Kernel::automatic || kernel == Kernel::baseline) return true;
+    return (kernel == Kernel::avx2 || kernel == Kernel::avx512) && kernel <= best_kernel();
 }
 
 #elif defined(__AARCH64EL__)

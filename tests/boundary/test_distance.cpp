@@ -4,6 +4,7 @@
 #include <fixtures/airfoil.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/kernels.hpp>
 
 #include <harmorph/boundary/distance.hpp>
 
@@ -384,8 +385,7 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
             CHECK(worst < 1e-9);
             CHECK(nearer > 0);
             CHECK(nearer < expected.size());
-            for (harmorph::Kernel const kernel : {harmorph::Kernel::avx2, harmorph::Kernel::avx512}) {
-                if (!harmorph::has_kernel(kernel)) continue;
+            for (harmorph::Kernel const kernel : usable_kernels()) {
                 tree.kernel = images.kernel = kernel;
                 CHECK(weights_of(*mesh, tree, quarters) == expected);
                 CHECK(weights_of(*mesh, images, quarters) == with_images);
@@ -397,8 +397,7 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
         Index group = 0;
         FaceDistance::Foot const foot = tree.foot(place, group);
         double const distance = tree.distance(place);
-        for (harmorph::Kernel const kernel : {harmorph::Kernel::avx2, harmorph::Kernel::avx512}) {
-            if (!harmorph::has_kernel(kernel)) continue;
+        for (harmorph::Kernel const kernel : usable_kernels()) {
             tree.kernel = kernel;
             Index guess = static_cast<Index>(random() % static_cast<unsigned>(tree.groups.count()));
             FaceDistance::Foot const seen = tree.foot(place, guess);

@@ -5,6 +5,7 @@
 #include <fixtures/core.hpp>
 #include <fixtures/dense_matrix.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/kernels.hpp>
 
 #include <harmorph/dense/dense.hpp>
 
@@ -16,13 +17,6 @@ using harmorph::Kernel;
 namespace dense = harmorph::dense;
 
 namespace {
-
-std::vector<Kernel> kernels() {
-    std::vector<Kernel> out;
-    for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512})
-        if (harmorph::has_kernel(kernel)) out.push_back(kernel);
-    return out;
-}
 
 template <class T, bool complex>
 struct Arithmetic {
@@ -246,7 +240,7 @@ void check_front(Kernel kernel, Index pivots, Index border) {
 }  // namespace
 
 TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a border", Its, ALL_ARITHMETICS) {
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (Index pivots = 1; pivots <= 60; ++pivots) {
             check_front<Its>(kernel, pivots, 0);
             check_front<Its>(kernel, pivots, pivots % 23 + 1);
@@ -254,7 +248,7 @@ TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a bord
 }
 
 TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and bands", Its, ALL_ARITHMETICS) {
-    for (Kernel const kernel : kernels()) {
+    for (Kernel const kernel : fixtures::usable_kernels()) {
         for (Index border = 0; border <= 60; ++border) check_front<Its>(kernel, border % 41 + 1, border);
         for (Index const border : {71, 72, 73, 95, 96, 97, 127, 128, 129, 136, 193}) check_front<Its>(kernel, 9, border);
     }
@@ -262,7 +256,7 @@ TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and b
 
 TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles", Its, ALL_ARITHMETICS) {
     Index const sizes[][2] = {{127, 130}, {128, 0}, {129, 64}, {100, 203}, {256, 29}, {257, 3}};
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) check_front<Its>(kernel, size[0], size[1]);
 }
 
@@ -272,7 +266,7 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
     for (auto const& size : sizes) {
         auto const a = some_matrix<Its>(static_cast<std::size_t>(size[0] + size[1]), 5);
         std::size_t const n = a.n * static_cast<std::size_t>(Its::planes) * 32;
-        for (Kernel const kernel : kernels()) {
+        for (Kernel const kernel : fixtures::usable_kernels()) {
             std::vector<Number> first[3];
             for (Index const threads : {1, 2, 7}) {
                 Front<Its> front(kernel, a, size[0], threads);
@@ -299,7 +293,7 @@ TEST_CASE_TEMPLATE("any number of threads, in any order: the same bits", Its, AL
 
 TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its rows go", Its, ALL_ARITHMETICS) {
     std::mt19937 random(11);
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (int round = 0; round < 60; ++round) {
             Index const pivots = 1 + static_cast<Index>(random() % 40), border = static_cast<Index>(random() % 70);
             double const kept = uniform(random);   // runs of neighbours, or scattered rows
@@ -334,7 +328,7 @@ TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its 
 }
 
 TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and named", Its, ALL_ARITHMETICS) {
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (Index const n : {1, 5, 8, 9, 64, 100, 130, 260})
             for (Index const bad : {Index{0}, n / 3, n / 2, n - 1})
                 for (double const value : {-1.0, 0.0, static_cast<double>(Its::poison)}) {
@@ -350,7 +344,7 @@ TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and n
 }
 
 TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing", Its, ALL_ARITHMETICS) {
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (std::size_t const n : {2u, 8u, 9u, 32u, 33u, 100u}) {
             typename Its::Matrix a(n);
             for (std::size_t k = 0; k + 1 < n; ++k) {
@@ -371,7 +365,7 @@ TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are 
 TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Arithmetic<double, false>, Arithmetic<float, false>) {
     using Number = typename Its::Number;
     Index const sizes[][2] = {{1, 0}, {9, 0}, {40, 0}, {150, 0}, {300, 0}};
-    for (Kernel const kernel : kernels())
+    for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) {
             std::size_t const n = static_cast<std::size_t>(size[0]);
             typename Its::Matrix a(n);
@@ -395,10 +389,4 @@ TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Ar
             for (std::size_t i = 0; i < n; ++i) worst = std::max(worst, std::abs(static_cast<double>(y[row * i]) - 1));
             CHECK(worst < 20 * std::sqrt(static_cast<double>(n)) * std::numeric_limits<Number>::epsilon());
         }
-}
-
-TEST_CASE("there is always a best kernel, and it can be used") {
-    CHECK(harmorph::best_kernel() != Kernel::automatic);
-    CHECK(harmorph::has_kernel(harmorph::best_kernel()));
-    CHECK(harmorph::has_kernel(Kernel::baseline));
 }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
+#include <fixtures/kernels.hpp>
 
 #include <harmorph/morph/product.hpp>
 
@@ -39,7 +40,7 @@ struct Product {
     template <class Number>
     std::vector<double> multiply(Kernel kernel, harmorph::ValueRows<Number> const& its) const {
         std::vector<double> x(static_cast<std::size_t>(points), 0.5), y(x.size(), -0.25);   // is added to
-        multiply_rows(kernel, its, by, {x.data(), y.data()});
+        harmorph::product_kernels(kernel).of(its).multiply(its, by, {x.data(), y.data()});
         x.insert(x.end(), y.begin(), y.end());
         return x;
     }
@@ -49,7 +50,7 @@ struct Product {
         std::vector<Vec2> in_units;
         for (Vec2 const w : weight) in_units.push_back({std::ldexp(w.x, 63), std::ldexp(w.y, 63)});
         harmorph::FixedSums total{};
-        multiply_rows_transposed(kernel, its, in_units.data(), total);
+        harmorph::product_kernels(kernel).of(its).multiply_transposed(its, in_units.data(), total);
         std::vector<double> out;
         for (Index k = 0; k < functions; ++k) out.push_back(total.x[k].value());
         for (Index k = 0; k < functions; ++k) out.push_back(total.y[k].value());
@@ -92,8 +93,7 @@ TEST_CASE("any number of functions and points: right to rounding, and the same b
                                       back = product.transposed(Kernel::baseline);
             CHECK(largest_difference(there, exact) < 1e-15 * (1 + functions));
             CHECK(largest_difference(back, exact_transposed) < 1.2e-16 * (1 + points));   // each product rounded once
-            for (Kernel const kernel : {Kernel::avx2, Kernel::avx512}) {
-                if (!harmorph::has_kernel(kernel)) continue;
+            for (Kernel const kernel : usable_kernels()) {
                 CHECK(same_bits(product.multiply(kernel), there));
                 CHECK(same_bits(product.transposed(kernel), back));
             }
@@ -103,8 +103,7 @@ TEST_CASE("any number of functions and points: right to rounding, and the same b
 TEST_CASE("numbers behind the last one are not read, at any address") {
     // A heap block that ends with the last value: AddressSanitizer sees reads beyond it. Without it, NaN would spread.
     for (Index const functions : {1, 3, 5, 7, 8, 9, 15, 17})
-        for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
-            if (!harmorph::has_kernel(kernel)) continue;
+        for (Kernel const kernel : usable_kernels()) {
             Product product(3, functions, 1);
             std::vector<double> const expected = product.multiply(kernel), back = product.transposed(kernel);
             std::vector<double> shifted(1, std::numeric_limits<double>::quiet_NaN());
@@ -122,8 +121,7 @@ TEST_CASE("rows may be longer than what is used of them") {
     used.values.clear();
     for (Index p = 0; p < 6; ++p)
         for (Index k = 0; k < 13; ++k) used.values.push_back(product.value(p, k));
-    for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
-        if (!harmorph::has_kernel(kernel)) continue;
+    for (Kernel const kernel : usable_kernels()) {
         harmorph::ValueRows<double> const its{product.values.data(), 20, 6, 13};
         CHECK(same_bits(used.multiply(kernel, its), used.multiply(kernel)));
         CHECK(same_bits(used.transposed(kernel, its), used.transposed(kernel)));
@@ -145,8 +143,7 @@ TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the ro
                 units[k] += static_cast<std::int64_t>(std::ldexp(f * w, 50));   // 2^-50: their last bit
             }
         }
-        for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
-            if (!harmorph::has_kernel(kernel)) continue;
+        for (Kernel const kernel : usable_kernels()) {
             std::vector<double> const found = product.transposed(kernel);
             for (std::size_t k = 0; k < 3; ++k) {
                 CHECK(found[k] == std::ldexp(static_cast<double>(units[k]), -50));
@@ -160,13 +157,12 @@ TEST_CASE("sums are added in place or elsewhere; where they are 0 all bits are k
     std::vector<double> const from{1, -0.0, 0, std::nan(""), 2, -0.0, 5, 7, -0.0, 3, -0.0},
         sum{0.5, 0, -0.0, 0, -2, -0.0, 0x1p-60, 1, 3, -0.0, 0};
     for (Index n = 0; n <= 11; ++n)
-        for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
-            if (!harmorph::has_kernel(kernel)) continue;
+        for (Kernel const kernel : usable_kernels()) {
             std::vector<double> in_place = from, elsewhere(from.size(), -7), expected = from;
             for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
                 if (sum[k] != 0) expected[k] += sum[k];
-            add_sums(kernel, in_place.data(), in_place.data(), sum.data(), n);
-            add_sums(kernel, from.data(), elsewhere.data(), sum.data(), n);
+            harmorph::product_kernels(kernel).add_sums(in_place.data(), in_place.data(), sum.data(), n);
+            harmorph::product_kernels(kernel).add_sums(from.data(), elsewhere.data(), sum.data(), n);
             CHECK(same_bits(in_place, expected));
             for (std::size_t k = static_cast<std::size_t>(n); k < from.size(); ++k) expected[k] = -7;
             CHECK(same_bits(elsewhere, expected));
@@ -182,8 +178,7 @@ TEST_CASE("numbers in single precision give the bits that they give as double on
                 singles.push_back(static_cast<float>(value));
                 value = static_cast<double>(singles.back());
             }
-            for (Kernel const kernel : {Kernel::baseline, Kernel::avx2, Kernel::avx512}) {
-                if (!harmorph::has_kernel(kernel)) continue;
+            for (Kernel const kernel : usable_kernels()) {
                 for (std::size_t const behind : {std::size_t{0}, std::size_t{16}}) {   // the heap's end, or NaN
                     std::vector<float> rows = singles;
                     rows.resize(rows.size() + behind, std::numeric_limits<float>::quiet_NaN());

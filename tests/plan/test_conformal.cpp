@@ -458,7 +458,7 @@ TEST_CASE("any number of threads gives the same bits, and kernels agree to round
         CHECK(backwards.tasks > 0);
         CHECK(displacement(solved, move) == expected);
     }
-    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512}) {
+    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         hm_options options = plain;
         options.kernel = kernel;
         Attempt const attempt(its.problem(), &options);

@@ -94,7 +94,7 @@ TEST_CASE("kernels agree to rounding, each with itself to the bit") {
     Solved const reference(its);
     std::vector<double> const expected = reference.all_values();
     int tried = 0;
-    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512}) {
+    for (std::int32_t const kernel : {HM_KERNEL_BASELINE, HM_KERNEL_AVX2, HM_KERNEL_AVX512, HM_KERNEL_NEON}) {
         hm_options options = laplace();
         options.kernel = kernel;
         Attempt const first(its.problem(), &options);

@@ -1,0 +1,172 @@
+// The registers of every instruction set that this processor has, against plain numbers.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/kernels.hpp>
+
+#include <harmorph/base/scalar.hpp>
+#include <harmorph/simd/kernel_table.hpp>
+
+#include <cmath>
+#include <limits>
+
+using harmorph::Index;
+using harmorph::Kernel;
+
+namespace fixtures {
+
+constexpr Index most_lanes = 8;
+
+template <class Number>
+struct OperationsOf {
+    Index lanes;
+    void (*multiply_add)(const Number* a, const Number* b, const Number* c, Number* out, Index n);
+    void (*multiply_subtract)(const Number* a, const Number* b, const Number* c, Number* out, Index n);
+    void (*all)(Number x, Number* out);
+    void (*pick)(const Number* a, const Number* b, const Index* picked, Number* out);
+    void (*load_part)(const Number* from, Index n, double* out);
+};
+struct Operations {
+    OperationsOf<double> in_double;
+    OperationsOf<float> in_single;
+    void (*load_single)(const float* from, double* out);
+    void (*larger)(const double* a, const double* b, double* out, Index n);
+    void (*smaller)(const double* a, const double* b, double* out, Index n);
+    void (*square_root)(const double* a, double* out, Index n);
+    unsigned (*less)(const double* a, const double* b);
+    void (*round)(const double* a, std::uint64_t* out, Index n);   // null: no such instruction
+
+    OperationsOf<double> const& of(double) const { return in_double; }
+    OperationsOf<float> const& of(float) const { return in_single; }
+};
+
+}  // namespace fixtures
+
+#define HARMORPH_KERNELS "fixtures/register_operations.hpp"
+#include <harmorph/simd/for_each_set.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+Operations const& operations(Kernel kernel) { return harmorph::simd::table_of<Operations>(kernel); }
+
+template <class Number>
+std::vector<Number> some(std::size_t n, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<Number> out;
+    for (std::size_t k = 0; k < n; ++k) out.push_back(static_cast<Number>(2 * uniform(random) - 1));
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number, double, float) {
+    constexpr Index n = 64;
+    std::vector<Number> const a = some<Number>(n, 1), b = some<Number>(n, 2), c = some<Number>(n, 3);
+    for (Kernel const kernel : usable_kernels()) {
+        INFO("kernel " << static_cast<int>(kernel));
+        std::vector<Number> sum(n), rest(n);
+        auto const& its = operations(kernel).of(Number{});
+        its.multiply_add(a.data(), b.data(), c.data(), sum.data(), n);
+        its.multiply_subtract(a.data(), b.data(), c.data(), rest.data(), n);
+        bool const contracted = kernel != Kernel::baseline;
+        for (std::size_t k = 0; k < n; ++k) {
+            Number const product = a[k] * b[k];
+            CHECK(sum[k] == (contracted ? std::fma(a[k], b[k], c[k]) : c[k] + product));
+            CHECK(rest[k] == (contracted ? std::fma(-a[k], b[k], c[k]) : c[k] - product));
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("one number in all lanes keeps its bits", Number, double, float) {
+    for (Kernel const kernel : usable_kernels()) {
+        auto const& its = operations(kernel).of(Number{});
+        for (Number const x : {Number{0}, -Number{0}, Number{1.5}, -std::numeric_limits<Number>::infinity()}) {
+            Number out[most_lanes];
+            its.all(x, out);
+            for (Index lane = 0; lane < its.lanes; ++lane) {
+                CHECK(out[lane] == x);
+                CHECK(std::signbit(out[lane]) == std::signbit(x));
+            }
+        }
+    }
+}
+
+TEST_CASE_TEMPLATE("parts of a register are loaded, zeros behind them; nothing else is read", Number, double, float) {
+    for (Kernel const kernel : usable_kernels()) {
+        Index const lanes = operations(kernel).in_double.lanes;
+        for (Index n = 0; n < lanes; ++n) {
+            // On the heap, so that a memory checker sees a number too many.
+            std::vector<Number> const from = some<Number>(static_cast<std::size_t>(n), 4);
+            double out[most_lanes];
+            operations(kernel).of(Number{}).load_part(from.data(), n, out);
+            for (Index lane = 0; lane < lanes; ++lane)
+                CHECK(out[lane] == (lane < n ? static_cast<double>(from[static_cast<std::size_t>(lane)]) : 0));
+        }
+    }
+}
+
+TEST_CASE("single precision becomes double, exactly") {
+    std::vector<float> const from = some<float>(most_lanes, 5);
+    for (Kernel const kernel : usable_kernels()) {
+        double out[most_lanes];
+        operations(kernel).load_single(from.data(), out);
+        for (Index lane = 0; lane < operations(kernel).in_double.lanes; ++lane)
+            CHECK(out[lane] == static_cast<double>(from[static_cast<std::size_t>(lane)]));
+    }
+}
+
+TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, double, float) {
+    std::mt19937 random(6);
+    for (Kernel const kernel : usable_kernels()) {
+        auto const& its = operations(kernel).of(Number{});
+        for (int attempt = 0; attempt < 200; ++attempt) {
+            std::vector<Number> const both = some<Number>(static_cast<std::size_t>(2 * its.lanes), 7);
+            Index picked[most_lanes];
+            for (Index& from : picked) from = static_cast<Index>(random() % static_cast<unsigned>(2 * its.lanes + 1)) - 1;
+            Number out[most_lanes];
+            its.pick(both.data(), both.data() + its.lanes, picked, out);
+            for (Index lane = 0; lane < its.lanes; ++lane)
+                CHECK(out[lane] == (picked[lane] < 0 ? 0 : both[static_cast<std::size_t>(picked[lane])]));
+        }
+    }
+}
+
+TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN is not less") {
+    double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan}, b{2, 1, 3, nan, infinity, -infinity, -1, nan};
+    for (Kernel const kernel : usable_kernels()) {
+        Operations const& its = operations(kernel);
+        double high[8], low[8];
+        its.larger(a.data(), b.data(), high, 8);
+        its.smaller(a.data(), b.data(), low, 8);
+        for (std::size_t k = 0; k < 8; ++k) {
+            CHECK(harmorph::bits_of(high[k]) == harmorph::bits_of(a[k] > b[k] ? a[k] : b[k]));
+            CHECK(harmorph::bits_of(low[k]) == harmorph::bits_of(a[k] < b[k] ? a[k] : b[k]));
+        }
+        for (Index first = 0; first < 8; first += its.in_double.lanes) {
+            unsigned const mask = its.less(a.data() + first, b.data() + first);
+            for (Index lane = 0; lane < its.in_double.lanes; ++lane) {
+                std::size_t const k = static_cast<std::size_t>(first + lane);
+                CHECK((mask >> lane & 1u) == (a[k] < b[k] ? 1u : 0u));
+            }
+            CHECK((mask >> its.in_double.lanes) == 0);
+        }
+    }
+}
+
+TEST_CASE("square roots are rounded correctly; integers are the nearest, ties to even") {
+    std::vector<double> const a{0, 2, 1e-300, 1e300, 0.25, 3, 1 / 3.0, 7};
+    std::vector<double> const b{0.5, 1.5, -2.5, -0.75, 0x1p62, -0x1p62 - 1024, 2.4999, -3.5};
+    for (Kernel const kernel : usable_kernels()) {
+        Operations const& its = operations(kernel);
+        double roots[8];
+        its.square_root(a.data(), roots, 8);
+        for (std::size_t k = 0; k < 8; ++k) CHECK(roots[k] == std::sqrt(a[k]));
+        if (its.round == nullptr) continue;
+        std::uint64_t words[8];
+        its.round(b.data(), words, 8);
+        for (std::size_t k = 0; k < 8; ++k) CHECK(static_cast<std::int64_t>(words[k]) == std::llrint(b[k]));
+    }
+}
