@@ -300,6 +300,7 @@ TEST_CASE("fields that are not of a condition's kind are refused by name, and wh
 TEST_CASE("nothing inside: a mesh all of whose points are on fixed markers and curves") {
     Case its = tiny_case();
     its.mesh = square(4, Cells::hybrid, 2, 2);
+    its.curves = polyline({{.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}});
     Attempt const attempt(its.problem());
     CHECK(attempt.status == HM_BAD_CONDITION);
     CHECK(std::string(attempt.error.text).find("nothing to solve") != std::string::npos);

@@ -89,7 +89,7 @@ TEST_CASE("markers stay with their faces") {
 }
 
 TEST_CASE("ordered lists of points say the same as faces; both together too") {
-    Mesh const mesh = square(6, Cells::hybrid, 2, 2);
+    Mesh const mesh = tiny_case().mesh;
     Analysed const with_faces(mesh);
     Lists const lists(with_faces->boundary);
     hm_mesh view = mesh.view();

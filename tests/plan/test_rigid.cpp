@@ -175,7 +175,7 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     Case const good = flap();
     Case its = good;
     its.conditions.back().body = 1;
-    CHECK(refused(its, "without gaps") == HM_BAD_CONDITION);
+    CHECK(refused(its, "not all before it are there") == HM_BAD_CONDITION);
     for (std::int32_t const wrong : {-1, 1 << 20, 2147483647, -2147483647 - 1}) {
         its.conditions.back().body = wrong;
         CHECK(refused(its, "rigid body") == HM_BAD_CONDITION);
