@@ -42,6 +42,10 @@ done
 # tsort names the files of a circle.
 verdict "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
 
+# The table of rooms in src/README.md is this list.
+described=$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md | head -n "$(echo "$rooms" | wc -w)" | tr '\n' ' ')
+verdict src/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
+
 # Tests lie in the rooms of what they test.
 for directory in tests/*/; do
     room=$(basename "$directory")
