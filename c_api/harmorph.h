@@ -139,7 +139,10 @@ enum {                        /* hm_mesh.cell_layout */
     HM_CELLS_ROWS = 0,        /* cell_start, cell_points: compressed rows of 3 or 4 points */
     HM_CELLS_TRIANGLES = 1,   /* cell_points [3*n_cells] */
     HM_CELLS_QUADS = 2,       /* cell_points [4*n_cells]; a triangle repeats its last point */
-    HM_CELLS_STRUCTURED = 3   /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
+    HM_CELLS_STRUCTURED = 3,  /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
+    HM_CELLS_MIXED = 4        /* two arrays: the triangles in cell_points [3*(n_cells-n_quads)], the quadrilaterals in
+                                 quad_points [4*n_quads]. The triangles are the first cells, the quadrilaterals the
+                                 cells from index_base + n_cells - n_quads on */
 };
 
 typedef struct hm_mesh {
@@ -148,7 +151,7 @@ typedef struct hm_mesh {
     int32_t  n_points;             /* 3 .. 2^30; points that no cell uses are allowed and never move */
     hm_points points;              /* [n_points] coordinates */
     int32_t  cell_layout;          /* HM_CELLS_... */
-    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1) */
+    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1); mixed: both kinds together */
     const int32_t *cell_start;     /* [n_cells+1] rows only: where the points of a cell begin, counted from
                                       index_base */
     const int32_t *cell_points;    /* the points of each cell in order around the cell */
@@ -161,6 +164,8 @@ typedef struct hm_mesh {
     const int32_t *list_start;     /* [n_lists+1] counted from index_base */
     const int32_t *list_points;
     const int32_t *list_markers;   /* [n_lists] */
+    int32_t  n_quads;              /* mixed only, otherwise 0: 0 .. n_cells */
+    const int32_t *quad_points;    /* [4*n_quads] mixed only; a triangle repeats its last point */
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or the wake line of a
  * C-mesh: two points of unmarked boundary edges with equal coordinates are one point for the library and move together.

@@ -83,7 +83,7 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     if (given == nullptr) return missing(fault, "mesh is NULL");
     hm_mesh m;
     if (!read_struct(given, m)) return missing(fault, "mesh.struct_size is not set");
-    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_STRUCTURED) {
+    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_MIXED) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
     }
     mesh = Mesh{};
@@ -99,6 +99,8 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     }
     mesh.cell_start = m.cell_start;
     mesh.cell_points = m.cell_points;
+    mesh.n_quads = m.n_quads;
+    mesh.quad_points = m.quad_points;
     mesh.ni = m.ni;
     mesh.nj = m.nj;
     mesh.n_faces = m.n_faces;

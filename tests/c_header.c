@@ -69,6 +69,8 @@ int main(void) {
         PLACE(hm_points, stride, 16);
         PLACE(hm_points_out, stride, 16);
         PLACE(hm_mesh, points, 16);
+        SIZE(hm_mesh, 144);
+        PLACE(hm_mesh, quad_points, 136);
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);
         PLACE(hm_options, progress, 32);

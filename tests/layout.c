@@ -19,7 +19,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
     case 3:
         PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(points); AT(cell_layout);
         AT(n_cells); AT(cell_start); AT(cell_points); AT(ni); AT(nj); AT(n_faces); AT(face_points); AT(face_markers);
-        AT(n_lists); AT(list_start); AT(list_points); AT(list_markers);
+        AT(n_lists); AT(list_start); AT(list_points); AT(list_markers); AT(n_quads); AT(quad_points);
         break;
 #undef TYPE
 #define TYPE hm_curve
@@ -120,8 +120,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_BLOCK_TOO_SMALL); PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED); PUT(HM_CROSSING);
         break;
     case 20:
-        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CLOSED_AUTO);
-        PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
+        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CELLS_MIXED);
+        PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
         PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
         PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
         PUT(HM_COMPACT); PUT(HM_NODAL_GRADIENT); PUT(HM_BOUNDED);

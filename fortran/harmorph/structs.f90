@@ -29,6 +29,8 @@
         type(c_ptr) :: face_points = c_null_ptr, face_markers = c_null_ptr
         integer(c_int32_t) :: n_lists = 0
         type(c_ptr) :: list_start = c_null_ptr, list_points = c_null_ptr, list_markers = c_null_ptr
+        integer(c_int32_t) :: n_quads = 0
+        type(c_ptr) :: quad_points = c_null_ptr
     end type
 
     type, bind(c), public :: hm_c_curve
