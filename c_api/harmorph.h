@@ -714,25 +714,26 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
 
 /* ---- Large movements that stay valid ---------------------------------------------------------------------------- */
 
-/* Strategies (rungs) are tried in this order until one reaches the target:
- *   HM_RUNG_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
- *   HM_RUNG_OTHER the same with other bases that the caller has solved (other operators or exponents), in their order
- *   HM_RUNG_SUBSTEPS   several steps, each at most half of the admissible step. After each step the functions are
- *                      solved again on the new mesh; the analysis is reused. At all times the points on curves and
- *                      rigid bodies are where the B-spline or the body has them for the current control points.
- *                      Meanwhile each body rotates and scales about the centre of its control points, by the
- *                      best-fitting similarity, at a constant rate; the rest of the movement grows linearly. Functions
- *                      with real values move on straight lines
- *   HM_RUNG_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
- *                      (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial cells as
- *                      the target shapes)
+/* Strategies are tried in this order until one reaches the target:
+ *   HM_STRATEGY_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
+ *   HM_STRATEGY_OTHER      the same with other bases that the caller has solved (other operators or exponents), in
+ *                          their order
+ *   HM_STRATEGY_SUBSTEPS   several steps, each at most half of the admissible step. After each step the functions are
+ *                          solved again on the new mesh; the analysis is reused. At all times the points on curves and
+ *                          rigid bodies are where the B-spline or the body has them for the current control points.
+ *                          Meanwhile each body rotates and scales about the centre of its control points, by the
+ *                          best-fitting similarity, at a constant rate; the rest of the movement grows linearly.
+ *                          Functions with real values move on straight lines
+ *   HM_STRATEGY_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
+ *                          (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial
+ *                          cells as the target shapes)
  * A target at which the boundary crosses itself is refused immediately. */
-enum { HM_RUNG_LINEAR = 0, HM_RUNG_OTHER = 1, HM_RUNG_SUBSTEPS = 2, HM_RUNG_UNTANGLED = 3 };
+enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3 };
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
     int32_t  max_resolves;         /* how many times the functions may be solved again; 0 means 10; negative: never */
-    int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of the strategies to skip */
+    int32_t  skipped_strategies;   /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t  n_others;             /* 0 .. 64 */
     int32_t  reserved;             /* 0 */
     const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset
@@ -750,7 +751,7 @@ typedef struct hm_safe_options {
 
 typedef struct hm_safe_report {
     uint64_t struct_size;
-    int32_t  rung;                 /* the last HM_RUNG_... that moved the mesh */
+    int32_t  strategy;             /* the last HM_STRATEGY_... that moved the mesh */
     int32_t  other;                /* which of `others`, from 0; -1: none */
     int32_t  steps, resolves;
     double   step_fraction;        /* [0..1] part of the movement that was reached; 1: all of it */

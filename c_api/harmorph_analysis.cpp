@@ -38,9 +38,9 @@ struct Request {
             return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
         }
         for (Index i = 0; i < p.n_conditions; ++i) {
-            Condition its;
-            HARMORPH_TRY(view_condition(p.conditions, i, its, fault));
-            problem.demands.add(its);
+            Condition added;
+            HARMORPH_TRY(view_condition(p.conditions, i, added, fault));
+            problem.demands.add(added);
         }
         if (n_curves == 0 && problem.demands.bodies == 0) return Status::ok;
         if (p.n_conditions == 0) {

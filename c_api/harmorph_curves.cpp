@@ -13,8 +13,7 @@ Status open_curve(const hm_curves* curves, Index number, Curve& curve, CallFault
     HARMORPH_TRY(view_curves(curves, view, fault));
     if (number < 0 || number >= view.count()) {
         return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @",
-                            Counts::from_zero, number,
-                            view.count());
+                            Counts::from_zero, number, view.count());
     }
     HARMORPH_TRY(view.curve(number, curve, fault));
     return check_curve(curve, number, fault);

@@ -18,10 +18,10 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::unsupported,
                             "safe options: fields are set that this version of the library does not know");
     }
-    if (o.skipped_rungs < 0 || o.skipped_rungs >= 2 << HM_RUNG_UNTANGLED || o.reserved != 0) {
+    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_UNTANGLED || o.reserved != 0) {
         return fault.refuse(Status::bad_argument,
-                            "safe options: skipped_rungs is #, which names rungs there are not, or "
-                            "reserved is not 0", Counts::from_zero, o.skipped_rungs);
+                            "safe options: skipped_strategies is #, which names strategies there are not, or "
+                            "reserved is not 0", Counts::from_zero, o.skipped_strategies);
     }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
         return fault.refuse(Status::bad_argument, "safe options: others is NULL, or n_others is #, not 0 .. @",
@@ -34,11 +34,10 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     }
     options.heights = o.heights;
     reached = o.reached;
-    options.skipped = static_cast<std::uint32_t>(o.skipped_rungs);
+    options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
         if (o.others[i] == nullptr) {
-            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL",
-                                Counts::from_zero, i);
+            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL", Counts::from_zero, i);
         }
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }
@@ -50,7 +49,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     Index const base = plan.mesh.index_base;
     Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
     hm_safe_report filled = {};
-    filled.rung = static_cast<std::int32_t>(safe.rung);
+    filled.strategy = static_cast<std::int32_t>(safe.strategy);
     filled.other = safe.other;
     filled.steps = safe.steps;
     filled.resolves = safe.resolves;

@@ -22,10 +22,10 @@ Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine
     HARMORPH_TRY(open_basis(handle, fine, fault));
     HARMORPH_TRY(fine.require_double(fault));
     BasisCounts const counts = analysis.basis_counts();
-    bool const its_own = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
+    bool const belongs = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
                          fine.header->topology == analysis.mesh_fingerprint &&
                          fine.header->conditions == analysis.conditions_fingerprint;
-    if (its_own) return Status::ok;
+    if (belongs) return Status::ok;
     return fault.refuse(Status::bad_basis, "basis and analysis do not belong together");
 }
 

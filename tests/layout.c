@@ -100,13 +100,13 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_safe_options
     case 17:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_rungs); AT(n_others); AT(reserved); AT(others);
-        AT(heights); AT(reached);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_strategies); AT(n_others); AT(reserved);
+        AT(others); AT(heights); AT(reached);
         break;
 #undef TYPE
 #define TYPE hm_safe_report
     case 18:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(rung); AT(other); AT(steps); AT(resolves); AT(step_fraction);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(strategy); AT(other); AT(steps); AT(resolves); AT(step_fraction);
         AT(admissible); AT(cell); AT(point); AT(untangled); AT(iterations); AT(crossing_points); AT(inverted);
         AT(min_quality_cell); AT(min_quality); AT(mean_quality); AT(mean_angle_change); AT(max_angle_change);
         AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(heights); AT(angle_point);
@@ -130,8 +130,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_KERNEL_NEON); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_START_COARSEST);
         PUT(HM_START_ZERO); PUT(HM_PHASE_STRUCTURE);
         PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);
-        PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_RUNG_LINEAR); PUT(HM_RUNG_OTHER); PUT(HM_RUNG_SUBSTEPS);
-        PUT(HM_RUNG_UNTANGLED);
+        PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_STRATEGY_LINEAR); PUT(HM_STRATEGY_OTHER);
+        PUT(HM_STRATEGY_SUBSTEPS); PUT(HM_STRATEGY_UNTANGLED);
         break;
 #define TYPE hm_points
     case 21: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;

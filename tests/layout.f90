@@ -104,11 +104,11 @@ program layout
         c_loc(quality_report%min_quality_cell), c_loc(quality_report%self_crossing), &
         c_loc(quality_report%crossing_points)])
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
-        c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_rungs), c_loc(safe_options%n_others), &
+        c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_strategies), c_loc(safe_options%n_others), &
         c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights), &
         c_loc(safe_options%reached)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
-        c_loc(safe_report%rung), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
+        c_loc(safe_report%strategy), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
         c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &
         c_loc(safe_report%point), c_loc(safe_report%untangled), c_loc(safe_report%iterations), &
         c_loc(safe_report%crossing_points), c_loc(safe_report%inverted), c_loc(safe_report%min_quality_cell), &
@@ -132,7 +132,8 @@ program layout
         hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_kernel_neon, hm_double, hm_single, &
         hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
-        hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
+        hm_phase_residual, hm_strategy_linear, hm_strategy_other, hm_strategy_substeps, &
+        hm_strategy_untangled], c_int64_t))
 
     call compare("hm_points", 21, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
         c_loc(points%stride)])

@@ -272,7 +272,8 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes, NULL, &report,
                           &error), "it",
             &error);
-    check(report.step_fraction >= 1 && report.rung >= HM_RUNG_SUBSTEPS && report.inverted == 0, "all of it", &error);
+    check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS && report.inverted == 0, "all of it",
+          &error);
     require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
                        &error), "quality", &error);
     check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);

@@ -29,4 +29,5 @@
         hm_kernel_neon = 4
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
-    integer, parameter, public :: hm_rung_linear = 0, hm_rung_other = 1, hm_rung_substeps = 2, hm_rung_untangled = 3
+    integer, parameter, public :: hm_strategy_linear = 0, hm_strategy_other = 1, hm_strategy_substeps = 2, &
+        hm_strategy_untangled = 3
