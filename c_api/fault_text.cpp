@@ -33,7 +33,9 @@ public:
         if (value < 0) put('-');
         Real size = absolute(value);
         if (!is_finite(size)) return put("infinity");
-        if (size < 1e15 && size == static_cast<Real>(static_cast<Offset>(size))) return put_integer(static_cast<Offset>(size));
+        if (size < 1e15 && size == static_cast<Real>(static_cast<Offset>(size))) {
+            return put_integer(static_cast<Offset>(size));
+        }
         Index exponent = 0;
         for (; size >= 10; ++exponent) size /= 10;
         for (; size < 1; --exponent) size *= 10;

@@ -139,7 +139,10 @@ enum {                        /* hm_mesh.cell_layout */
     HM_CELLS_ROWS = 0,        /* cell_start, cell_points: compressed rows of 3 or 4 points */
     HM_CELLS_TRIANGLES = 1,   /* cell_points [3*n_cells] */
     HM_CELLS_QUADS = 2,       /* cell_points [4*n_cells]; a triangle repeats its last point */
-    HM_CELLS_STRUCTURED = 3   /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
+    HM_CELLS_STRUCTURED = 3,  /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
+    HM_CELLS_MIXED = 4        /* two arrays: the triangles in cell_points [3*(n_cells-n_quads)], the quadrilaterals in
+                                 quad_points [4*n_quads]. The triangles are the first cells, the quadrilaterals the
+                                 cells from index_base + n_cells - n_quads on */
 };
 
 typedef struct hm_mesh {
@@ -148,7 +151,7 @@ typedef struct hm_mesh {
     int32_t  n_points;             /* 3 .. 2^30; points that no cell uses are allowed and never move */
     hm_points points;              /* [n_points] coordinates */
     int32_t  cell_layout;          /* HM_CELLS_... */
-    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1) */
+    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1); mixed: both kinds together */
     const int32_t *cell_start;     /* [n_cells+1] rows only: where the points of a cell begin, counted from
                                       index_base */
     const int32_t *cell_points;    /* the points of each cell in order around the cell */
@@ -161,6 +164,8 @@ typedef struct hm_mesh {
     const int32_t *list_start;     /* [n_lists+1] counted from index_base */
     const int32_t *list_points;
     const int32_t *list_markers;   /* [n_lists] */
+    int32_t  n_quads;              /* mixed only, otherwise 0: 0 .. n_cells */
+    const int32_t *quad_points;    /* [4*n_quads] mixed only; a triangle repeats its last point */
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or the wake line of a
  * C-mesh: two points of unmarked boundary edges with equal coordinates are one point for the library and move together.
@@ -709,25 +714,26 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
 
 /* ---- Large movements that stay valid ---------------------------------------------------------------------------- */
 
-/* Strategies (rungs) are tried in this order until one reaches the target:
- *   HM_RUNG_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
- *   HM_RUNG_OTHER the same with other bases that the caller has solved (other operators or exponents), in their order
- *   HM_RUNG_SUBSTEPS   several steps, each at most half of the admissible step. After each step the functions are
- *                      solved again on the new mesh; the analysis is reused. At all times the points on curves and
- *                      rigid bodies are where the B-spline or the body has them for the current control points.
- *                      Meanwhile each body rotates and scales about the centre of its control points, by the
- *                      best-fitting similarity, at a constant rate; the rest of the movement grows linearly. Functions
- *                      with real values move on straight lines
- *   HM_RUNG_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
- *                      (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial cells as
- *                      the target shapes)
+/* Strategies are tried in this order until one reaches the target:
+ *   HM_STRATEGY_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
+ *   HM_STRATEGY_OTHER      the same with other bases that the caller has solved (other operators or exponents), in
+ *                          their order
+ *   HM_STRATEGY_SUBSTEPS   several steps, each at most half of the admissible step. After each step the functions are
+ *                          solved again on the new mesh; the analysis is reused. At all times the points on curves and
+ *                          rigid bodies are where the B-spline or the body has them for the current control points.
+ *                          Meanwhile each body rotates and scales about the centre of its control points, by the
+ *                          best-fitting similarity, at a constant rate; the rest of the movement grows linearly.
+ *                          Functions with real values move on straight lines
+ *   HM_STRATEGY_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
+ *                          (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial
+ *                          cells as the target shapes)
  * A target at which the boundary crosses itself is refused immediately. */
-enum { HM_RUNG_LINEAR = 0, HM_RUNG_OTHER = 1, HM_RUNG_SUBSTEPS = 2, HM_RUNG_UNTANGLED = 3 };
+enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3 };
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
     int32_t  max_resolves;         /* how many times the functions may be solved again; 0 means 10; negative: never */
-    int32_t  skipped_rungs;        /* sum of 1 << HM_RUNG_... of the strategies to skip */
+    int32_t  skipped_strategies;   /* sum of 1 << HM_STRATEGY_... of the strategies to skip */
     int32_t  n_others;             /* 0 .. 64 */
     int32_t  reserved;             /* 0 */
     const hm_basis *const *others; /* [n_others] solved bases of the same mesh, curves, conditions and offset
@@ -745,7 +751,7 @@ typedef struct hm_safe_options {
 
 typedef struct hm_safe_report {
     uint64_t struct_size;
-    int32_t  rung;                 /* the last HM_RUNG_... that moved the mesh */
+    int32_t  strategy;             /* the last HM_STRATEGY_... that moved the mesh */
     int32_t  other;                /* which of `others`, from 0; -1: none */
     int32_t  steps, resolves;
     double   step_fraction;        /* [0..1] part of the movement that was reached; 1: all of it */

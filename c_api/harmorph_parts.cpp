@@ -1,8 +1,7 @@
-// The C interface, part 4: meshes in parts. Rows of some points, shares of the functions, the adjoint's sums.
-#include "fault_text.hpp"
-#include "harmorph/morph/adjoint.hpp"
+// The C interface: meshes in parts. Rows of some points, shares of the functions, the sums of the adjoint.
+#include "handles.hpp"
 #include "harmorph/basis/packed_rows.hpp"
-#include "open_basis.hpp"
+#include "harmorph/morph/adjoint.hpp"
 
 namespace harmorph {
 namespace {
@@ -14,28 +13,20 @@ Status view_list(Basis const& basis, Index n, const Index* points, PointList& li
     return list.check(basis.n_points(), fault);
 }
 
-// What goes into parcels, and comes out of them.
-Status open_share(const hm_basis* given, Basis& share, Fault& fault) noexcept {
-    HARMORPH_TRY(open_solved(given, share, fault));
-    return share.require_double(fault);
-}
-
-Status extract(Basis const& from, PointList const& list, void* block, Size bytes, hm_basis** out,
-               Fault& fault) noexcept {
-    Arena arena(block, bytes);
-    Extract made;
-    made.lay_out(arena, from, list);
-    HARMORPH_TRY(arena.verify(bytes, fault));
-    made.init(from, list);
-    if (from.header->counts.complete()) made.copy_rows(from, list);
-    *out = reinterpret_cast<hm_basis*>(made.basis.header);
+Status count_share(Analysis const& analysis, Index first, Index n, BasisCounts& counts, Fault& fault) noexcept {
+    BasisCounts const all = analysis.basis_counts();
+    if (first < 0 || n < 0 || n > all.functions() - first) {
+        return fault.refuse(Status::bad_argument, "from function # (from 0) on there are no @ functions",
+                            Counts::from_zero, first, n);
+    }
+    counts = all.share(first, n);
     return Status::ok;
 }
 
 Status check_scale(Index scale, Fault& fault) noexcept {
     if (BinaryScale{scale}.valid()) return Status::ok;
-    return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says", Counts::from_zero,
-                        scale);
+    return fault.refuse(Status::bad_argument, "scale is #, which hm_adjoint_scale never says",
+                        Counts::from_zero, scale);
 }
 
 // All that calls with a gradient by mesh points have in common.
@@ -44,10 +35,8 @@ struct GradientCall {
     Points points;
     Executor threads;
 
-    Status open(const hm_basis* given, const hm_points* dj, const void* out, const hm_executor* executor,
-                Fault& fault) noexcept {
-        if (out == nullptr) return fault.refuse(Status::bad_argument, "an argument is NULL");
-        HARMORPH_TRY(open_complete(given, basis, fault));
+    Status open(const hm_basis* handle, const hm_points* dj, const hm_executor* executor, CallFault& fault) noexcept {
+        HARMORPH_TRY(open_complete(handle, basis, fault));
         if (basis.n_points() > 0) HARMORPH_TRY(view_points(dj, "dj", points, fault));
         return view_executor(executor, threads, fault);
     }
@@ -61,97 +50,144 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_extract_size(const hm_basis* basis, int32_t n, size_t* bytes, hm_error* err) {
-    Fault fault;
-    Basis from;
-    if (bytes == nullptr) fault.refuse(Status::bad_argument, "bytes is NULL");
-    if (!failed(fault.status) && !failed(PointList::check_length(n, fault)) && !failed(open_solved(basis, from, fault))) {
-        Arena counting;
-        Extract::count(counting, from, n);
-        if (!failed(counting.verify(0, fault))) *bytes = counting.bytes();
-    }
-    return tell(err, fault);
+    return guarded(err, [&](CallFault& fault) {
+        Basis from;
+        HARMORPH_TRY(PointList::check_length(n, fault));
+        HARMORPH_TRY(open_solved(basis, from, fault));
+        return count_bytes(bytes, fault, [&](Arena& arena) { Extract::count(arena, from, n); });
+    });
 }
 
 hm_status hm_extract_init(hm_basis** rows, void* block, size_t bytes, const hm_basis* basis, int32_t n,
                           const int32_t* points, hm_error* err) {
-    Fault fault;
-    Basis from;
-    PointList list;
-    if (rows == nullptr || block == nullptr) fault.refuse(Status::bad_argument, "rows or block is NULL");
-    if (!failed(fault.status) && !failed(open_solved(basis, from, fault)) &&
-        !failed(view_list(from, n, points, list, fault))) {
-        extract(from, list, block, bytes, rows, fault);
-    }
-    return tell(err, fault);
+    return guarded(err, [&](CallFault& fault) {
+        Basis from;
+        PointList list;
+        HARMORPH_TRY(require({{"rows", rows}}, fault));
+        HARMORPH_TRY(open_solved(basis, from, fault));
+        HARMORPH_TRY(view_list(from, n, points, list, fault));
+        Extract made;
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, from, list); }));
+        made.init(from, list);
+        if (from.header->counts.complete()) made.copy_rows(from, list);
+        *rows = reinterpret_cast<hm_basis*>(made.basis.header);
+        return Status::ok;
+    });
+}
+
+hm_status hm_share_of(const hm_analysis* analysis, int32_t part, int32_t n_parts, int32_t* first, int32_t* n,
+                      hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        HARMORPH_TRY(require({{"first", first}, {"n", n}}, fault));
+        if (part < 0 || part >= n_parts) {
+            return fault.refuse(Status::bad_argument, "there is no part # (from 0) of @",
+                                Counts::from_zero, part, n_parts);
+        }
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        Offset const functions = of->basis_counts().functions();
+        *first = static_cast<Index>(functions * part / n_parts);
+        *n = static_cast<Index>(functions * (part + Offset{1}) / n_parts) - *first;
+        return Status::ok;
+    });
+}
+
+hm_status hm_share_size(const hm_analysis* analysis, int32_t first, int32_t n, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        BasisCounts counts;
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
+        Basis made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); });
+    });
+}
+
+hm_status hm_share_init(hm_basis** share, void* block, size_t bytes, const hm_analysis* analysis, int32_t first,
+                        int32_t n, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        BasisCounts counts;
+        HARMORPH_TRY(require({{"share", share}}, fault));
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(count_share(*of, first, n, counts, fault));
+        return make_basis(*of, counts, block, bytes, share, fault);
+    });
 }
 
 hm_status hm_parcel_size(const hm_basis* share, int32_t n, int64_t* doubles, hm_error* err) {
-    Fault fault;
-    Basis from;
-    if (doubles == nullptr) fault.refuse(Status::bad_argument, "doubles is NULL");
-    if (!failed(fault.status) && !failed(PointList::check_length(n, fault)) && !failed(open_share(share, from, fault))) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis from;
+        HARMORPH_TRY(require({{"doubles", doubles}}, fault));
+        HARMORPH_TRY(PointList::check_length(n, fault));
+        HARMORPH_TRY(open_solved(share, from, fault));
+        HARMORPH_TRY(from.require_double(fault));
         *doubles = parcel_words(from, n);
-    }
-    return tell(err, fault);
+        return Status::ok;
+    });
 }
 
 hm_status hm_parcel_pack(const hm_basis* share, int32_t n, const int32_t* points, double* parcel, hm_error* err) {
-    Fault fault;
-    Basis from;
-    PointList list;
-    if (parcel == nullptr) fault.refuse(Status::bad_argument, "parcel is NULL");
-    if (!failed(fault.status) && !failed(open_share(share, from, fault)) &&
-        !failed(view_list(from, n, points, list, fault))) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis from;
+        PointList list;
+        HARMORPH_TRY(require({{"parcel", parcel}}, fault));
+        HARMORPH_TRY(open_solved(share, from, fault));
+        HARMORPH_TRY(from.require_double(fault));
+        HARMORPH_TRY(view_list(from, n, points, list, fault));
         pack_parcel(from, list, parcel);
-    }
-    return tell(err, fault);
+        return Status::ok;
+    });
 }
 
 hm_status hm_parcel_unpack(hm_basis* rows, const double* parcel, int64_t doubles, hm_error* err) {
-    Fault fault;
-    Basis to;
-    if (parcel == nullptr) fault.refuse(Status::bad_argument, "parcel is NULL");
-    if (!failed(fault.status) && !failed(open_basis(rows, to, fault)) && !failed(to.require_double(fault))) {
-        unpack_parcel(to, parcel, doubles, fault);
-    }
-    return tell(err, fault);
+    return guarded(err, [&](CallFault& fault) {
+        Basis to;
+        HARMORPH_TRY(require({{"parcel", parcel}}, fault));
+        HARMORPH_TRY(open_basis(rows, to, fault));
+        HARMORPH_TRY(to.require_double(fault));
+        return unpack_parcel(to, parcel, doubles, fault);
+    });
 }
 
 hm_status hm_adjoint_scale(const hm_basis* basis, const hm_points* dj, int32_t* scale, const hm_executor* executor,
                            hm_error* err) {
-    Fault fault;
-    GradientCall call;
-    if (!failed(call.open(basis, dj, scale, executor, fault))) {
+    return guarded(err, [&](CallFault& fault) {
+        GradientCall call;
+        HARMORPH_TRY(require({{"scale", scale}}, fault));
+        HARMORPH_TRY(call.open(basis, dj, executor, fault));
         *scale = adjoint_scale(call.basis, call.points, call.threads).exponent;
-    }
-    return tell(err, fault);
+        return Status::ok;
+    });
 }
 
 hm_status hm_adjoint_sums(const hm_basis* basis, const hm_points* dj, int32_t scale, int64_t* sums,
                           const hm_executor* executor, hm_error* err) {
-    Fault fault;
-    GradientCall call;
-    if (!failed(call.open(basis, dj, sums, executor, fault)) && !failed(check_scale(scale, fault))) {
+    return guarded(err, [&](CallFault& fault) {
+        GradientCall call;
+        HARMORPH_TRY(require({{"sums", sums}}, fault));
+        HARMORPH_TRY(call.open(basis, dj, executor, fault));
+        HARMORPH_TRY(check_scale(scale, fault));
         Index const least = adjoint_scale(call.basis, call.points, call.threads).exponent;
         if (scale < least) {
-            fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale,
-                         least);
-        } else {
-            adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
+            return fault.refuse(Status::bad_argument, "scale is #, these points alone need @", Counts::from_zero, scale,
+                                least);
         }
-    }
-    return tell(err, fault);
+        adjoint_sums(call.basis, call.points, {scale}, sums, call.threads);
+        return Status::ok;
+    });
 }
 
 hm_status hm_adjoint_finish(const hm_basis* basis, int32_t scale, const int64_t* sums, double* gradient,
                             hm_error* err) {
-    Fault fault;
-    Basis its;
-    if (sums == nullptr || gradient == nullptr) fault.refuse(Status::bad_argument, "sums or gradient is NULL");
-    if (!failed(fault.status) && !failed(open_complete(basis, its, fault)) && !failed(check_scale(scale, fault))) {
-        adjoint_finish(its, {scale}, sums, gradient);
-    }
-    return tell(err, fault);
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        HARMORPH_TRY(require({{"sums", sums}, {"gradient", gradient}}, fault));
+        HARMORPH_TRY(open_complete(basis, b, fault));
+        HARMORPH_TRY(check_scale(scale, fault));
+        adjoint_finish(b, {scale}, sums, gradient);
+        return Status::ok;
+    });
 }
 
 }  // extern "C"

@@ -1,17 +1,12 @@
-// The C interface, part 4: morphs that need the plan.
-#include <cstring>
-
-#include "fault_text.hpp"
+// The C interface: large movements that stay valid, for which the functions are solved again on the way.
+#include "handles.hpp"
 #include "harmorph/morph/quality.hpp"
 #include "harmorph/safe/safe_morph.hpp"
-#include "views.hpp"
 
 namespace harmorph {
 namespace {
 
 constexpr Index most_others = 64;
-
-Index numbered(Index item, Index base) noexcept { return item == none ? none : item + base; }
 
 Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeOptions& options, double*& reached,
                          Fault& fault) noexcept {
@@ -20,11 +15,13 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::bad_argument, "safe options: struct_size is not set");
     }
     if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported, "safe options: fields are set that this version of the library does not know");
+        return fault.refuse(Status::unsupported,
+                            "safe options: fields are set that this version of the library does not know");
     }
-    if (o.skipped_rungs < 0 || o.skipped_rungs >= 2 << HM_RUNG_UNTANGLED || o.reserved != 0) {
-        return fault.refuse(Status::bad_argument, "safe options: skipped_rungs is #, which names rungs there are not, or "
-                            "reserved is not 0", Counts::from_zero, o.skipped_rungs);
+    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_UNTANGLED || o.reserved != 0) {
+        return fault.refuse(Status::bad_argument,
+                            "safe options: skipped_strategies is #, which names strategies there are not, or "
+                            "reserved is not 0", Counts::from_zero, o.skipped_strategies);
     }
     if (o.n_others < 0 || o.n_others > others.count() || (o.n_others > 0 && o.others == nullptr)) {
         return fault.refuse(Status::bad_argument, "safe options: others is NULL, or n_others is #, not 0 .. @",
@@ -32,27 +29,19 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
     if (!(o.heights >= 0 && o.heights <= 1)) {
-        return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~", Counts::from_zero,
-                            none, none, o.heights);
+        return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~",
+                            Counts::from_zero, none, none, o.heights);
     }
     options.heights = o.heights;
     reached = o.reached;
-    options.skipped = static_cast<std::uint32_t>(o.skipped_rungs);
+    options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
-        if (o.others[i] == nullptr) return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL", Counts::from_zero, i);
+        if (o.others[i] == nullptr) {
+            return fault.refuse(Status::bad_argument, "basis # (from 0) of others is NULL", Counts::from_zero, i);
+        }
         others[i] = Basis::view(static_cast<const void*>(o.others[i]));
     }
     options.others = others.first(o.n_others);
-    return Status::ok;
-}
-
-Status check_target(Basis const& basis, const double* move, Fault& fault) noexcept {
-    if (move == nullptr) return fault.refuse(Status::bad_argument, "move is NULL");
-    for (Index k = 0; k < 2 * basis.n_functions(); ++k) {
-        if (!is_finite(move[k])) {
-            return fault.refuse(Status::bad_argument, "the movement of function # (from 0) is not finite", Counts::from_zero, k / 2);
-        }
-    }
     return Status::ok;
 }
 
@@ -60,7 +49,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     Index const base = plan.mesh.index_base;
     Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
     hm_safe_report filled = {};
-    filled.rung = static_cast<std::int32_t>(safe.rung);
+    filled.strategy = static_cast<std::int32_t>(safe.strategy);
     filled.other = safe.other;
     filled.steps = safe.steps;
     filled.resolves = safe.resolves;
@@ -90,37 +79,6 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     return filled;
 }
 
-void lay_out(Arena& arena, Plan const& plan, Span<SafeMorph>& place, SafeMorph& safe) noexcept {
-    arena.take(place, 1);
-    safe.lay_out(arena, plan);
-}
-
-Status run(Plan& plan, Basis const& basis, const double* move, const hm_points_out* given_to, const Basis* derivative, void* work,
-           Size bytes, const hm_safe_options* given, hm_safe_report* report, Fault& fault) noexcept {
-    MutablePoints to;
-    HARMORPH_TRY(check_target(basis, move, fault));
-    HARMORPH_TRY(view_points(given_to, "to", to, fault));
-    Basis others[most_others];
-    SafeOptions options;
-    double* reached_movement = nullptr;
-    HARMORPH_TRY(view_safe_options(given, {others, most_others}, options, reached_movement, fault));
-    Arena arena(work, bytes);
-    Span<SafeMorph> place;
-    SafeMorph safe;
-    lay_out(arena, plan, place, safe);
-    HARMORPH_TRY(arena.verify(bytes, fault));
-    SafeReport reached;
-    Status const status = safe.run(plan, basis, move, options, derivative, reached, fault);
-    if (failed(status) && status != Status::crossing) return status;
-    if (report != nullptr) write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
-    if (failed(status)) return status;
-    safe.write(to);
-    if (reached_movement != nullptr) {
-        std::memcpy(reached_movement, safe.reached.data(), static_cast<Size>(safe.reached.count()) * sizeof(double));
-    }
-    return status;
-}
-
 }  // namespace
 }  // namespace harmorph
 
@@ -129,37 +87,44 @@ using namespace harmorph;
 extern "C" {
 
 hm_status hm_morph_safe_size(const hm_plan* plan, size_t* bytes, hm_error* err) {
-    Fault fault;
-    if (plan == nullptr || bytes == nullptr) {
-        fault.refuse(Status::bad_argument, "plan or bytes is NULL");
-        return tell(err, fault);
-    }
-    Arena counting;
-    Span<SafeMorph> place;
-    SafeMorph safe;
-    lay_out(counting, *reinterpret_cast<const Plan*>(plan), place, safe);
-    if (!failed(counting.verify(0, fault))) *bytes = counting.bytes();
-    return tell(err, fault);
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        SafeMorph safe;
+        return count_bytes(bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p); });
+    });
 }
 
 hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move, const hm_points_out* to,
                         hm_basis* derivative, void* work, size_t bytes, const hm_safe_options* options,
                         hm_safe_report* report, hm_error* err) {
-    Fault fault;
-    if (plan == nullptr || basis == nullptr || work == nullptr || static_cast<const hm_basis*>(derivative) == basis) {
-        fault.refuse(Status::bad_argument, "plan, basis or work is NULL, or derivative is the basis itself");
-        return tell(err, fault);
-    }
-    if (report != nullptr && failed(check_report(report, fault))) return tell(err, fault);
-    Plan& p = *reinterpret_cast<Plan*>(plan);
-    Basis const b = Basis::view(static_cast<const void*>(basis));
-    Basis const sum = derivative != nullptr ? Basis::view(static_cast<void*>(derivative)) : Basis{};
-    if (b.header->solved != 1) {
-        fault.refuse(Status::bad_basis, "the basis has not been solved");
-    } else {
-        run(p, b, move, to, derivative != nullptr ? &sum : nullptr, work, bytes, options, report, fault);
-    }
-    return tell(err, fault, {p.mesh.index_base, 0});
+    return guarded(err, [&](CallFault& fault) {
+        Plan* p = nullptr;
+        Basis b, sum, others[most_others];
+        MutablePoints after;
+        SafeOptions asked;
+        double* reached_movement = nullptr;
+        HARMORPH_TRY(open_solved(basis, b, fault));
+        if (derivative == basis) return fault.refuse(Status::bad_argument, "derivative is the basis itself");
+        if (derivative != nullptr) HARMORPH_TRY(open_basis(derivative, sum, fault));
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(check_move(b, move, fault));
+        HARMORPH_TRY(view_points(to, "to", after, fault));
+        HARMORPH_TRY(view_safe_options(options, {others, most_others}, asked, reached_movement, fault));
+        SafeMorph safe;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p); }));
+        SafeReport reached;
+        Status const status = safe.run(*p, b, move, asked, derivative != nullptr ? &sum : nullptr, reached, fault);
+        if (failed(status) && status != Status::crossing) return status;
+        if (report != nullptr) write_struct(report_of(reached, *p, p->mesh.points, safe.result()), report);
+        if (failed(status)) return status;
+        safe.write(after);
+        if (reached_movement != nullptr) {
+            std::memcpy(reached_movement, safe.reached.data(), safe.reached.size() * sizeof(double));
+        }
+        return status;
+    });
 }
 
 }  // extern "C"

@@ -3,8 +3,6 @@
 namespace harmorph {
 namespace {
 
-Status missing(Fault& fault, const char* sentence) noexcept { return fault.refuse(Status::bad_argument, sentence); }
-
 // The header's table of what goes together; what does not is answered with what would.
 Status check_combination(hm_options const& o, Fault& fault) noexcept {
     if (o.operator_kind < HM_CONFORMAL || o.operator_kind > HM_WEIGHTED) {
@@ -61,33 +59,17 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
     return Status::ok;
 }
 
-template <class Given, class View>
-Status view_strided(const Given* given, const char* name, View& points, Fault& fault) noexcept {
-    if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
-    if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
-    if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
-    points = {given->x, given->y, stride_of(given->stride)};
-    return Status::ok;
-}
-
 }  // namespace
 
-Status view_points(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept {
-    return view_strided(given, name, points, fault);
-}
-Status view_points(const hm_points_out* given, const char* name, MutablePoints& points, Fault& fault) noexcept {
-    return view_strided(given, name, points, fault);
-}
-
-Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
-    if (given == nullptr) return missing(fault, "mesh is NULL");
+Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
-    if (!read_struct(given, m)) return missing(fault, "mesh.struct_size is not set");
-    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_STRUCTURED) {
+    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is not set");
+    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_MIXED) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
     }
     mesh = Mesh{};
-    mesh.index_base = m.index_base;
+    mesh.index_base = fault.bases.mesh = m.index_base;
     mesh.n_points = m.n_points;
     mesh.points = points_of(m.points);
     mesh.layout = static_cast<CellLayout>(m.cell_layout);
@@ -99,6 +81,8 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     }
     mesh.cell_start = m.cell_start;
     mesh.cell_points = m.cell_points;
+    mesh.n_quads = m.n_quads;
+    mesh.quad_points = m.quad_points;
     mesh.ni = m.ni;
     mesh.nj = m.nj;
     mesh.n_faces = m.n_faces;
@@ -111,12 +95,17 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept {
     return check_counts(mesh, fault);
 }
 
-Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexcept {
-    if (given == nullptr) return missing(fault, "curves is NULL");
-    if (!read_struct(given, view.set)) return missing(fault, "curves.struct_size is not set");
+Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"curves", given}}, fault));
+    if (!read_struct(given, view.set)) return fault.refuse(Status::bad_argument, "curves.struct_size is not set");
     hm_curves const& set = view.set;
-    if (set.index_base != 0 && set.index_base != 1) return missing(fault, "curves.index_base must be 0 or 1");
-    if (set.control == nullptr || set.curve == nullptr) return missing(fault, "curves.control or curves.curve is NULL");
+    fault.bases.curves = set.index_base;
+    if (set.index_base != 0 && set.index_base != 1) {
+        return fault.refuse(Status::bad_argument, "curves.index_base must be 0 or 1");
+    }
+    if (set.control == nullptr || set.curve == nullptr) {
+        return fault.refuse(Status::bad_argument, "curves.control or curves.curve is NULL");
+    }
     constexpr Index most = Index{1} << 24;
     if (set.n_control < 2 || set.n_control > most) {
         return fault.refuse(Status::bad_curve, "curves.n_control must be between 2 and 2^24, not #", Counts::from_zero,
@@ -132,7 +121,8 @@ Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexc
 Status CurvesView::curve(Index number, Curve& out, Fault& fault) const noexcept {
     hm_curve c;
     if (!read_struct(set.curve, c) || !read_struct(element(set.curve, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is not set", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of curve # (from 0) is not set",
+                            Counts::from_zero, number);
     }
     if (c.knots == nullptr) {
         return fault.refuse(Status::bad_argument, "knots of curve # (from 0) is NULL", Counts::from_zero, number);
@@ -172,14 +162,17 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept {
     hm_condition c;
     if (!read_struct(array, c) || !read_struct(element(array, number), c)) {
-        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set",
+                            Counts::from_zero, number);
     }
     if (c.kind < HM_ON_CURVE || c.kind > HM_PERIODIC_PAIR) {
-        return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @", Counts::from_zero, number, c.kind);
+        return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @",
+                            Counts::from_zero, number, c.kind);
     }
     constexpr Index most_bodies = Index{1} << 20;
     if (c.kind == HM_RIGID && (c.body < 0 || c.body >= most_bodies)) {
-        return fault.refuse(Status::bad_condition, "condition # (from 0) names rigid body @ (from 0), which there cannot be",
+        return fault.refuse(Status::bad_condition,
+                            "condition # (from 0) names rigid body @ (from 0), which there cannot be",
                             Counts::from_zero, number, c.body);
     }
     HARMORPH_TRY(check_fields(c, number, fault));
@@ -191,11 +184,11 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
     executor = Executor{};
     if (given == nullptr) return Status::ok;
     hm_executor e;
-    if (!read_struct(given, e)) return missing(fault, "executor.struct_size is not set");
+    if (!read_struct(given, e)) return fault.refuse(Status::bad_argument, "executor.struct_size is not set");
     if (e.n_threads == 0) e.n_threads = 1;
     if (e.n_threads < 1 || e.n_threads > Executor::most_threads) {
-        return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #", Counts::from_zero,
-                            e.n_threads);
+        return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #",
+                            Counts::from_zero, e.n_threads);
     }
     executor = {e.run, e.user, e.n_threads};
     return Status::ok;
@@ -223,7 +216,8 @@ Status check_engine(hm_options const& o, Fault& fault) noexcept {
 
 Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) noexcept {
     if (o.levels < 0 || o.levels > Agglomeration::most_levels) {
-        return fault.refuse(Status::bad_argument, "options.levels must be between 0 and 20, not #", Counts::from_zero, o.levels);
+        return fault.refuse(Status::bad_argument, "options.levels must be between 0 and 20, not #",
+                            Counts::from_zero, o.levels);
     }
     if (o.agglomeration < HM_AGGLOMERATE_AUTO || o.agglomeration > HM_AGGLOMERATE_DIRECTIONAL) {
         return fault.refuse(Status::bad_argument, "options.agglomeration is #, which is unknown", Counts::from_zero,
@@ -234,7 +228,8 @@ Status view_iteration(hm_options const& o, Iteration& iteration, Fault& fault) n
                             o.block_width);
     }
     if (o.max_iterations < 0 || o.history_length < 0 || (o.history_length > 0 && o.history == nullptr)) {
-        return fault.refuse(Status::bad_argument, "options: max_iterations or history_length is negative, or history is NULL");
+        return fault.refuse(Status::bad_argument,
+                            "options: max_iterations or history_length is negative, or history is NULL");
     }
     if (o.start < HM_START_COARSEST || o.start > HM_START_ZERO) {
         return fault.refuse(Status::bad_argument, "options.start is #, which is unknown", Counts::from_zero, o.start);
@@ -256,16 +251,19 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     problem.executor = Executor{};
     problem.progress = Progress{};
     hm_options o = {};
-    if (given != nullptr && !read_struct(given, o)) return missing(fault, "options.struct_size is not set");
-    if (given != nullptr && asks_for_more(given)) {
-        return fault.refuse(Status::unsupported, "options: fields are set that this version of the library does not know");
+    if (given != nullptr && !read_struct(given, o)) {
+        return fault.refuse(Status::bad_argument, "options.struct_size is not set");
     }
-    if (o.reserved != 0) return missing(fault, "options.reserved must be 0");
+    if (given != nullptr && asks_for_more(given)) {
+        return fault.refuse(Status::unsupported,
+                            "options: fields are set that this version of the library does not know");
+    }
+    if (o.reserved != 0) return fault.refuse(Status::bad_argument, "options.reserved must be 0");
     HARMORPH_TRY(view_operator(o, method, fault));
     HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
     if (!(o.tolerance >= 0 && o.tolerance < 1)) {
-        return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~", Counts::from_zero,
-                            none, none, o.tolerance);
+        return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~",
+                            Counts::from_zero, none, none, o.tolerance);
     }
     if (o.kernel < HM_KERNEL_AUTO || o.kernel > HM_KERNEL_NEON || !has_kernel(static_cast<Kernel>(o.kernel))) {
         return fault.refuse(Status::unsupported, "options.kernel is #, which this processor does not have",
@@ -287,9 +285,10 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
     options = FitOptions{};
     if (given == nullptr) return Status::ok;
     hm_fit_options o;
-    if (!read_struct(given, o)) return missing(fault, "fit options: struct_size is not set");
+    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "fit options: struct_size is not set");
     if (o.closed < HM_CLOSED_AUTO || o.closed > HM_PERIODIC) {
-        return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown", Counts::from_zero, o.closed);
+        return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
+                            Counts::from_zero, o.closed);
     }
     if (o.degree != 0) options.degree = o.degree;
     if (o.n_control != 0) options.n_control = o.n_control;

@@ -3,11 +3,11 @@
 
 #include <cstring>
 
-#include "harmorph.h"
-#include "harmorph/plan/analysis.hpp"
-#include "harmorph/bspline/bspline.hpp"
+#include "call.hpp"
 #include "harmorph/base/executor.hpp"
+#include "harmorph/bspline/bspline.hpp"
 #include "harmorph/bspline/fit.hpp"
+#include "harmorph/plan/analysis.hpp"
 
 namespace harmorph {
 
@@ -45,6 +45,12 @@ Status check_report(const T* to, Fault& fault) noexcept {
     return fault.refuse(Status::bad_argument, "the struct_size of a struct to be filled is not set");
 }
 
+// NULL: the report is not wanted.
+template <class T>
+Status check_report_if(const T* to, Fault& fault) noexcept {
+    return to == nullptr ? Status::ok : check_report(to, fault);
+}
+
 template <class T>
 void write_struct(T filled, T* to) noexcept {
     filled.struct_size = to->struct_size;
@@ -63,20 +69,37 @@ T* element(T* array, Index i) noexcept {
     return const_cast<T*>(element(static_cast<const T*>(array), i));
 }
 
+// A point, cell or control point of a report, in the caller's numbering.
+constexpr Index numbered(Index item, Index index_base) noexcept { return item == none ? none : item + index_base; }
+
+inline hm_curve struct_of(Curve const& curve) noexcept {
+    return {sizeof(hm_curve), curve.degree, curve.n_indices, curve.indices, curve.knots};
+}
+inline hm_condition struct_of(Condition const& condition) noexcept {
+    return {sizeof(hm_condition), condition.marker, static_cast<std::int32_t>(condition.kind), condition.first_curve,
+            condition.n_curves, condition.body, condition.partner, condition.centre.x, condition.centre.y};
+}
+
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {
     return given == 0 ? 1 : static_cast<std::ptrdiff_t>(given);
 }
 inline Points points_of(hm_points const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
 
 // Coordinates that a call reads, or writes; `name` is the argument's in the header.
-Status view_points(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept;
-Status view_points(const hm_points_out* given, const char* name, MutablePoints& points, Fault& fault) noexcept;
+template <class Given, class View>
+Status view_points(const Given* given, const char* name, View& points, Fault& fault) noexcept {
+    if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
+    if (given->x == nullptr || given->y == nullptr) return fault.refuse_argument(name, "%.x or %.y is NULL");
+    if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
+    points = {given->x, given->y, stride_of(given->stride)};
+    return Status::ok;
+}
 // NULL: points stay as they are.
 inline Status view_points_if(const hm_points* given, const char* name, Points& points, Fault& fault) noexcept {
     return given == nullptr ? Status::ok : view_points(given, name, points, fault);
 }
 
-Status view_mesh(const hm_mesh* given, Mesh& mesh, Fault& fault) noexcept;
+Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept;
 
 // A caller's curves: counts and pointers checked, one view at a time.
 struct CurvesView {
@@ -84,7 +107,7 @@ struct CurvesView {
     Index count() const noexcept { return set.n_curves; }
     Status curve(Index number, Curve& out, Fault& fault) const noexcept;
 };
-Status view_curves(const hm_curves* given, CurvesView& view, Fault& fault) noexcept;
+Status view_curves(const hm_curves* given, CurvesView& view, CallFault& fault) noexcept;
 
 Status view_condition(const hm_condition* array, Index number, Condition& out, Fault& fault) noexcept;
 // executor NULL: one thread.

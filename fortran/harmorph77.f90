@@ -28,11 +28,11 @@
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
 !     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP), or with
 !                                                                rigid bodies DP(2,NCP+2*NBODY), see hm_morph
-!     CALL HMSAFE (W, DP, XN, YN, INC, DR, FRAC, IRUNG, IERR,    XN, YN: the mesh of HMMESH moved so that no cell is
+!     CALL HMSAFE (W, DP, XN, YN, INC, DR, FRAC, ISTRAT, IERR,   XN, YN: the mesh of HMMESH moved so that no cell is
 !                  MSG)                                          inverted, however large DP is; FRAC: how much of DP
 !                                                                (IERR 3: not all), DR, like DP: the movement that XN,
 !                                                                YN have, as bodies turn on the way not FRAC*DP then;
-!                                                                IRUNG 0: as HMMORF, 2: in several steps, 3: untangled
+!                                                                ISTRAT 0: as HMMORF, 2: in several steps, 3: untangled
 !     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)                displacements alone; of velocities: velocities
 !     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)                 gradient G(2,NCP) by control points from mesh points'
 !     CALL HMSTEP (W, X, Y, DX, DY, INC, S, ICELL, IERR, MSG)    largest S for which X + S*DX has no inverted cell
@@ -736,7 +736,7 @@ subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
 end subroutine
 
 ! The plan is made again in the free end of W, with the working space below it.
-subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, irung, ierr, msg)
+subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     use harmorph77_state
     implicit none
     integer, intent(in) :: inc
@@ -744,7 +744,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, irung, ierr, msg)
     real(c_double), intent(in) :: dp(2, *)
     real(c_double), intent(inout), target :: dr(2, *)
     real(c_double), intent(inout) :: frac
-    integer, intent(inout) :: irung
+    integer, intent(inout) :: istrat
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
     type(state), pointer :: its
@@ -775,7 +775,7 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, irung, ierr, msg)
         c_loc(w(top - words_of(bytes) + 1)), bytes, options, report, e), e, ierr, msg)
     if (ierr < 0) return
     frac = report%step_fraction
-    irung = int(report%rung)
+    istrat = int(report%strategy)
 end subroutine
 
 subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)

@@ -69,6 +69,8 @@ int main(void) {
         PLACE(hm_points, stride, 16);
         PLACE(hm_points_out, stride, 16);
         PLACE(hm_mesh, points, 16);
+        SIZE(hm_mesh, 144);
+        PLACE(hm_mesh, quad_points, 136);
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);
         PLACE(hm_options, progress, 32);
@@ -84,8 +86,8 @@ int main(void) {
     check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
     check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE
               && HM_FREE < HM_PERIODIC_PAIR, "order of conditions");
-    check(HM_RUNG_LINEAR < HM_RUNG_OTHER && HM_RUNG_OTHER < HM_RUNG_SUBSTEPS && HM_RUNG_SUBSTEPS < HM_RUNG_UNTANGLED,
-          "order of rungs");
+    check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS
+              && HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED, "order of strategies");
     check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");
 
     options.progress = never_cancel;

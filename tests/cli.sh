@@ -478,19 +478,19 @@ turn 60 >"$tmp/turn60.txt"
 refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" -o "$tmp/turned.su2"
 runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/turned.su2" --json
 has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction steps \
-    resolves rung last_step_admissible reached_moves moved_curve
+    resolves strategy last_step_admissible reached_moves moved_curve
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
-check "--safe: not by the linear morph" sh -c "! grep -q '\"rung\": \"linear\"' '$tmp/out'"
+check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear\"' '$tmp/out'"
 runs "--safe: check of the result" 0 check "$tmp/turned.su2"
 check "--safe: the block is where it should be" near $(place 8 6 "$tmp/turned.su2") \
     $(awk 'BEGIN { a = atan2(0, -1) * 5 / 6; printf "%.17g %.17g", 6 + 2 * cos(a), 6 + 2 * sin(a) }')
 runs "--safe: a small move" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --json
-check "--safe: a small move: linear" says '"rung": "linear"'
+check "--safe: a small move: linear" says '"strategy": "linear"'
 runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe
-check "--safe for people: rung" says 'rung:'
+check "--safe for people: strategy" says 'strategy:'
 runs "--other" 0 morph "$box" "$tmp/laplace.basis" --move "$tmp/turn60.txt" --safe --other "$tmp/conformal.basis" --json
-check "--other: helps" says '"rung": "other"'
+check "--other: helps" says '"strategy": "other"'
 refuses "--other of other conditions" 3 'other bases' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe \
     --other "$tmp/rigid.basis"
 refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --other "$basis"
@@ -507,7 +507,7 @@ turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
 has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality mean_quality \
-    morph_seconds step_fraction steps resolves rung last_step_admissible reached_moves moved_curve
+    morph_seconds step_fraction steps resolves strategy last_step_admissible reached_moves moved_curve
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
     -o "$tmp/outside.su2" --json

@@ -19,7 +19,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
     case 3:
         PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(points); AT(cell_layout);
         AT(n_cells); AT(cell_start); AT(cell_points); AT(ni); AT(nj); AT(n_faces); AT(face_points); AT(face_markers);
-        AT(n_lists); AT(list_start); AT(list_points); AT(list_markers);
+        AT(n_lists); AT(list_start); AT(list_points); AT(list_markers); AT(n_quads); AT(quad_points);
         break;
 #undef TYPE
 #define TYPE hm_curve
@@ -100,13 +100,13 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_safe_options
     case 17:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_rungs); AT(n_others); AT(reserved); AT(others);
-        AT(heights); AT(reached);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_strategies); AT(n_others); AT(reserved);
+        AT(others); AT(heights); AT(reached);
         break;
 #undef TYPE
 #define TYPE hm_safe_report
     case 18:
-        PUT(sizeof(TYPE)); AT(struct_size); AT(rung); AT(other); AT(steps); AT(resolves); AT(step_fraction);
+        PUT(sizeof(TYPE)); AT(struct_size); AT(strategy); AT(other); AT(steps); AT(resolves); AT(step_fraction);
         AT(admissible); AT(cell); AT(point); AT(untangled); AT(iterations); AT(crossing_points); AT(inverted);
         AT(min_quality_cell); AT(min_quality); AT(mean_quality); AT(mean_angle_change); AT(max_angle_change);
         AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(heights); AT(angle_point);
@@ -120,8 +120,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_BLOCK_TOO_SMALL); PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED); PUT(HM_CROSSING);
         break;
     case 20:
-        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CLOSED_AUTO);
-        PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
+        PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CELLS_MIXED);
+        PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
         PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
         PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
         PUT(HM_COMPACT); PUT(HM_NODAL_GRADIENT); PUT(HM_BOUNDED);
@@ -130,8 +130,8 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_KERNEL_AVX2); PUT(HM_KERNEL_AVX512); PUT(HM_KERNEL_NEON); PUT(HM_DOUBLE); PUT(HM_SINGLE); PUT(HM_START_COARSEST);
         PUT(HM_START_ZERO); PUT(HM_PHASE_STRUCTURE);
         PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);
-        PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_RUNG_LINEAR); PUT(HM_RUNG_OTHER); PUT(HM_RUNG_SUBSTEPS);
-        PUT(HM_RUNG_UNTANGLED);
+        PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_STRATEGY_LINEAR); PUT(HM_STRATEGY_OTHER);
+        PUT(HM_STRATEGY_SUBSTEPS); PUT(HM_STRATEGY_UNTANGLED);
         break;
 #define TYPE hm_points
     case 21: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;

@@ -44,7 +44,8 @@ program layout
         c_loc(mesh%n_points), c_loc(mesh%points), c_loc(mesh%cell_layout), &
         c_loc(mesh%n_cells), c_loc(mesh%cell_start), c_loc(mesh%cell_points), c_loc(mesh%ni), c_loc(mesh%nj), &
         c_loc(mesh%n_faces), c_loc(mesh%face_points), c_loc(mesh%face_markers), c_loc(mesh%n_lists), &
-        c_loc(mesh%list_start), c_loc(mesh%list_points), c_loc(mesh%list_markers)])
+        c_loc(mesh%list_start), c_loc(mesh%list_points), c_loc(mesh%list_markers), c_loc(mesh%n_quads), &
+        c_loc(mesh%quad_points)])
     call compare("hm_curve", 4, c_sizeof(curve), c_loc(curve), [c_loc(curve%struct_size), c_loc(curve%degree), &
         c_loc(curve%n_indices), c_loc(curve%indices), c_loc(curve%knots)])
     call compare("hm_curves", 5, c_sizeof(curves), c_loc(curves), [c_loc(curves%struct_size), &
@@ -103,11 +104,11 @@ program layout
         c_loc(quality_report%min_quality_cell), c_loc(quality_report%self_crossing), &
         c_loc(quality_report%crossing_points)])
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
-        c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_rungs), c_loc(safe_options%n_others), &
+        c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_strategies), c_loc(safe_options%n_others), &
         c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights), &
         c_loc(safe_options%reached)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
-        c_loc(safe_report%rung), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
+        c_loc(safe_report%strategy), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
         c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &
         c_loc(safe_report%point), c_loc(safe_report%untangled), c_loc(safe_report%iterations), &
         c_loc(safe_report%crossing_points), c_loc(safe_report%inverted), c_loc(safe_report%min_quality_cell), &
@@ -121,6 +122,7 @@ program layout
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
+        hm_cells_mixed, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &
         hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, &
         hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
@@ -130,7 +132,8 @@ program layout
         hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_kernel_neon, hm_double, hm_single, &
         hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
-        hm_phase_residual, hm_rung_linear, hm_rung_other, hm_rung_substeps, hm_rung_untangled], c_int64_t))
+        hm_phase_residual, hm_strategy_linear, hm_strategy_other, hm_strategy_substeps, &
+        hm_strategy_untangled], c_int64_t))
 
     call compare("hm_points", 21, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
         c_loc(points%stride)])

@@ -272,7 +272,8 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes, NULL, &report,
                           &error), "it",
             &error);
-    check(report.step_fraction >= 1 && report.rung >= HM_RUNG_SUBSTEPS && report.inverted == 0, "all of it", &error);
+    check(report.step_fraction >= 1 && report.strategy >= HM_STRATEGY_SUBSTEPS && report.inverted == 0, "all of it",
+          &error);
     require(hm_quality(laplace, problem->mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
                        &error), "quality", &error);
     check(quality.inverted == 0 && quality.self_crossing == 0, "no cell is inverted", &error);
@@ -305,6 +306,43 @@ static void attach(const hm_basis *basis, const hm_mesh *mesh) {
     bytes[info.bytes / 2] ^= 1;
     check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS, "a bit changed: refused", &error);
     free(bytes);
+}
+
+/* Cells of both kinds, in two arrays: the same mesh with the quads of the innermost ring split into triangles. */
+static void two_arrays(hm_mesh mesh) {
+    hm_error error = {HM_OK};
+    hm_problem problem = {sizeof problem};
+    hm_mesh_report report = {sizeof report};
+    hm_analysis *analysis = NULL;
+    static int32_t triangles[6 * AROUND];
+    void *block;
+    size_t bytes = 0;
+    int k;
+
+    for (k = 0; k < AROUND; ++k) {
+        const int32_t *const quad = cells + 4 * k;
+        const int32_t halves[6] = {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]};
+        memcpy(triangles + 6 * k, halves, sizeof halves);
+    }
+    mesh.cell_layout = HM_CELLS_MIXED;
+    mesh.n_cells = CELLS + AROUND;
+    mesh.cell_points = triangles;
+    mesh.n_quads = CELLS - AROUND;
+    mesh.quad_points = cells + 4 * AROUND;
+    problem.mesh = &mesh;
+    require(hm_analysis_size(&problem, NULL, &bytes, &error), "size of the analysis of both kinds of cells", &error);
+    block = block_of(bytes);
+    require(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error), "the analysis of both kinds", &error);
+    require(hm_analysis_report(analysis, &report, &error), "the report on both kinds", &error);
+    check(report.triangles == 2 * AROUND, "triangles of both kinds", &error);
+    check(report.quads == CELLS - AROUND, "quads of both kinds", &error);
+    check(report.boundary_loops == 2 && report.inverted == 0, "they are one mesh", &error);
+    mesh.n_cells = 2 * AROUND;
+    mesh.n_quads = 0;
+    check(hm_analysis_init(&analysis, block, bytes, &problem, NULL, &error) == HM_BAD_MESH, "triangles alone", &error);
+    check(strstr(error.text, "edge of no cell") != NULL && error.item == 1 + (RINGS - 1) * AROUND,
+          "the first edge without a cell is named", &error);
+    free(block);
 }
 
 int main(void) {
@@ -341,6 +379,7 @@ int main(void) {
     morph(basis, &mesh);
     attach(basis, &mesh);
     free(basis_block);
+    two_arrays(mesh);
 
     printf("%d passed, %d failed\n", passed, failed);
     return failed != 0;

@@ -1065,7 +1065,7 @@ contains
         move = 0.1_dp * some_move()
         call plan%morph_safe(laplace, move, x_new, y_new, report=report)
         call laplace%morph_to(move, x, y, x_other, y_other)
-        call check(report%rung == hm_rung_linear .and. report%other == 0 .and. report%steps == 1 .and. &
+        call check(report%strategy == hm_strategy_linear .and. report%other == 0 .and. report%steps == 1 .and. &
             report%inverted == 0, "a small movement in one step")
         call check(maxval(abs(x_new - x_other)) < 1e-15_dp .and. maxval(abs(y_new - y_other)) < 1e-15_dp, &
             "it is the morph")
@@ -1077,7 +1077,8 @@ contains
         call check(quality%inverted > 0, "Laplace's functions invert cells at 40 degrees")
         call plan%morph_safe(laplace, move, x_new, y_new, report=report)
         call laplace%quality(mesh, x_new, y_new, quality, x, y)
-        call check(quality%inverted == 0 .and. quality%self_crossing == 0 .and. report%rung >= hm_rung_substeps .and. &
+        call check(quality%inverted == 0 .and. quality%self_crossing == 0 .and. &
+            report%strategy >= hm_strategy_substeps .and. &
             report%step_fraction >= 1, "a safe morph inverts none")
         call check(abs(quality%min_quality - report%min_quality) < 1e-12_dp .and. report%min_quality_cell == &
             quality%min_quality_cell, "its report")
@@ -1086,11 +1087,12 @@ contains
         call solve(mesh, others(1))
         call plan%morph_safe(laplace, move, x_new, y_new, others=others, report=report)
         call others(1)%morph_to(move, x, y, x_other, y_other)
-        call check(report%rung == hm_rung_other .and. report%other == 1 .and. maxval(abs(x_new - x_other)) < 1e-14_dp, &
+        call check(report%strategy == hm_strategy_other .and. report%other == 1 .and. &
+            maxval(abs(x_new - x_other)) < 1e-14_dp, &
             "conformal functions do it at once")
         allocate(reached(2, size(move, 2)))
         call plan%morph_safe(laplace, move, x_new, y_new, options=hm_safe_options(max_resolves=-1, &
-            skipped_rungs=2**hm_rung_untangled, reached=reached), report=report, stat=stat, err=err)
+            skipped_strategies=2**hm_strategy_untangled, reached=reached), report=report, stat=stat, err=err)
         call check(stat == hm_short .and. report%step_fraction > 0 .and. report%step_fraction < 1, &
             "not all: " // err%text)
         call laplace%boundary_error(reached, x, y, x_new, y_new, error)
@@ -1118,7 +1120,8 @@ contains
         call plan%solve(weighted)
         move = turn(curves%control, 50._dp)
         call plan%morph_safe(weighted, move, x_new, y_new, derivative=derivative, report=report)
-        call check(report%rung == hm_rung_substeps .and. report%steps > 1 .and. report%resolves > 0, "several steps")
+        call check(report%strategy == hm_strategy_substeps .and. report%steps > 1 .and. report%resolves > 0, &
+            "several steps")
         call derivative%displacement(move, x_other, y_other)
         call check(maxval(abs(x + x_other - x_new)) < 1e-12_dp .and. maxval(abs(y + y_other - y_new)) < 1e-12_dp, &
             "the derivative is the sum of the steps' functions")

@@ -83,9 +83,9 @@ void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis
     files.commit();
 }
 
-const char* rung_name(std::int32_t rung) {
+const char* strategy_name(std::int32_t strategy) {
     static const char* const names[] = {"linear", "other", "substeps", "untangled"};
-    return names[rung];
+    return names[strategy];
 }
 
 void print_json(const Morph& morph, bool safe, const Companions& written) {
@@ -97,7 +97,7 @@ void print_json(const Morph& morph, bool safe, const Companions& written) {
     object.add("morph_seconds", morph.seconds);
     if (safe) {
         object.add("step_fraction", morph.safe.step_fraction).add("steps", morph.safe.steps);
-        object.add("resolves", morph.safe.resolves).add("rung", std::string(rung_name(morph.safe.rung)));
+        object.add("resolves", morph.safe.resolves).add("strategy", std::string(strategy_name(morph.safe.strategy)));
         object.add("last_step_admissible", morph.safe.admissible).add("reached_moves", written.reached);
     }
     object.add("moved_curve", written.curve);
@@ -107,9 +107,9 @@ void print_json(const Morph& morph, bool safe, const Companions& written) {
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
     const double admissible = safe ? morph.safe.admissible : morph.step.admissible;
     if (safe) {
-        std::printf("target           %s %% of the way in %s, solved again %d times; rung: %s\n",
+        std::printf("target           %s %% of the way in %s, solved again %d times; strategy: %s\n",
                     brief(100 * morph.safe.step_fraction).c_str(), plural(morph.safe.steps, "step").c_str(),
-                    morph.safe.resolves, rung_name(morph.safe.rung));
+                    morph.safe.resolves, strategy_name(morph.safe.strategy));
     }
     std::printf("inverted cells   %d\n", morph.quality.inverted);
     const std::string step = std::isinf(admissible) ? "unlimited"
@@ -228,7 +228,7 @@ const Command morph_command = {
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
                          "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but step_fraction\n"
-                         "(1: all of the movement), steps, resolves, rung (linear, other, substeps, untangled),\n"
+                         "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, untangled),\n"
                          "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};

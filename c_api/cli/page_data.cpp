@@ -245,7 +245,7 @@ void write_report_data(std::ostream& out, const Mesh& mesh, const Basis& basis, 
     object.add("admissible_step", morph.step.admissible).add("limiting_cell", morph.step.cell);
     object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
     object.add("worst_cell", morph.quality.min_quality_cell).add("boundary_error", morph.boundary_error);
-    object.add("safe", safe).add("rung", morph.safe.rung).add("steps", morph.safe.steps);
+    object.add("safe", safe).add("strategy", morph.safe.strategy).add("steps", morph.safe.steps);
     object.add("resolves", morph.safe.resolves).add("step_fraction", morph.safe.step_fraction);
     object.add("untangled", morph.safe.untangled);
     out << for_script(object.text());

@@ -12,7 +12,8 @@
         hm_not_positive = -8
     integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
-    integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, hm_cells_structured = 3
+    integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, &
+        hm_cells_structured = 3, hm_cells_mixed = 4
     integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
     integer, parameter, public :: hm_fit_asked = 0, hm_fit_no_loop = 1, hm_fit_no_corner = 2, hm_fit_corner = 3
     integer, parameter, public :: hm_fit_base = 4
@@ -28,4 +29,5 @@
         hm_kernel_neon = 4
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
-    integer, parameter, public :: hm_rung_linear = 0, hm_rung_other = 1, hm_rung_substeps = 2, hm_rung_untangled = 3
+    integer, parameter, public :: hm_strategy_linear = 0, hm_strategy_other = 1, hm_strategy_substeps = 2, &
+        hm_strategy_untangled = 3

@@ -89,7 +89,7 @@
 !                   limits it (-1: nothing does).
 ! hm_quality_report inverted, first_inverted, min_area; min_quality, mean_quality, min_quality_cell (size-skew, 0 .. 1);
 !                   self_crossing 1: the boundary crosses itself, at crossing_points(4), two faces.
-! hm_safe_report    rung: hm_rung_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
+! hm_safe_report    strategy: hm_strategy_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
 !                   hm_short); admissible, cell, point of the last step tried; steps, resolves, other (0: none),
 !                   untangled; quality, angles and first-layer heights of the mesh reached.
 ! hm_transfer_report  points, outside, max_distance, wall_correction: how well the coarse mesh resolves the functions.

@@ -3,7 +3,7 @@
 
     type, public :: hm_safe_options                             ! of morph_safe; 0 are the defaults
         integer :: max_resolves = 0
-        integer :: skipped_rungs = 0                            ! sum of 2**hm_rung_... of those not to be tried
+        integer :: skipped_strategies = 0                       ! sum of 2**hm_strategy_... of those not to be tried
         real(c_double) :: heights = 0                           ! 0 .. 1: how far distances from walls are brought back
         ! (2, :) like move: receives the movement that x_new has; short of the target it is not all of move.
         real(c_double), pointer, contiguous :: reached(:, :) => null()

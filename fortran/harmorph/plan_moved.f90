@@ -55,7 +55,7 @@ contains
         c_options%struct_size = int(c_sizeof(c_options), c_int64_t)
         if (present(options)) then
             c_options%max_resolves = int(options%max_resolves, c_int32_t)
-            c_options%skipped_rungs = int(options%skipped_rungs, c_int32_t)
+            c_options%skipped_strategies = int(options%skipped_strategies, c_int32_t)
             c_options%heights = options%heights
             if (associated(options%reached)) then
                 call check_pairs(basis, options%reached, done)

@@ -29,6 +29,8 @@
         type(c_ptr) :: face_points = c_null_ptr, face_markers = c_null_ptr
         integer(c_int32_t) :: n_lists = 0
         type(c_ptr) :: list_start = c_null_ptr, list_points = c_null_ptr, list_markers = c_null_ptr
+        integer(c_int32_t) :: n_quads = 0
+        type(c_ptr) :: quad_points = c_null_ptr
     end type
 
     type, bind(c), public :: hm_c_curve
@@ -133,7 +135,7 @@
 
     type, bind(c), public :: hm_c_safe_options
         integer(c_int64_t) :: struct_size = 0
-        integer(c_int32_t) :: max_resolves = 0, skipped_rungs = 0, n_others = 0, reserved = 0
+        integer(c_int32_t) :: max_resolves = 0, skipped_strategies = 0, n_others = 0, reserved = 0
         type(c_ptr) :: others = c_null_ptr
         real(c_double) :: heights = 0
         type(c_ptr) :: reached = c_null_ptr
@@ -141,7 +143,7 @@
 
     type, bind(c), public :: hm_safe_report
         integer(c_int64_t) :: struct_size = 0
-        integer(c_int32_t) :: rung = 0, other = 0, steps = 0, resolves = 0
+        integer(c_int32_t) :: strategy = 0, other = 0, steps = 0, resolves = 0
         real(c_double) :: step_fraction = 0, admissible = 0
         integer(c_int32_t) :: cell = 0, point = 0, untangled = 0, iterations = 0, crossing_points(4) = 0
         integer(c_int32_t) :: inverted = 0, min_quality_cell = 0

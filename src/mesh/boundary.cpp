@@ -11,9 +11,23 @@ constexpr Index marked_with(Index face) noexcept { return -2 - face; }
 Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
-        fault.refuse(Status::bad_mesh, "the boundary edge between points # and @ is on no marker", Counts::mesh, low, high);
+        fault.refuse(Status::bad_mesh, "the edge between points # and @ has one cell and no marker: a marker or a cell is missing",
+                     Counts::mesh, low, high);
     });
     return fault.status;
+}
+
+// A face that the caller gives is a boundary edge of the cells, or the first cause why it is not.
+Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& fault) noexcept {
+    const char* wrong = nullptr;
+    if (face.begin == face.end) {
+        wrong = "the boundary has an edge from point # to point @, the same point";
+    } else if (edge == none) {
+        wrong = "the boundary edge between points # and @ is an edge of no cell; are cells missing?";
+    } else if (!edges.is_boundary(edge)) {
+        wrong = "the boundary edge between points # and @ has cells on both sides";
+    }
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::bad_mesh, wrong, Counts::mesh, face.begin, face.end);
 }
 
 }  // namespace
@@ -39,15 +53,9 @@ Status Boundary::mark(Topology& topology, Fault& fault) noexcept {
     Edges& edges = topology.edges;
     Span<const Index> const representative = topology.representative;
     count = 0;
-    topology.mesh.for_each_face([&](BoundaryFace face, Index list, Index number) {
+    topology.mesh.for_each_face([&](BoundaryFace face, Index, Index) {
         Index const edge = edges.find(representative[face.begin], representative[face.end]);
-        if (edge == none || !edges.is_boundary(edge)) {
-            fault.refuse(Status::bad_mesh,
-                         list == none ? "boundary face # is not an edge with a cell on one side only"
-                                      : "places # and @ of the boundary lists are not joined by a boundary edge",
-                         Counts::mesh, number, list == none ? none : number + 1);
-            return false;
-        }
+        if (failed(check_face(face, edges, edge, fault))) return false;
         if (edges.second[edge] == Edges::unmarked) {
             given_marker[count] = face.marker;
             given_begin[count] = edge;  // which way it runs is not known yet

@@ -32,7 +32,7 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
     }
     for (Index list = 0; list < mesh.n_lists; ++list) {
         if (mesh.list_start[0] != mesh.index_base || mesh.list_start[list + 1] < mesh.list_start[list]) {
-            return fault.refuse(Status::bad_mesh, "mesh.list_start must begin with index_base and never decrease; see list #",
+            return fault.refuse(Status::bad_mesh, "mesh.list_start must begin with index_base and never decrease; see list # (from 0)",
                                 Counts::from_zero, list);
         }
     }
@@ -42,7 +42,7 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
             if (point >= 0 && point < mesh.n_points) continue;
             fault.refuse(Status::bad_mesh,
                          list == none ? "boundary face # names point @, which does not exist"
-                                      : "place # of the boundary lists names point @, which does not exist",
+                                      : "number # of mesh.list_points is point @, which does not exist",
                          Counts::mesh, number, point);
             return false;
         }
@@ -79,6 +79,13 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #", Counts::from_zero,
                             mesh.n_cells);
     }
+    bool const mixed = mesh.layout == CellLayout::mixed;
+    if (mesh.n_quads < 0 || mesh.n_quads > (mixed ? mesh.n_cells : 0)) {
+        return fault.refuse(Status::bad_argument,
+                            mixed ? "mesh.n_quads must be between 0 and n_cells, not #"
+                                  : "mesh.n_quads is #, but only HM_CELLS_MIXED has quads in an array of their own",
+                            Counts::from_zero, mesh.n_quads);
+    }
     if (mesh.n_faces < 0 || mesh.n_lists < 0) {
         return fault.refuse(Status::bad_argument, "mesh.n_faces and mesh.n_lists must not be negative");
     }
@@ -97,7 +104,12 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         }
         return Status::ok;
     }
-    if (mesh.cell_points == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
+    if (mesh.n_triangles() > 0 && mesh.cell_points == nullptr) {
+        return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
+    }
+    if (mesh.n_quads > 0 && mesh.quad_points == nullptr) {
+        return fault.refuse(Status::bad_argument, "mesh.quad_points is NULL");
+    }
     if (mesh.layout != CellLayout::rows) return Status::ok;
     if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
     if (mesh.cell_start[0] != mesh.index_base) {

@@ -109,14 +109,14 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         derivative->unseal();
         fill(derivative->value, 0.0);
     }
-    if (fits && options.tries(Rung::linear)) {
+    if (fits && options.tries(Strategy::linear)) {
         take_step(work, basis, 0, 1);
     } else {
-        for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Rung::other); ++i) {
+        for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Strategy::other); ++i) {
             Basis const& other = options.others[i];
             if (derivative != nullptr && other.kind() != basis.kind()) continue;
             if (!is_admissible(work, other) || crosses(work)) continue;
-            report.rung = Rung::other;
+            report.strategy = Strategy::other;
             report.other = i;
             take_step(work, other, 0, 1);
         }
@@ -157,10 +157,10 @@ Status SafeMorph::substeps(Work& work) noexcept {
     Basis const here = unsolved_copy(work.basis);
     // A solution that failed may have left anything in `here`; the functions of the start always serve.
     auto const functions = [&]() -> Basis const& { return here.header->solved == 1 ? here : work.basis; };
-    while (work.options.tries(Rung::substeps)) {
+    while (work.options.tries(Strategy::substeps)) {
         Real const length = find_step(work, functions(), report.fraction);
         if (length < least_step) break;
-        report.rung = Rung::substeps;
+        report.strategy = Strategy::substeps;
         take_step(work, functions(), report.fraction, smaller(report.fraction + length, 1.0));
         if (report.fraction >= 1) return Status::ok;
         if (report.resolves == work.options.most_resolves) break;
@@ -171,7 +171,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
         HARMORPH_TRY(status);
         ++report.resolves;
     }
-    if (!work.options.tries(Rung::untangled)) return Status::ok;
+    if (!work.options.tries(Strategy::untangled)) return Status::ok;
     return untangle(work, functions());
 }
 
@@ -250,7 +250,7 @@ Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
     }
     if (crosses(work)) return Status::ok;  // points that slide have passed others
     take_step(work, by, from, 1);
-    work.report.rung = Rung::untangled;
+    work.report.strategy = Strategy::untangled;
     return Status::ok;
 }
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/mixed.hpp>
 
 #include <functional>
 #include <limits>
@@ -173,9 +174,9 @@ TEST_CASE("bad boundaries") {
     Spoiled const all[] = {
         {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[6] = 48; }},
         {HM_BAD_MESH, "does not exist", 3, true, [](Case& c) { c.mesh.faces[7] = -1; }},
-        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},    // inside
-        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},   // no edge
-        {HM_BAD_MESH, "one side only", 4, true, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9]; }},
+        {HM_BAD_MESH, "on both sides", 8, true, [](Case& c) { c.mesh.faces[8] = 8, c.mesh.faces[9] = 9; }},
+        {HM_BAD_MESH, "an edge of no cell", 1, true, [](Case& c) { c.mesh.faces[8] = 1, c.mesh.faces[9] = 12; }},
+        {HM_BAD_MESH, "the same point", 7, true, [](Case& c) { c.mesh.faces[8] = c.mesh.faces[9] = 7; }},
         {HM_BAD_MESH, "no marker", 24, true, drop_last_face},
         {HM_BAD_MESH, "no marker", 0, true, [](Case& c) { c.mesh.faces.clear(), c.mesh.face_markers.clear(); }},
         {HM_BAD_MESH, "two markers", 1, true, [](Case& c) { c.mesh.add_face(1, 0, right); }},
@@ -199,10 +200,72 @@ TEST_CASE("bad boundaries") {
     };
     check_refused({HM_BAD_MESH, "never decrease", 1, false, {}, lists({0, 3, 2}, {0, 1, 2})});
     check_refused({HM_BAD_MESH, "begin with", 0, false, {}, lists({1, 3}, {0, 1, 2})});
-    check_refused({HM_BAD_MESH, "not joined", 1, true, {}, lists({0, 3}, {0, 1, 8})});
-    check_refused({HM_BAD_MESH, "not joined", 4, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
+    check_refused({HM_BAD_MESH, "on both sides", 1, true, {}, lists({0, 3}, {0, 1, 8})});
+    check_refused({HM_BAD_MESH, "an edge of no cell", 13, true, {}, lists({0, 3, 6}, {0, 1, 2, 6, 13, 26})});
     check_refused({HM_BAD_MESH, "does not exist", 1, true, {}, lists({0, 3}, {0, 1, 48})});
     check_refused({HM_BAD_MESH, "two markers", 0, true, {}, lists({0, 0, 2}, {0, 1})});
+}
+
+TEST_CASE("cells that were not given: their boundary edges are named, by their points, as edges of no cell") {
+    // Triangles alone of a hybrid mesh. Lists begin with the bottom, whose cells are quads.
+    std::int32_t const start[] = {1, 8, 15}, markers[] = {bottom, top};
+    std::vector<std::int32_t> points;
+    for (std::int32_t k = 1; k <= 7; ++k) points.push_back(k);
+    for (std::int32_t k = 48; k > 41; --k) points.push_back(k);
+    Case its = tiny_case();
+    its.index_base = 1;
+    Mixed const mixed(its.mesh, 1);
+    hm_mesh view = mixed.put_into(its.mesh_view());
+    view.n_cells = mixed.n_triangles();
+    view.n_quads = 0;
+    for (bool const in_lists : {true, false}) {
+        if (in_lists) {
+            view.n_lists = 2;
+            view.list_start = start;
+            view.list_points = points.data();
+            view.list_markers = markers;
+            view.n_faces = 0;
+        } else {
+            view.n_lists = 0;
+            view.n_faces = its.mesh.n_faces();
+        }
+        Attempt const attempt(its.problem(view));
+        INFO(attempt.error.text);
+        CHECK(attempt.status == HM_BAD_MESH);
+        std::string const text = attempt.error.text;
+        CHECK(text.find("an edge of no cell") != std::string::npos);
+        std::int32_t const* const ends = in_lists ? points.data() : view.face_points;
+        CHECK(attempt.error.item == ends[0]);
+        CHECK(text.find("points " + std::to_string(ends[0]) + " and " + std::to_string(ends[1])) != std::string::npos);
+    }
+}
+
+TEST_CASE("bad cells in two arrays") {
+    for (std::int32_t const base : {0, 1}) {
+        Case its = tiny_case();
+        its.index_base = base;
+        Mixed mixed(its.mesh, base);
+        auto const refused = [&](hm_status status, const char* word, std::int32_t item, auto change) {
+            hm_mesh view = mixed.put_into(its.mesh_view());
+            change(view);
+            Attempt const attempt(its.problem(view));
+            INFO(std::string(word) << ": " << attempt.error.text);
+            CHECK(attempt.status == status);
+            CHECK(std::string(attempt.error.text).find(word) != std::string::npos);
+            CHECK(attempt.error.item == item);
+        };
+        refused(HM_BAD_ARGUMENT, "n_quads", -1, [](hm_mesh& m) { m.n_quads = -1; });
+        refused(HM_BAD_ARGUMENT, "n_quads", mixed.rows.n_cells() + 1, [](hm_mesh& m) { m.n_quads = m.n_cells + 1; });
+        refused(HM_BAD_ARGUMENT, "quad_points is NULL", nobody, [](hm_mesh& m) { m.quad_points = nullptr; });
+        refused(HM_BAD_ARGUMENT, "cell_points is NULL", nobody, [](hm_mesh& m) { m.cell_points = nullptr; });
+        refused(HM_BAD_ARGUMENT, "only HM_CELLS_MIXED", mixed.n_quads(),
+                [](hm_mesh& m) { m.cell_layout = HM_CELLS_TRIANGLES; });
+        // Cells are counted through: quad k is cell n_triangles + k.
+        mixed.quads[4 * 5 + 2] = 48 + base;
+        refused(HM_BAD_MESH, "does not exist", mixed.n_triangles() + 5 + base, [](hm_mesh&) {});
+        mixed.triangles[3 * 2] = -1;
+        refused(HM_BAD_MESH, "does not exist", 2 + base, [](hm_mesh&) {});
+    }
 }
 
 TEST_CASE("bad curves") {

@@ -312,13 +312,14 @@ TEST_CASE("the boundary of a mesh, and its report") {
     });
 }
 
-// Far turns, so that every rung is climbed: bounded functions, which cannot be solved again, leave the rest to untangling.
-TEST_CASE("safe morphs: every operator and scheme that the direct engine solves, every rung, to the end or short of it") {
+// Far turns, so that every strategy is tried: bounded functions, which cannot be solved again, leave the rest to
+// untangling.
+TEST_CASE("safe morphs: every operator and scheme that the direct engine solves, every strategy, to the end or not") {
     for (Way& way : ways()) {
         if (way.options.engine != HM_DIRECT) continue;
         for (double const degrees : {20.0, 75.0, 100.0})
-            for (std::int32_t const skipped : {0, 1 << HM_RUNG_SUBSTEPS, 1 << HM_RUNG_UNTANGLED}) {
-                INFO(way.name << ", turned by " << degrees << " degrees, without the rungs " << skipped);
+            for (std::int32_t const skipped : {0, 1 << HM_STRATEGY_SUBSTEPS, 1 << HM_STRATEGY_UNTANGLED}) {
+                INFO(way.name << ", turned by " << degrees << " degrees, without the strategies " << skipped);
                 check_fills([&](Record& record) {
                     Case its = block();
                     Solved const solved(its, &way.options);
@@ -333,7 +334,7 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     std::vector<double> x = filled<double>(its.mesh.x.size()), y = x, reached = filled<double>(move.size());
                     hm_safe_options options{};
                     options.struct_size = sizeof options;
-                    options.skipped_rungs = skipped;
+                    options.skipped_strategies = skipped;
                     options.max_resolves = 3;
                     options.heights = 0.5;
                     options.reached = reached.data();

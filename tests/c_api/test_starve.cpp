@@ -3,6 +3,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/mixed.hpp>
 
 #include <set>
 
@@ -49,8 +50,10 @@ void starve(std::size_t need, Init init) {
 
 TEST_CASE("analysis: with curves and without, at every size below the required one") {
     Case its = two_body_case(Cells::hybrid, 4, 3);
+    Mixed const mixed(its.mesh);
+    hm_mesh const in_two_arrays = mixed.put_into(mixed.rows.view());
     for (bool const with_curves : {true, false}) {
-        hm_problem problem = its.problem();
+        hm_problem problem = with_curves ? its.problem() : its.problem(in_two_arrays);
         if (!with_curves) problem.curves = nullptr;
         std::size_t need = 0;
         REQUIRE(hm_analysis_size(&problem, nullptr, &need, nullptr) == HM_OK);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/mixed.hpp>
 
 #include <cstddef>
 
@@ -38,6 +39,25 @@ TEST_CASE("a struct of an older caller is shorter: what is missing has its defau
     INFO(attempt.error.text);
     REQUIRE(attempt.status == HM_OK);
     CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+}
+
+TEST_CASE("a mesh of an older caller has no second array of cells: what lies behind the mesh is not looked at") {
+    Case its = tiny_case();
+    Solved const reference(its);
+    hm_mesh mesh = its.mesh.view();
+    mesh.struct_size = offsetof(hm_mesh, n_quads);
+    mesh.n_quads = 1000;
+    Attempt const attempt(its.problem(mesh));
+    INFO(attempt.error.text);
+    REQUIRE(attempt.status == HM_OK);
+    CHECK(same_bits(values_of(attempt.basis, 4, 48), reference.all_values()));
+    Mixed const mixed(its.mesh);
+    hm_mesh short_of_quads = mixed.put_into(its.mesh.view());
+    short_of_quads.struct_size = offsetof(hm_mesh, n_quads);   // then all cells are triangles
+    short_of_quads.n_cells = mixed.n_triangles();
+    Attempt const triangles(its.problem(short_of_quads));
+    CHECK(triangles.status == HM_BAD_MESH);
+    CHECK(says(triangles.error, "are cells missing?"));
 }
 
 TEST_CASE("a struct of a younger caller is longer: what is unknown is left alone") {

@@ -107,19 +107,19 @@ void print_limits(const char* name, const Case& its, const Movements& movements,
 
 bool print_safe(const std::string& name, const Case& its, const Moves& moves, const std::string& picture) {
     const cli::Morph morph = its.safe(moves);
-    static const char* const rungs[] = {"linear", "other", "substeps", "untangled"};
+    static const char* const strategies[] = {"linear", "other", "substeps", "untangled"};
     const hm_safe_report& report = morph.safe;
     const bool good = morph.valid() && morph.refusal.empty();
     std::printf("  %-14s %6.1f%% %6d %9d  %-10s %7d %8.3f %8.3f %9.2g %9.1f\n", name.c_str(), 100 * report.step_fraction,
-                report.steps, report.resolves, rungs[report.rung], morph.quality.inverted, morph.quality.min_quality,
-                morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
+                report.steps, report.resolves, strategies[report.strategy], morph.quality.inverted,
+                morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
     its.draw(picture, morph);
     return good;
 }
 
 constexpr const char* safe_heading =
-    "  --safe          target  steps  resolves  rung       inverted  min q   mean q   boundary  time/solve\n";
+    "  --safe          target  steps  resolves  strategy   inverted  min q   mean q   boundary  time/solve\n";
 
 // Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many targets were missed.
 int safe_targets(const Case& its, const Movements& movements, const std::string& stem) {

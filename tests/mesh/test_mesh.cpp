@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
+#include <fixtures/mixed.hpp>
 #include <fixtures/wrong.hpp>
 
 #include <limits>
@@ -85,6 +86,31 @@ TEST_CASE("rows, triangles, quads and blocks: the same cells") {
         check_same(block, quads.mesh.view());
         block.n_cells = 0;   // may be left out
         check_same(block, quads.mesh.view());
+    }
+}
+
+TEST_CASE("triangles and quads in two arrays: the same cells, triangles first") {
+    for (std::int32_t const base : {0, 1}) {
+        Case its;
+        its.index_base = base;
+        for (Cells const kind : {Cells::triangles, Cells::quads, Cells::hybrid}) {
+            Mixed const mixed(square(6, kind, 2, 2), base);
+            its.mesh = mixed.rows;
+            hm_mesh view = mixed.put_into(its.mesh_view());
+            if (kind == Cells::triangles) view.quad_points = nullptr;
+            if (kind == Cells::quads) view.cell_points = nullptr;
+            check_same(view, its.mesh.view());
+        }
+        // All cells as quads, the last point of a triangle repeated.
+        its.mesh = square(6, Cells::hybrid, 2, 2);
+        std::vector<std::int32_t> wide = quads_of(its.mesh);
+        for (std::int32_t& point : wide) point += base;
+        hm_mesh view = its.mesh_view();
+        view.cell_layout = HM_CELLS_MIXED;
+        view.cell_start = view.cell_points = nullptr;
+        view.n_quads = its.mesh.n_cells();
+        view.quad_points = wide.data();
+        check_same(view, its.mesh.view());
     }
 }
 

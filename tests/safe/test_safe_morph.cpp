@@ -1,4 +1,4 @@
-// Safe morphs: no inverted cell whatever happens, each rung where it is the one that helps, and the truth about the way.
+// Safe morphs: no inverted cell whatever happens, each strategy where it helps, and the truth about the way.
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -11,9 +11,9 @@ namespace {
 
 double const pi = std::acos(-1.0);
 
-std::int32_t without(std::initializer_list<std::int32_t> rungs) {
+std::int32_t without(std::initializer_list<std::int32_t> strategies) {
     std::int32_t out = 0;
-    for (std::int32_t const rung : rungs) out |= 1 << rung;
+    for (std::int32_t const strategy : strategies) out |= 1 << strategy;
     return out;
 }
 
@@ -134,12 +134,12 @@ std::vector<double> turn_of(Case const& its, double degrees, Complex shift = 0) 
 
 }  // namespace
 
-TEST_CASE("the linear rung: hm_morph's mesh in one step, where that is valid") {
+TEST_CASE("the linear strategy: hm_morph's mesh in one step, where that is valid") {
     Case its = block();
     Safe safe(its);
     std::vector<double> const move = turn_of(its, 20);
     REQUIRE(safe.run(move) == HM_OK);
-    CHECK(safe.report.rung == HM_RUNG_LINEAR);
+    CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
     CHECK(safe.report.steps == 1);
     CHECK(safe.report.resolves == 0);
     CHECK(safe.report.step_fraction == 1);
@@ -165,9 +165,9 @@ TEST_CASE("another basis is the one that helps") {
     const hm_basis* const others[] = {useless.basis, useful.basis};
     safe.safe_options.n_others = 2;
     safe.safe_options.others = others;
-    safe.safe_options.skipped_rungs = without({HM_RUNG_SUBSTEPS, HM_RUNG_UNTANGLED});
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(move) == HM_OK);
-    CHECK(safe.report.rung == HM_RUNG_OTHER);
+    CHECK(safe.report.strategy == HM_STRATEGY_OTHER);
     CHECK(safe.report.other == 1);
     CHECK(safe.report.steps == 1);
     CHECK(largest_difference(safe.moved(), displacement(useful, move)) < 1e-15);
@@ -182,17 +182,17 @@ TEST_CASE("another basis is the one that helps") {
     CHECK(safe.untouched());
     CHECK(safe.report.step_fraction == 0);
     CHECK(safe.report.steps == 0);
-    safe.safe_options.skipped_rungs |= without({HM_RUNG_OTHER});
+    safe.safe_options.skipped_strategies |= without({HM_STRATEGY_OTHER});
     safe.safe_options.n_others = 2;
     CHECK(safe.run(move) == HM_SHORT);
 
     Safe weaker(its, sharper);   // of the same kind: its functions are the derivative
     weaker.safe_options.n_others = 2;
     weaker.safe_options.others = others;
-    weaker.safe_options.skipped_rungs = without({HM_RUNG_LINEAR, HM_RUNG_SUBSTEPS, HM_RUNG_UNTANGLED});
+    weaker.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     REQUIRE(of.run(its.problem(), &sharper));
     REQUIRE(weaker.run(move, of.basis) == HM_OK);
-    CHECK(weaker.report.rung == HM_RUNG_OTHER);
+    CHECK(weaker.report.strategy == HM_STRATEGY_OTHER);
     CHECK(weaker.report.other == 1);
     std::vector<double> const further = some_move(4, 1, 7);
     CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) < 1e-15);
@@ -204,9 +204,9 @@ TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spli
         Safe safe(its);
         std::vector<double> const move = turn_of(its, 120, {0.02, 0.05});
         CHECK(safe.admissible(move) < 1);
-        safe.safe_options.skipped_rungs = without({HM_RUNG_OTHER, HM_RUNG_UNTANGLED});
+        safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
         REQUIRE(safe.run(move) == HM_OK);
-        CHECK(safe.report.rung == HM_RUNG_SUBSTEPS);
+        CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
         CHECK(safe.report.step_fraction == 1);
         CHECK(safe.report.steps > 1);
         CHECK(safe.report.resolves == safe.report.steps - 1);
@@ -223,7 +223,7 @@ TEST_CASE("a substep takes half of what is admissible, on the mesh and with the 
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = block(kind);
         Safe safe(its);
-        safe.safe_options.skipped_rungs = without({HM_RUNG_OTHER, HM_RUNG_UNTANGLED});
+        safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_UNTANGLED});
         std::vector<double> const shift = similarity_move(its.curves, 1, {0.5, 0.5}, {0.3, 0.2});
         for (std::vector<double> const& move : {shift, turn_of(its, 150)}) {
             REQUIRE(safe.admissible(move) < 1);
@@ -262,9 +262,9 @@ TEST_CASE("untangling is what helps") {
         Safe safe(its);
         std::vector<double> const move = turn_of(its, 100, {0.05, 0.05});
         CHECK(safe.admissible(move) < 1);
-        safe.safe_options.skipped_rungs = without({HM_RUNG_OTHER, HM_RUNG_SUBSTEPS});
+        safe.safe_options.skipped_strategies = without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS});
         REQUIRE(safe.run(move) == HM_OK);
-        CHECK(safe.report.rung == HM_RUNG_UNTANGLED);
+        CHECK(safe.report.strategy == HM_STRATEGY_UNTANGLED);
         CHECK(safe.report.step_fraction == 1);
         CHECK(safe.report.resolves == 0);
         CHECK(safe.report.untangled > 0);
@@ -272,25 +272,25 @@ TEST_CASE("untangling is what helps") {
         CHECK(safe.is_valid());
         CHECK(safe.boundary_error(move) < 1e-15);
         // Substeps first, as far as they are allowed, then the rest.
-        safe.safe_options.skipped_rungs = 0;
+        safe.safe_options.skipped_strategies = 0;
         safe.safe_options.max_resolves = -1;
         REQUIRE(safe.run(move) == HM_OK);
         CHECK(safe.report.resolves == 0);
         CHECK(safe.report.step_fraction == 1);
         CHECK(safe.is_valid());
-        CHECK(safe.report.rung == HM_RUNG_UNTANGLED);
+        CHECK(safe.report.strategy == HM_STRATEGY_UNTANGLED);
         CHECK(safe.report.steps == 2);
         CHECK(safe.boundary_error(move) < 1e-15);
     }
 }
 
-TEST_CASE("whatever rung it was: the wall's points have the same bits, as rounding does not add up from step to step") {
+TEST_CASE("whatever strategy it was: the wall's points have the same bits, rounding does not add up") {
     Case its = block(Cells::quads, 15);
     Safe safe(its);
     std::vector<double> const move = turn_of(its, 115, {0.0123, 0.0321});
     std::vector<double> wall;
-    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), without({HM_RUNG_SUBSTEPS})}) {
-        safe.safe_options.skipped_rungs = skipped;
+    for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
+        safe.safe_options.skipped_strategies = skipped;
         REQUIRE(safe.run(move) == HM_OK);
         std::vector<double> found;
         for (std::int32_t const point : points_on(its.mesh, body))
@@ -304,11 +304,11 @@ TEST_CASE("slipping points stay on their lines and periodic sides move alike, in
     Case slip = block(Cells::hybrid, 15), pair = block(Cells::hybrid, 15);
     for (std::int32_t const side : {bottom, right, top, left}) slip.set_slip(side);
     pair.set_periodic(left, right);
-    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), without({HM_RUNG_SUBSTEPS})}) {
+    for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), without({HM_STRATEGY_SUBSTEPS})}) {
         Safe sliding(slip), alike(pair);
-        sliding.safe_options.skipped_rungs = alike.safe_options.skipped_rungs = skipped;
+        sliding.safe_options.skipped_strategies = alike.safe_options.skipped_strategies = skipped;
         REQUIRE(sliding.run(turn_of(slip, 120, {0.1, 0.02})) == HM_OK);
-        REQUIRE(sliding.report.rung != HM_RUNG_LINEAR);
+        REQUIRE(sliding.report.strategy != HM_STRATEGY_LINEAR);
         double slid = 0;
         for (std::int32_t const point : points_on(slip.mesh, bottom)) {
             CHECK(sliding.y[static_cast<std::size_t>(point)] == 0);
@@ -316,7 +316,7 @@ TEST_CASE("slipping points stay on their lines and periodic sides move alike, in
         }
         CHECK(slid > 1e-3);
         REQUIRE(alike.run(turn_of(pair, 110, {0.1, 0.05})) == HM_OK);
-        REQUIRE(alike.report.rung != HM_RUNG_LINEAR);
+        REQUIRE(alike.report.strategy != HM_STRATEGY_LINEAR);
         std::vector<std::int32_t> const l = points_on(pair.mesh, left), r = points_on(pair.mesh, right);
         Field const moved = alike.moved();
         for (std::size_t j = 0; j < l.size(); ++j)
@@ -333,7 +333,7 @@ TEST_CASE("sliding points that would pass each other in one step are no crossing
     Safe safe(its);   // conformal, 1 / d^1.5
     REQUIRE(safe.run(turn_of(its, 60, {-0.2, -0.3})) == HM_OK);
     CHECK(safe.report.step_fraction == 1);
-    CHECK(safe.report.rung == HM_RUNG_SUBSTEPS);
+    CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(safe.is_valid());
 }
 
@@ -341,7 +341,7 @@ TEST_CASE("short of the target: the last valid mesh is that fraction of the way 
     Case its = block();
     Safe safe(its);
     std::vector<double> const move = turn_of(its, 150);
-    safe.safe_options.skipped_rungs = without({HM_RUNG_UNTANGLED});
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     safe.safe_options.max_resolves = 1;
     std::vector<double> reached(move.size(), -1);
     safe.safe_options.reached = reached.data();
@@ -412,7 +412,7 @@ TEST_CASE("a thousand random movements of growing size: valid, or refused with a
         Safe safe(start.its, options_of(start.operator_kind));
         std::int32_t const n = safe.solved().info().functions;
         double const size = start.its.curves.n_control() == 4 ? 4 : 0.5;
-        int reached = 0, refused = 0, by_rung[4] = {};
+        int reached = 0, refused = 0, by_strategy[4] = {};
         for (unsigned trial = 0; trial < 200; ++trial) {
             std::vector<double> const move = some_move(n, size * trial / 200.0, 100 + trial);
             hm_status const status = safe.run(move);
@@ -430,15 +430,15 @@ TEST_CASE("a thousand random movements of growing size: valid, or refused with a
                 continue;
             }
             ++reached;
-            ++by_rung[safe.report.rung];
+            ++by_strategy[safe.report.strategy];
             CHECK(safe.report.step_fraction == 1);
             CHECK(safe.boundary_error(move) < 1e-14);
         }
         CHECK(reached > 10);
         CHECK(refused > 5);
-        CHECK(by_rung[HM_RUNG_LINEAR] > 0);
-        CHECK(by_rung[HM_RUNG_SUBSTEPS] > 0);
-        CHECK(by_rung[HM_RUNG_UNTANGLED] > 0);
+        CHECK(by_strategy[HM_STRATEGY_LINEAR] > 0);
+        CHECK(by_strategy[HM_STRATEGY_SUBSTEPS] > 0);
+        CHECK(by_strategy[HM_STRATEGY_UNTANGLED] > 0);
     }
 }
 
@@ -447,7 +447,7 @@ TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sid
     Case its = airfoil_case(24, 12);
     its.mesh = c.mesh;
     Safe safe(its);
-    int by_rung[4] = {};
+    int by_strategy[4] = {};
     for (unsigned trial = 0; trial < 60; ++trial) {
         std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 0.05 * trial), {0.25, 0}, {0.01 * trial, 0});
         std::vector<double> const more = some_move(12, 0.0005 * trial, 200 + trial);
@@ -457,7 +457,7 @@ TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sid
         if (status == HM_CROSSING) continue;
         CHECK(safe.is_valid());
         if (status == HM_OK) CHECK(safe.boundary_error(move) < 1e-14);
-        ++by_rung[safe.report.rung];
+        ++by_strategy[safe.report.strategy];
         Mesh const& mesh = safe.mesh;
         std::map<std::pair<double, double>, std::size_t> first;   // points at one place stay at one place
         for (std::size_t k = 0; k < mesh.x.size(); ++k) {
@@ -466,16 +466,16 @@ TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sid
             CHECK(safe.y[k] == safe.y[its_first]);
         }
     }
-    CHECK(by_rung[HM_RUNG_LINEAR] > 10);
-    CHECK(by_rung[HM_RUNG_SUBSTEPS] + by_rung[HM_RUNG_UNTANGLED] > 3);
+    CHECK(by_strategy[HM_STRATEGY_LINEAR] > 10);
+    CHECK(by_strategy[HM_STRATEGY_SUBSTEPS] + by_strategy[HM_STRATEGY_UNTANGLED] > 3);
 }
 
 TEST_CASE("numbering from 1, cells of either sense, and units change nothing but numbers") {
     Case its = block(Cells::hybrid, 15);
     std::vector<double> const move = turn_of(its, 150);
     Safe reference(its);
-    for (std::int32_t const skipped : {without({HM_RUNG_UNTANGLED}), 0}) {
-        reference.safe_options.skipped_rungs = skipped;
+    for (std::int32_t const skipped : {without({HM_STRATEGY_UNTANGLED}), 0}) {
+        reference.safe_options.skipped_strategies = skipped;
         reference.safe_options.max_resolves = 2;
         hm_status const expected = reference.run(move);
         CHECK(expected == (skipped != 0 ? HM_SHORT : HM_OK));
@@ -485,7 +485,7 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
         Safe other(from_one);
         other.safe_options = reference.safe_options;
         CHECK(other.run(move) == expected);
-        CHECK(other.report.rung == reference.report.rung);
+        CHECK(other.report.strategy == reference.report.strategy);
         CHECK(other.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-9));
         CHECK(largest_difference(other.moved(), reference.moved()) < 1e-8);
         if (expected == HM_SHORT) {
@@ -501,7 +501,7 @@ TEST_CASE("numbering from 1, cells of either sense, and units change nothing but
             Safe far(scaled);
             far.safe_options = reference.safe_options;
             CHECK(far.run(scaled_move) == expected);
-            CHECK(far.report.rung == reference.report.rung);
+            CHECK(far.report.strategy == reference.report.strategy);
             CHECK(far.report.steps == reference.report.steps);
             CHECK(far.report.step_fraction == doctest::Approx(reference.report.step_fraction).epsilon(1e-6));
             CHECK(far.is_valid());
@@ -607,10 +607,10 @@ TEST_CASE("the derivative: exact on the wall, the sum of the steps elsewhere, an
             REQUIRE(of.analyse(its.problem(), &options));
             REQUIRE(of.prepare());
             std::vector<double> const move = turn_of(its, 120, {slip ? 0.1 : 0.05, 0.02});
-            if (untangled) safe.safe_options.skipped_rungs = without({HM_RUNG_SUBSTEPS});
+            if (untangled) safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
             REQUIRE(safe.run(move, of.basis) == HM_OK);
             CHECK(of.guards_intact());
-            CHECK(safe.report.rung == (untangled ? HM_RUNG_UNTANGLED : HM_RUNG_SUBSTEPS));
+            CHECK(safe.report.strategy == (untangled ? HM_STRATEGY_UNTANGLED : HM_STRATEGY_SUBSTEPS));
             std::vector<double> const further = some_move(4, 1, 3);
             Field const by = displacement(of.basis, further), of_wall = displacement(safe.solved(), further);
             for (std::int32_t const point : points_on(its.mesh, body))
@@ -646,7 +646,7 @@ TEST_CASE("in one step the derivative is the basis; with real functions and stra
         REQUIRE(of.analyse(its.problem(), &options));
         REQUIRE(of.prepare());
         REQUIRE(safe.run(turn_of(its, 1), of.basis) == HM_OK);
-        REQUIRE(safe.report.rung == HM_RUNG_LINEAR);
+        REQUIRE(safe.report.strategy == HM_STRATEGY_LINEAR);
         std::vector<double> const further = some_move(4, 1, 5);
         CHECK(largest_difference(displacement(of.basis, further), displacement(safe.solved(), further)) < 1e-15);
     }
@@ -658,7 +658,7 @@ TEST_CASE("in one step the derivative is the basis; with real functions and stra
     REQUIRE(of.analyse(its.problem(), &options));
     REQUIRE(of.prepare());
     std::vector<double> const move = turn_of(its, 35, {0.1, 0.05});
-    safe.safe_options.skipped_rungs = without({HM_RUNG_UNTANGLED});
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(move, of.basis) >= 0);
     REQUIRE(safe.report.steps > 2);
     if (safe.status == HM_OK) CHECK(largest_difference(displacement(of.basis, move), safe.moved()) < 1e-12);
@@ -673,7 +673,7 @@ TEST_CASE("the derivative is the sum of the steps' functions, each times what it
     REQUIRE(of.prepare());
     double const degrees = 120;
     std::vector<double> const move = turn_of(its, degrees), further = some_move(4, 1, 6);
-    safe.safe_options.skipped_rungs = without({HM_RUNG_UNTANGLED});
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED});
     REQUIRE(safe.run(move, of.basis) == HM_OK);
     std::int32_t const steps = safe.report.steps;
     REQUIRE(steps > 2);
@@ -707,9 +707,9 @@ TEST_CASE("the derivative is the sum of the steps' functions, each times what it
 TEST_CASE("the same bits for any number of threads, in place, and on another array") {
     Case its = block();
     std::vector<double> const move = turn_of(its, 110, {0.03, 0});
-    for (std::int32_t const skipped : {0, without({HM_RUNG_SUBSTEPS})}) {
+    for (std::int32_t const skipped : {0, without({HM_STRATEGY_SUBSTEPS})}) {
         Safe serial(its);
-        serial.safe_options.skipped_rungs = skipped;
+        serial.safe_options.skipped_strategies = skipped;
         REQUIRE(serial.run(move) == HM_OK);
         for (std::int32_t const threads : {2, 5}) {
             Backwards backwards;
@@ -717,7 +717,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
             hm_options options = options_of(HM_CONFORMAL);
             options.executor = &executor;
             Safe safe(its, options);
-            safe.safe_options.skipped_rungs = skipped;
+            safe.safe_options.skipped_strategies = skipped;
             REQUIRE(safe.run(move) == HM_OK);
             CHECK(same_bits(safe.x, serial.x));
             CHECK(same_bits(safe.y, serial.y));

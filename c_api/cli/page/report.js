@@ -4,7 +4,7 @@
 //   dx, dy [points]           where every point went; moved [2*functions]: what hm_morph was given, as far as it came
 //   inverted, self_crossing, admissible_step, min_quality, mean_quality, worst_cell, limiting_cell, boundary_error
 //                             what the program found, of the whole mesh
-//   safe, rung, steps, resolves, step_fraction, untangled, refusal      the way of hm_morph_safe
+//   safe, strategy, steps, resolves, step_fraction, untangled, refusal      the way of hm_morph_safe
 
 const element = (id) => document.getElementById(id);
 
@@ -71,7 +71,7 @@ class Report {
     write_cards() {
         const { data, cells_before } = this,
             step = data.admissible_step === null ? Infinity : data.admissible_step;
-        const rungs = ["one linear morph", "another basis", "several steps", "steps, then untangling"];
+        const strategies = ["one linear morph", "another basis", "several steps", "steps, then untangling"];
         const cards = [
             ["Inverted cells", brief(data.inverted), `of ${data.all_cells.toLocaleString("en")}`],
             [
@@ -86,7 +86,7 @@ class Report {
         if (data.safe) {
             cards.push([
                 "The way",
-                data.steps === 0 ? "no step" : rungs[data.rung],
+                data.steps === 0 ? "no step" : strategies[data.strategy],
                 `${data.steps} steps, solved again ${data.resolves} times` +
                     (data.untangled > 0 ? `, ${data.untangled} cells untangled` : ""),
             ]);

@@ -1,4 +1,4 @@
-// The caller's mesh as it stands in the caller's arrays: cells in any of four layouts, boundary as faces or point lists.
+// The caller's mesh as it stands in the caller's arrays: cells in any of five layouts, boundary as faces or point lists.
 #pragma once
 
 #include "harmorph/base/span.hpp"
@@ -6,7 +6,7 @@
 
 namespace harmorph {
 
-enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3 };
+enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4 };
 
 // The points of one cell, counted from 0, in order round it; n is 3 or 4.
 struct Cell {
@@ -43,6 +43,8 @@ struct Mesh {
     Index n_cells = 0;
     const Index* cell_start = nullptr;
     const Index* cell_points = nullptr;
+    Index n_quads = 0;                   // mixed: the last cells, after the triangles
+    const Index* quad_points = nullptr;
     Index ni = 0, nj = 0;
     Index n_faces = 0;
     const Index* face_points = nullptr;
@@ -70,6 +72,7 @@ struct Mesh {
     void for_each_cell(Index begin, Index end, Visit visit) const noexcept {
         find_cell(begin, end, [&](Index i, Cell const& its) { return visit(i, its), false; });
     }
+    Index n_triangles() const noexcept { return n_cells - n_quads; }  // mixed
     // Upper bound of the number of cell sides, from the counts alone.
     Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
 
@@ -95,9 +98,17 @@ inline Cell Mesh::cell(Index i) const noexcept {
         Index const corner = i + row;  // a row of cells has one cell less than points
         return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
     }
-    bool const in_rows = layout == CellLayout::rows;
-    Index const width = in_rows ? cell_start[i + 1] - cell_start[i] : layout == CellLayout::triangles ? 3 : 4;
-    const Index* const first = cell_points + (in_rows ? Offset{cell_start[i]} - index_base : Offset{width} * i);
+    const Index* first = cell_points;
+    Index width = 4;
+    if (layout == CellLayout::rows) {
+        width = cell_start[i + 1] - cell_start[i];
+        first += Offset{cell_start[i]} - index_base;
+    } else if (layout == CellLayout::mixed && i >= n_triangles()) {
+        first = quad_points + Offset{4} * (i - n_triangles());
+    } else {
+        width = layout == CellLayout::quads ? 4 : 3;
+        first += Offset{width} * i;
+    }
     Index const c = from_zero(first[2], index_base), last = from_zero(first[width - 1], index_base);
     return {last == c ? 3 : 4, {from_zero(first[0], index_base), from_zero(first[1], index_base), c, last}};
 }

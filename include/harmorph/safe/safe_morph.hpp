@@ -11,24 +11,24 @@
 
 namespace harmorph {
 
-enum class Rung : std::int32_t { linear = 0, other = 1, substeps = 2, untangled = 3 };
+enum class Strategy : std::int32_t { linear = 0, other = 1, substeps = 2, untangled = 3 };
 
 struct SafeOptions {
     Index most_resolves = 10;
-    std::uint32_t skipped = 0;     // bit r: rung r is not tried
+    std::uint32_t skipped = 0;     // bit k: strategy k is not tried
     Span<const Basis> others;      // solved with other operators or exponents
     UntangleOptions untangle;
     Real heights = 0;              // 0..1: how much of the heights near walls is brought back at the end
 
-    bool tries(Rung rung) const noexcept { return (skipped >> static_cast<std::int32_t>(rung) & 1) == 0; }
+    bool tries(Strategy strategy) const noexcept { return (skipped >> static_cast<std::int32_t>(strategy) & 1) == 0; }
 };
 
 struct SafeReport {
-    Rung rung = Rung::linear;     // the last one that moved the mesh
+    Strategy strategy = Strategy::linear;  // the last one that moved the mesh
     Index other = none;           // which of `others`
     Index steps = 0, resolves = 0;
     Real fraction = 0;            // of the way to the target
-    AdmissibleStep limit;         // what stood in the way of the first rung
+    AdmissibleStep limit;         // what stood in the way of the first strategy
     UntangleReport untangle;
     FirstLayerChange first_layer;
     Real heights = 0;             // how much of them could be brought back

@@ -1,0 +1,77 @@
+// From the caller's handles to the objects in the blocks, and what calls ask of them.
+#pragma once
+
+#include "call.hpp"
+#include "harmorph/basis/basis.hpp"
+#include "harmorph/plan/plan.hpp"
+#include "views.hpp"
+
+namespace harmorph {
+
+inline Status open_analysis(const hm_analysis* handle, const Analysis*& analysis, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"analysis", handle}}, fault));
+    analysis = reinterpret_cast<const Analysis*>(handle);
+    fault.bases.mesh = analysis->problem.mesh.index_base;
+    return Status::ok;
+}
+
+// One that a plan and a basis can be made of.
+inline Status open_complete(const hm_analysis* handle, const Analysis*& analysis, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_analysis(handle, analysis, fault));
+    if (analysis->has_conditions()) return Status::ok;
+    return fault.refuse(Status::bad_argument, "the analysis is of the mesh alone: its problem had no conditions");
+}
+
+// hm_plan and Plan, both const or neither.
+template <class Handle, class Object>
+Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"plan", handle}}, fault));
+    plan = reinterpret_cast<Object*>(handle);
+    fault.bases.mesh = plan->mesh.index_base;
+    return Status::ok;
+}
+
+inline Status open_basis(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"basis", handle}}, fault));
+    basis = Basis::view(static_cast<const void*>(handle));
+    fault.bases.mesh = basis.header->index_base;
+    return Status::ok;
+}
+
+inline Status open_solved(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_basis(handle, basis, fault));
+    if (basis.header->solved == 1) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis has not been solved");
+}
+
+// Solved, and with all functions.
+inline Status open_complete(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_solved(handle, basis, fault));
+    BasisCounts const& counts = basis.header->counts;
+    if (counts.complete()) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis is a share: it has only # of the @ functions", Counts::from_zero,
+                        counts.stored, counts.functions());
+}
+
+// A new basis, with these functions of the analysis, not solved.
+inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, void* block, Size bytes,
+                         hm_basis** handle, Fault& fault) noexcept {
+    Basis made;
+    HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
+    init_basis(made, counts, analysis.basis_source());
+    *handle = reinterpret_cast<hm_basis*>(made.header);
+    return Status::ok;
+}
+
+// move [2 * functions]: finite numbers.
+inline Status check_move(Basis const& basis, const double* move, Fault& fault) noexcept {
+    HARMORPH_TRY(require({{"move", move}}, fault));
+    for (Index k = 0; k < 2 * basis.header->counts.functions(); ++k) {
+        if (is_finite(move[k])) continue;
+        return fault.refuse(Status::bad_argument, "the movement of function # (from 0) is not finite",
+                            Counts::from_zero, k / 2);
+    }
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,193 @@
+// The C interface: from a problem to its analysis, and what an analysis says about the mesh.
+#include "handles.hpp"
+#include "harmorph/morph/quality.hpp"
+
+namespace harmorph {
+namespace {
+
+// A problem read from the caller's structs, before anything is laid out.
+struct Request {
+    Problem problem;
+    CurvesView curves;
+    Index n_curves = 0;
+    const hm_condition* condition = nullptr;
+    Index n_conditions = 0;
+
+    Status read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
+        HARMORPH_TRY(require({{"problem", given}}, fault));
+        hm_problem p;
+        if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
+        HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
+        HARMORPH_TRY(view_options(options, problem, fault));
+        if (p.curves != nullptr) {
+            HARMORPH_TRY(view_curves(p.curves, curves, fault));
+            n_curves = curves.count();
+        }
+        HARMORPH_TRY(read_conditions(p, fault));
+        if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
+            return fault.refuse(Status::bad_argument, "given parameters: negative number, or an array is NULL");
+        }
+        Size const n = static_cast<Size>(p.n_given);
+        problem.given = {problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
+        return Status::ok;
+    }
+
+    // Without curves and rigid bodies nothing is to be solved, and conditions do not count.
+    Status read_conditions(hm_problem const& p, Fault& fault) noexcept {
+        if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
+            return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
+        }
+        for (Index i = 0; i < p.n_conditions; ++i) {
+            Condition added;
+            HARMORPH_TRY(view_condition(p.conditions, i, added, fault));
+            problem.demands.add(added);
+        }
+        if (n_curves == 0 && problem.demands.bodies == 0) return Status::ok;
+        if (p.n_conditions == 0) {
+            return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
+        }
+        condition = p.conditions;
+        n_conditions = p.n_conditions;
+        if (problem.demands.slip && problem.method.bounded()) {
+            return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+        }
+        if (problem.demands.slip && problem.method.nodal_gradients()) {
+            return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
+        }
+        if (problem.demands.slip && problem.method.engine != Engine::direct) {
+            return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
+        }
+        if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
+        return fault.refuse(Status::unsupported,
+                            "the conformal operator does not go with free boundaries; slipping ones do");
+    }
+
+    void lay_out(Arena& arena, InBlock<Analysis>& analysis) const noexcept {
+        analysis.lay_out(arena, problem, n_curves, n_conditions);
+    }
+
+    Status copy_to(Analysis& analysis, Fault& fault) const noexcept {
+        for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, analysis.curves[i], fault));
+        for (Index i = 0; i < n_conditions; ++i) {
+            HARMORPH_TRY(view_condition(condition, i, analysis.conditions[i], fault));
+        }
+        return Status::ok;
+    }
+};
+
+hm_mesh_report report_of(Analysis const& analysis) noexcept {
+    Mesh const& mesh = analysis.problem.mesh;
+    Quality const quality = measure_quality(analysis.topology, mesh.points, {}, analysis.problem.executor);
+    hm_mesh_report filled = {};
+    filled.points = mesh.n_points;
+    filled.used_points = analysis.count_used_points();
+    filled.cells = mesh.n_cells;
+    mesh.for_each_cell([&](Index, Cell const& cell) { ++(cell.n == 3 ? filled.triangles : filled.quads); });
+    filled.edges = analysis.topology.edges.count();
+    filled.boundary_edges = analysis.boundary.count;
+    filled.boundary_loops = analysis.boundary.n_loops;
+    filled.inverted = quality.inverted;
+    filled.first_inverted = numbered(quality.first_inverted, mesh.index_base);
+    filled.min_area = quality.min_area;
+    filled.min_quality = quality.min_quality;
+    filled.mean_quality = quality.mean_quality();
+    return filled;
+}
+
+// One of the pieces of boundary that have one of the markers.
+struct Piece {
+    Index number;
+    Span<Index> points;        // as many as there is room for
+    Index n_points = 0;
+    bool is_loop = false;
+    Index n_pieces = 0;        // of all
+
+    void find(Analysis const& analysis, Span<const Index> markers) noexcept {
+        Boundary const& boundary = analysis.boundary;
+        auto const is_on = [&](Index face) {
+            for (Index const marker : markers) {
+                if (boundary.marker[face] == marker) return true;
+            }
+            return false;
+        };
+        auto const visit = [&](Index piece, Index point) {
+            if (piece != number) return;
+            if (n_points < points.count()) points[n_points] = point + analysis.problem.mesh.index_base;
+            ++n_points;
+        };
+        auto const close = [&](Index piece, bool loop) {
+            if (piece == number) is_loop = loop;
+        };
+        n_pieces = boundary.for_each_piece(is_on, visit, close);
+    }
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Request request;
+        HARMORPH_TRY(request.read(problem, options, fault));
+        InBlock<Analysis> made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); });
+    });
+}
+
+hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, const hm_problem* problem,
+                           const hm_options* options, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Request request;
+        HARMORPH_TRY(require({{"analysis", analysis}}, fault));
+        HARMORPH_TRY(request.read(problem, options, fault));
+        InBlock<Analysis> made;
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); }));
+        HARMORPH_TRY(request.copy_to(made.object, fault));
+        HARMORPH_TRY(made.object.run(request.problem, fault));
+        made.give(analysis);
+        return fault.status;
+    });
+}
+
+hm_status hm_analysis_report(const hm_analysis* analysis, hm_mesh_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        HARMORPH_TRY(open_analysis(analysis, of, fault));
+        HARMORPH_TRY(check_report(report, fault));
+        write_struct(report_of(*of), report);
+        return Status::ok;
+    });
+}
+
+hm_status hm_analysis_boundary(const hm_analysis* analysis, int32_t n_markers, const int32_t* markers, int32_t piece,
+                               int32_t* points, int32_t capacity, int32_t* n, int32_t* is_loop, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        HARMORPH_TRY(open_analysis(analysis, of, fault));
+        HARMORPH_TRY(require({{"markers", markers}, {"n", n}, {"is_loop", is_loop}}, fault));
+        if (n_markers < 1 || capacity < 0) {
+            return fault.refuse(Status::bad_argument, "n_markers is #, capacity is @: one is too small",
+                                Counts::from_zero, n_markers, capacity);
+        }
+        if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
+        Piece found{piece, {points, static_cast<Size>(capacity)}};
+        found.find(*of, {markers, static_cast<Size>(n_markers)});
+        if (piece < 0 || piece >= found.n_pieces) {
+            return fault.refuse(Status::bad_condition,
+                                "these markers have # pieces of boundary, there is no piece @ (from 0)",
+                                Counts::from_zero, found.n_pieces, piece);
+        }
+        *n = found.n_points;
+        *is_loop = found.is_loop ? 1 : 0;
+        if (found.n_points <= capacity) return Status::ok;
+        return fault.refuse(Status::bad_argument, "points has room for #, the boundary has @",
+                            Counts::from_zero, capacity,
+                            found.n_points);
+    });
+}
+
+}  // extern "C"

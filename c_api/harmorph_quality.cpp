@@ -1,0 +1,119 @@
+// The C interface: is a mesh valid, how far may it move, and how good are its cells?
+#include "handles.hpp"
+#include "harmorph/morph/assessment.hpp"
+#include "harmorph/morph/crossing.hpp"
+
+namespace harmorph {
+namespace {
+
+// Basis and mesh that belong together, as far as counts and layout tell.
+Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_basis(handle, basis, fault));
+    HARMORPH_TRY(view_mesh(given, mesh, fault));
+    HARMORPH_TRY(check_layout(mesh, fault));
+    if (basis.header->counts.cells == 0) {
+        return fault.refuse(Status::bad_basis,
+                            "the basis is of a list of points: it knows no cells and goes with no mesh");
+    }
+    if (mesh.n_points == basis.n_points() && mesh.n_cells == basis.header->counts.cells) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
+                        Counts::from_zero, basis.n_points(), basis.header->counts.cells);
+}
+
+// Coordinates of the mesh's points that the call gives; NULL: the mesh's own.
+Status view_coordinates(const hm_points* given, const char* name, Mesh const& mesh, Points& points,
+                        Fault& fault) noexcept {
+    hm_points const own = {mesh.points.x, mesh.points.y, mesh.points.stride};
+    return given != nullptr ? view_points(given, name, points, fault) : view_points(&own, "mesh.points", points, fault);
+}
+
+hm_step_report report_of(AdmissibleStep const& limit, Mesh const& mesh, Basis const& basis) noexcept {
+    hm_step_report filled = {};
+    filled.admissible = limit.step;
+    filled.cell = numbered(limit.cell, mesh.index_base);
+    filled.point = numbered(limiting_point({mesh, basis.reversed}, limit), mesh.index_base);
+    return filled;
+}
+
+hm_quality_report report_of(Quality const& quality, Crossing const& crossing, Mesh const& mesh) noexcept {
+    hm_quality_report filled = {};
+    filled.inverted = quality.inverted;
+    filled.first_inverted = numbered(quality.first_inverted, mesh.index_base);
+    filled.min_area = quality.min_area;
+    filled.min_quality = quality.min_quality;
+    filled.mean_quality = quality.mean_quality();
+    filled.min_quality_cell = numbered(quality.min_quality_cell, mesh.index_base);
+    filled.self_crossing = crossing.found ? 1 : 0;
+    for (Index k = 0; k < 2; ++k) {
+        filled.crossing_points[k] = numbered(crossing.first[k], mesh.index_base);
+        filled.crossing_points[2 + k] = numbered(crossing.second[k], mesh.index_base);
+    }
+    return filled;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from,
+                             const hm_points* displacement, const hm_executor* executor, hm_step_report* report,
+                             hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Executor threads;
+        Mesh view;
+        Points start, change;
+        HARMORPH_TRY(check_report(report, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
+        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        write_struct(report_of(admissible_step({view, b.reversed}, start, change, threads), view, b), report);
+        return Status::ok;
+    });
+}
+
+hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points* at, const hm_points* reference,
+                     const hm_executor* executor, hm_quality_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Executor threads;
+        Mesh view;
+        Points points, undeformed;
+        HARMORPH_TRY(check_report(report, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(view_coordinates(at, "at", view, points, fault));
+        HARMORPH_TRY(view_points_if(reference, "reference", undeformed, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        Quality const quality = measure_quality({view, b.reversed}, points, undeformed, threads);
+        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
+        write_struct(report_of(quality, crossing, view), report);
+        return Status::ok;
+    });
+}
+
+hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points* from, const hm_points* displacement,
+                    const hm_executor* executor, hm_step_report* step, hm_quality_report* quality, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Executor threads;
+        Mesh view;
+        Points start, change;
+        HARMORPH_TRY(check_report(step, fault));
+        HARMORPH_TRY(check_report(quality, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
+        HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        Assessment const assessment = assess({view, b.reversed}, start, change, threads);
+        Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
+        write_struct(report_of(assessment.limit, view, b), step);
+        write_struct(report_of(assessment.quality, crossing, view), quality);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"
