@@ -78,9 +78,9 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 }
 
 // Nodal gradients: the compact scheme's functions, from which refinement starts.
-Status DirectEngine::solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport&,
+Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport&,
                            Fault& fault) noexcept {
-    return factor.solve(lines.rows(equations.matrix), progress, fault);
+    return factor.solve(dofs.rows(equations.matrix), progress, fault);
 }
 
 Offset DirectEngine::idle_bytes() const noexcept {

@@ -54,17 +54,17 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Matrix const& matrix = equations.matrix;
-    Lines const lines = equations.lines(basis);
-    set_right_hand_sides(matrix, lines);
-    HARMORPH_TRY(engine.solve(equations, lines, progress, report.iteration, fault));
+    DofValues const dofs = equations.dofs(basis);
+    set_right_hand_sides(matrix, dofs);
+    HARMORPH_TRY(engine.solve(equations, dofs, progress, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     report.unknowns = matrix.n;
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
-    HARMORPH_TRY(refinement.run(equations, engine, lines, progress, report, fault));
-    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_lines(basis);
+    HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
+    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_points(basis);
     copy_joined_points(basis);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
@@ -100,16 +100,16 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
-// A slipping point has moved along its tangent: from its one line to those of x and y.
-void Plan::turn_slipping_lines(Basis const& basis) const noexcept {
+// The dof of a slipping point is a movement along the tangent: here it becomes movements along x and y.
+void Plan::turn_slipping_points(Basis const& basis) const noexcept {
     Matrix const& matrix = equations.matrix;
-    Lines const all = equations.lines(basis);
+    DofValues const all = equations.dofs(basis);
     for (Index point = 0; point < mesh.n_points; ++point) {
         bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
         if (!slips || all.of[matrix.row_of[2 * point]] != 2 * point) continue;
         Vec2 const along = matrix.frame[point];
-        Real* const x = all.line(2 * point);
-        Real* const y = all.line(2 * point + 1);
+        Real* const x = all.of_dof(2 * point);
+        Real* const y = all.of_dof(2 * point + 1);
         for (Index k = 0; k < all.length(); ++k) {
             y[k] = along.y * x[k];
             x[k] = along.x * x[k];

@@ -41,13 +41,13 @@ Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const
 
 class Run {
 public:
-    Run(Refinement& with, Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress) noexcept
-        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), lines_(lines),
+    Run(Refinement& with, Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress) noexcept
+        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), dofs_(dofs),
           progress_(progress), residual_(with.residual), biconjugate_(with.biconjugate) {}
 
     // What is left of the equations, and iterative refinement where that is too much.
     Status run(SolveReport& report, Fault& fault) noexcept {
-        Index const n_columns = lines_.columns(matrix_);
+        Index const n_columns = dofs_.columns(matrix_);
         for (Index first = 0, n = 0; first < n_columns; first += n) {
             if (first > 0) HARMORPH_TRY(progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
@@ -75,11 +75,11 @@ private:
             worst = found;
             where = function;
         };
-        BasisCounts const& counts = lines_.basis.header->counts;
+        BasisCounts const& counts = dofs_.basis.header->counts;
         report.refinements = larger(report.refinements, refined.steps);
         report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
         for (Index k = 0; k < n; ++k) {
-            Index const function = counts.first_stored + (first + k) % lines_.basis.n_functions();
+            Index const function = counts.first_stored + (first + k) % dofs_.basis.n_functions();
             take_worst(refined.error[k], function, report.error, report.error_function);
             Real const left = refined.norms.relative(k);
             take_worst(left, function, report.residual, report.residual_function);
@@ -89,14 +89,14 @@ private:
     }
 
     Residual::Norms measure(Index first, Index n) const noexcept {
-        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, lines_, first, n);
-        return residual_.compute(matrix_, lines_, first, n);
+        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, dofs_, first, n);
+        return residual_.compute(matrix_, dofs_, first, n);
     }
 
     // Most often all is well, which is seen of many columns at once as nothing is stored.
     bool need_nothing(Index first, Index n, Refined& refined) const noexcept {
         if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::coupled_xy) return false;
-        refined.norms = residual_.measure(matrix_, lines_, first, n);
+        refined.norms = residual_.measure(matrix_, dofs_, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);
         return !any || most_refinements(method_) == 0;
@@ -132,7 +132,7 @@ private:
             if (!any || refined.steps == most_refinements(method_)) return Status::ok;
             HARMORPH_TRY(correct(n, refined.iterations, fault));
             Residual::Changes const last = change;
-            change = residual_.add_to(matrix_, lines_, first, n, wanted);
+            change = residual_.add_to(matrix_, dofs_, first, n, wanted);
             for (Index k = 0; k < n; ++k) {
                 if (!wanted.column[k]) continue;
                 ratio[k] = change.column[k] / last.column[k];
@@ -164,14 +164,14 @@ private:
     bool is_only_rounding(Index column, Real error) const noexcept {
         bool const refined = method_.traits().factors && !method_.nodal_gradients();
         return refined && error > 0 && error <= method_.tolerance &&
-               residual_.beside_entries(matrix_, lines_, column) <= rounded_within;
+               residual_.beside_entries(matrix_, dofs_, column) <= rounded_within;
     }
 
     Equations const& equations_;
     Matrix const& matrix_;
     Method const& method_;
     AnyEngine& engine_;
-    Lines const& lines_;
+    DofValues const& dofs_;
     Progress const& progress_;
     Residual const& residual_;
     BiconjugateGradients& biconjugate_;
@@ -190,9 +190,9 @@ void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const
     if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
 }
 
-Status Refinement::run(Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress,
+Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
                        SolveReport& report, Fault& fault) noexcept {
-    return Run(*this, equations, engine, lines, progress).run(report, fault);
+    return Run(*this, equations, engine, dofs, progress).run(report, fault);
 }
 
 Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {

@@ -18,7 +18,7 @@ struct DirectEngine {
     Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept;
     // `work` [n] is overwritten; empty where the factor is in single precision, which is never trusted.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept;
     template <class Number>
     Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {

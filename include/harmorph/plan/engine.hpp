@@ -60,9 +60,9 @@ struct AnyEngine {
         return visit(*this, [](auto const& engine) { return bool{engine.trusted}; });
     }
     // In place: the right-hand sides of the unknowns' lines become functions.
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept {
-        return visit(*this, [&](auto& engine) { return engine.solve(equations, lines, progress, report, fault); });
+        return visit(*this, [&](auto& engine) { return engine.solve(equations, dofs, progress, report, fault); });
     }
     // Engines that factor: residuals become corrections, in place and in the factor's precision.
     template <class Number>

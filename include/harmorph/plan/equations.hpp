@@ -10,7 +10,7 @@ namespace harmorph {
 struct Equations {
     OrientedMesh cells;           // with orientations of their own: the analysis may be gone
     Method method;                // the kernel is never automatic here
-    Span<Index> line_of;          // [n] line of values of each position
+    Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
     std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to
@@ -26,8 +26,8 @@ struct Equations {
     // Entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix is of no use.
     Status assemble(Points points, Executor const& executor, Fault& fault) noexcept;
 
-    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
-    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+    DofValues dofs(Basis const& basis) const noexcept { return {basis, dof_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return dof_of[position] / matrix.components(); }
 
 private:
     Status assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept;

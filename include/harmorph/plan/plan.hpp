@@ -34,7 +34,7 @@ struct Plan {
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
 private:
-    void turn_slipping_lines(Basis const& basis) const noexcept;
+    void turn_slipping_points(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
 };
 

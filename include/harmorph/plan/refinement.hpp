@@ -30,7 +30,7 @@ struct Refinement {
     // Corrects the functions of all lines as far as the engine's factor does, and fills in what the report says of residuals,
     // refinements and errors.
     // On Status::cancelled functions are as good as the refinement came.
-    Status run(Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress,
+    Status run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
                SolveReport& report, Fault& fault) noexcept;
 };
 
