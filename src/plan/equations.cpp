@@ -35,11 +35,12 @@ void Equations::init(Analysis const& analysis) noexcept {
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
-    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position,
+                 analysis.wall_work.slot,
                  analysis.tangent);
     if (!method.nodal_gradients()) return;
     Topology topology = analysis.topology;
-    topology.reversed = cells.reversed;  // which stays
+    topology.reversed = cells.reversed;  // the copy, which outlives the analysis
     nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
 }
 
@@ -56,7 +57,8 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
     }
     Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh,
+                        inverted);
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {

@@ -6,8 +6,8 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Method const& method = analysis.problem.method;
     BasisCounts const counts = analysis.basis_counts();
     equations.lay_out(arena, analysis);
-    Index const line_length = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
-    Index const columns = equations.matrix.is_complex() ? counts.functions() : line_length;
+    Index const numbers_per_dof = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
+    Index const columns = equations.matrix.is_complex() ? counts.functions() : numbers_per_dof;
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
@@ -24,7 +24,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored = false;
     equations.init(analysis);
     refinement.residual.kernel = equations.method.kernel;
-    executor.for_each(3, [&](Index part) {  // none needs another
+    executor.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations.build(analysis);
         if (part == 1) engine.init(analysis);
         if (part == 2) region_counts = RegionCounts::of(analysis.topology);
@@ -75,10 +75,12 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
 Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {
     const Agglomeration* const levels = engine.levels();
     if (!factored || levels == nullptr) {
-        return fault.refuse(Status::bad_argument, "the plan has no levels: they are made by hm_plan_factor of other engines");
+        return fault.refuse(Status::bad_argument,
+                            "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero, level,
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero,
+                            level,
                             levels->count);
     }
     Matrix const& matrix = equations.matrix;
@@ -124,7 +126,8 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index const row = matrix.row_of[components * point];
         if (row == none) continue;
-        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components] : equations.point_of(row);
+        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components]
+                                                : equations.point_of(row);
         if (same != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(same), length));
     }
 }
