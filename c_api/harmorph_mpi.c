@@ -15,7 +15,7 @@ static hm_status refuse(hm_error *err, hm_status code, const char *sentence) {
     return code;
 }
 
-/* The worst status of all processes. Where it is another one's, the reason is there. */
+/* The worst status of all processes. If another process has it, the reason is in that process's error. */
 static hm_status worst(hm_status own, hm_status of_all, hm_error *err) {
     if (of_all >= 0 || own < 0) return own < 0 ? of_all : own;
     return refuse(err, of_all, "another process refused; its error has the reason");
@@ -27,18 +27,18 @@ static hm_status agree(hm_status own, MPI_Comm comm, hm_error *err) {
     return worst(own, of_all, err);
 }
 
-/* At least one byte, so that NULL always means that there is no memory. */
+/* Asks for at least one byte, so that NULL always means that there is no memory. */
 static void *room_for(size_t n, size_t size) { return calloc(n > 0 ? n : 1, size); }
 
 /* ---- Exchange ------------------------------------------------------------------------------------------------- */
 
-/* One number for each process: lengths, and where they begin when put one after the other. */
+/* Of each process: a length, and the start of that part when all parts are put one after the other. */
 typedef struct lengths {
     int *count, *start;
     int64_t total;
 } lengths;
 
-static void place(lengths *l, int n_processes) {
+static void set_starts(lengths *l, int n_processes) {
     int k;
     l->total = 0;
     for (k = 0; k < n_processes; ++k) {
@@ -47,120 +47,127 @@ static void place(lengths *l, int n_processes) {
     }
 }
 
-typedef struct exchange {
+typedef struct row_exchange {
     MPI_Comm comm;
     int n_processes;
-    lengths lists, sent, received; /* points; doubles of parcels */
-    int32_t *points;               /* all processes' lists */
+    lengths lists, sent, received; /* numbers of points; of doubles sent and received */
+    int32_t *points;               /* the lists of all processes, one after the other */
     double *outgoing, *incoming;
-} exchange;
+} row_exchange;
 
-static hm_status begin(exchange *its, MPI_Comm comm, hm_error *err) {
+static hm_status begin(row_exchange *exchange, MPI_Comm comm, hm_error *err) {
     int *numbers;
-    memset(its, 0, sizeof *its);
-    its->comm = comm;
-    MPI_Comm_size(comm, &its->n_processes);
-    numbers = room_for(6 * (size_t)its->n_processes, sizeof *numbers);
+    memset(exchange, 0, sizeof *exchange);
+    exchange->comm = comm;
+    MPI_Comm_size(comm, &exchange->n_processes);
+    numbers = room_for(6 * (size_t)exchange->n_processes, sizeof *numbers);
     if (numbers == NULL) return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
-    its->lists.count = numbers;
-    its->lists.start = numbers + its->n_processes;
-    its->sent.count = numbers + 2 * its->n_processes;
-    its->sent.start = numbers + 3 * its->n_processes;
-    its->received.count = numbers + 4 * its->n_processes;
-    its->received.start = numbers + 5 * its->n_processes;
+    exchange->lists.count = numbers;
+    exchange->lists.start = numbers + exchange->n_processes;
+    exchange->sent.count = numbers + 2 * exchange->n_processes;
+    exchange->sent.start = numbers + 3 * exchange->n_processes;
+    exchange->received.count = numbers + 4 * exchange->n_processes;
+    exchange->received.start = numbers + 5 * exchange->n_processes;
     return HM_OK;
 }
 
-static void end(exchange *its) {
-    free(its->lists.count);
-    free(its->points);
-    free(its->outgoing);
-    free(its->incoming);
+static void end(row_exchange *exchange) {
+    free(exchange->lists.count);
+    free(exchange->points);
+    free(exchange->outgoing);
+    free(exchange->incoming);
 }
 
-/* Every process learns all lists. */
-static hm_status gather_lists(exchange *its, int32_t n, const int32_t *points, hm_error *err) {
+/* Gathers the lists of points of all processes on every process. */
+static hm_status gather_lists(row_exchange *exchange, int32_t n, const int32_t *points, hm_error *err) {
     hm_status status = HM_OK;
     int own = n;
-    MPI_Allgather(&own, 1, MPI_INT, its->lists.count, 1, MPI_INT, its->comm);
-    place(&its->lists, its->n_processes);
-    its->points = its->lists.total <= INT_MAX ? room_for((size_t)its->lists.total, sizeof *its->points) : NULL;
-    if (its->points == NULL) status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
-    status = agree(status, its->comm, err);
+    MPI_Allgather(&own, 1, MPI_INT, exchange->lists.count, 1, MPI_INT, exchange->comm);
+    set_starts(&exchange->lists, exchange->n_processes);
+    exchange->points = exchange->lists.total <= INT_MAX
+                           ? room_for((size_t)exchange->lists.total, sizeof *exchange->points)
+                           : NULL;
+    if (exchange->points == NULL) {
+        status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for the lists of all processes");
+    }
+    status = agree(status, exchange->comm, err);
     if (status < 0) return status;
-    MPI_Allgatherv(points, n, MPI_INT32_T, its->points, its->lists.count, its->lists.start, MPI_INT32_T, its->comm);
+    MPI_Allgatherv(points, n, MPI_INT32_T, exchange->points, exchange->lists.count, exchange->lists.start, MPI_INT32_T,
+                   exchange->comm);
     return HM_OK;
 }
 
-static hm_status measure_parcels(exchange *its, const hm_basis *share, hm_error *err) {
+static hm_status measure_parcels(row_exchange *exchange, const hm_basis *share, hm_error *err) {
     int k;
-    for (k = 0; k < its->n_processes; ++k) {
+    for (k = 0; k < exchange->n_processes; ++k) {
         int64_t doubles = 0;
-        hm_status status = hm_parcel_size(share, its->lists.count[k], &doubles, err);
+        hm_status status = hm_parcel_size(share, exchange->lists.count[k], &doubles, err);
         if (status < 0) return status;
         if (doubles > INT_MAX) return refuse(err, HM_UNSUPPORTED, "a message would have more than 2^31 numbers");
-        its->sent.count[k] = (int)doubles;
+        exchange->sent.count[k] = (int)doubles;
     }
     return HM_OK;
 }
 
-static hm_status pack(exchange *its, const hm_basis *share, hm_error *err) {
+static hm_status pack(row_exchange *exchange, const hm_basis *share, hm_error *err) {
     int k;
-    place(&its->sent, its->n_processes);
-    place(&its->received, its->n_processes);
-    if (its->sent.total > INT_MAX || its->received.total > INT_MAX) {
+    set_starts(&exchange->sent, exchange->n_processes);
+    set_starts(&exchange->received, exchange->n_processes);
+    if (exchange->sent.total > INT_MAX || exchange->received.total > INT_MAX) {
         return refuse(err, HM_UNSUPPORTED, "this process would send or receive more than 2^31 numbers");
     }
-    its->outgoing = room_for((size_t)its->sent.total, sizeof *its->outgoing);
-    its->incoming = room_for((size_t)its->received.total, sizeof *its->incoming);
-    if (its->outgoing == NULL || its->incoming == NULL) {
+    exchange->outgoing = room_for((size_t)exchange->sent.total, sizeof *exchange->outgoing);
+    exchange->incoming = room_for((size_t)exchange->received.total, sizeof *exchange->incoming);
+    if (exchange->outgoing == NULL || exchange->incoming == NULL) {
         return refuse(err, HM_BAD_ARGUMENT, "there is no memory for the exchange of rows");
     }
-    for (k = 0; k < its->n_processes; ++k) {
-        hm_status status = hm_parcel_pack(share, its->lists.count[k], its->points + its->lists.start[k],
-                                          its->outgoing + its->sent.start[k], err);
+    for (k = 0; k < exchange->n_processes; ++k) {
+        hm_status status = hm_parcel_pack(share, exchange->lists.count[k], exchange->points + exchange->lists.start[k],
+                                          exchange->outgoing + exchange->sent.start[k], err);
         if (status < 0) return status;
     }
     return HM_OK;
 }
 
-/* In the order of ranks, which is that of the functions. Rows of a share that has all functions are filled already. */
-static hm_status unpack(exchange *its, hm_basis *rows, hm_error *err) {
+/* Unpacks in the order of ranks, which is that of the functions. If the own share has all functions, the rows are
+ * solved already, and nothing is unpacked. */
+static hm_status unpack(row_exchange *exchange, hm_basis *rows, hm_error *err) {
     int k;
     hm_basis_info info = {sizeof info};
     hm_status status = hm_basis_info_get(rows, &info, err);
-    for (k = 0; status >= 0 && k < its->n_processes && !info.solved; ++k) {
-        status = hm_parcel_unpack(rows, its->incoming + its->received.start[k], its->received.count[k], err);
+    for (k = 0; status >= 0 && k < exchange->n_processes && !info.solved; ++k) {
+        status = hm_parcel_unpack(rows, exchange->incoming + exchange->received.start[k], exchange->received.count[k],
+                                  err);
     }
     if (status >= 0) status = hm_basis_info_get(rows, &info, err);
     if (status < 0 || info.solved) return status;
     return refuse(err, HM_BAD_BASIS, "the shares of all processes together are not all functions");
 }
 
-static hm_status exchange_rows(exchange *its, hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points,
-                               hm_error *err) {
-    hm_status status = gather_lists(its, n, points, err);
+static hm_status exchange_rows(row_exchange *exchange, hm_basis *rows, const hm_basis *share, int32_t n,
+                               const int32_t *points, hm_error *err) {
+    hm_status status = gather_lists(exchange, n, points, err);
     if (status < 0) return status;
-    status = agree(measure_parcels(its, share, err), its->comm, err);
+    status = agree(measure_parcels(exchange, share, err), exchange->comm, err);
     if (status < 0) return status;
-    MPI_Alltoall(its->sent.count, 1, MPI_INT, its->received.count, 1, MPI_INT, its->comm);
-    status = agree(pack(its, share, err), its->comm, err);
+    MPI_Alltoall(exchange->sent.count, 1, MPI_INT, exchange->received.count, 1, MPI_INT, exchange->comm);
+    status = agree(pack(exchange, share, err), exchange->comm, err);
     if (status < 0) return status;
-    MPI_Alltoallv(its->outgoing, its->sent.count, its->sent.start, MPI_DOUBLE, its->incoming, its->received.count,
-                  its->received.start, MPI_DOUBLE, its->comm);
-    return agree(unpack(its, rows, err), its->comm, err);
+    MPI_Alltoallv(exchange->outgoing, exchange->sent.count, exchange->sent.start, MPI_DOUBLE, exchange->incoming,
+                  exchange->received.count, exchange->received.start, MPI_DOUBLE, exchange->comm);
+    return agree(unpack(exchange, rows, err), exchange->comm, err);
 }
 
 hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Comm comm,
                           hm_error *err) {
-    exchange its;
-    hm_status status = begin(&its, comm, err);
+    row_exchange exchange;
+    hm_status status = begin(&exchange, comm, err);
     if (status >= 0 && (rows == NULL || share == NULL || n < 0 || (n > 0 && points == NULL))) {
         status = refuse(err, HM_BAD_ARGUMENT, "an argument is NULL, or the number of points is negative");
     }
     status = agree(status, comm, err);
-    if (status >= 0) status = exchange_rows(&its, rows, share, n, points, err);
-    end(&its);
+    if (status >= 0) status = exchange_rows(&exchange, rows, share, n, points, err);
+    end(&exchange);
     return status;
 }
 
@@ -170,7 +177,7 @@ hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *grad
                          const hm_executor *executor, MPI_Comm comm, hm_error *err) {
     hm_basis_info info = {sizeof info};
     int64_t *sums = NULL;
-    int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale; minus the status: the largest of both is wanted */
+    int32_t own[2] = {0, 0}, of_all[2] = {0, 0}; /* scale; minus the status: reduced by MPI_MAX */
     int n = 0;
     hm_status status = hm_basis_info_get(rows, &info, err);
     if (status >= 0) {

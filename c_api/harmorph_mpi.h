@@ -1,22 +1,22 @@
 /* harmorph in codes that run on several processes with MPI. Compile harmorph_mpi.c with mpicc and link it with your
  * code and libharmorph.a; the library itself knows nothing of MPI.
  *
- * Every process has a copy of the whole mesh while it solves a share of the functions; then it keeps the rows of its
- * own points, with all functions:
+ * While functions are solved, every process has a copy of the whole mesh and solves a share of the functions. After the
+ * exchange a process keeps the rows of the points of its own partition, with all functions:
  *
  *     hm_analysis_init, hm_plan_init, hm_plan_factor      on every process, of the same problem
  *     hm_share_of(analysis, rank, size, &first, &n, &error)
- *     hm_share_init, hm_plan_solve(plan, share, ...)      its functions
+ *     hm_share_init, hm_plan_solve(plan, share, ...)      functions first .. first + n - 1
  *     hm_extract_init(&rows, ..., share, n_points, points, &error)
  *     hm_mpi_exchange(rows, share, n_points, points, comm, &error)
  *
- * Then analysis, plan, share and the copy of the mesh may be given back. hm_morph(rows, ...) moves the process's points
- * and needs no message. All numbers have the same bits as on one process, for any number of processes and any
- * partition, where all processes use the same kernel (options.kernel, if processors differ).
+ * Then analysis, plan, share and the copy of the mesh may be freed. hm_morph(rows, ...) moves the points of this
+ * process and needs no communication. Results are bitwise identical to a serial run, for any number of processes and
+ * any partition, if all processes use the same kernel (set options.kernel where processors differ).
  *
- * Calls here are collective: all processes of the communicator call them. Either all succeed or all get the same
- * status; the reason is in the hm_error of the process that has it. They allocate what they need for the messages, and
- * free it. */
+ * The calls of this header are collective: all processes of the communicator must make them. Either all processes
+ * succeed or all get the same status; the reason is in the hm_error of the process that failed. The calls allocate
+ * memory for the messages, and free it before they return. */
 #ifndef HARMORPH_MPI_H
 #define HARMORPH_MPI_H
 
@@ -27,18 +27,20 @@
 extern "C" {
 #endif
 
-/* Fills rows, made of this process's share by hm_extract_init with the list points [n]. The shares of the processes, in
- * the order of their ranks, must be all functions. A process sends and receives fewer than 2^31 numbers: all processes'
- * points * numbers_per_value * functions of its share, and n * numbers_per_value * functions. */
+/* Fills `rows`, which hm_extract_init has made of the share of this process with the list points [n]. The shares of the
+ * processes, in the order of ranks, must together be all functions. A process sends (points of all processes) *
+ * numbers_per_value * (functions of the share) doubles and receives n * numbers_per_value * (all functions) doubles;
+ * either number must be below 2^31. */
 hm_status hm_mpi_exchange(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Comm comm,
                           hm_error *err);
 
-/* hm_adjoint of all processes' rows together: gradient [2*functions] is the same on all of them, bit by bit. Ghosts: 0
- * in dj. One all-reduce of two integers, and one of 4 * numbers_per_value * functions. */
+/* hm_adjoint for the rows of all processes together: gradient [2*functions] is bitwise the same on all processes. dj
+ * must be 0 at ghost points, so that every point counts once. Communication: an all-reduce of two 32-bit integers, and
+ * one of 4 * numbers_per_value * functions 64-bit integers. */
 hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *gradient,
                          const hm_executor *executor, MPI_Comm comm, hm_error *err);
 
-/* The same for Fortran's communicators; harmorph_mpi.f90 calls these. */
+/* The same with Fortran communicators (MPI_Fint); harmorph_mpi.f90 calls these. */
 hm_status hm_mpi_exchange_f(hm_basis *rows, const hm_basis *share, int32_t n, const int32_t *points, MPI_Fint comm,
                             hm_error *err);
 hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gradient,

@@ -1,4 +1,4 @@
-/* Threads for harmorph from OpenMP. Compile what includes this with -fopenmp; then two lines turn threads on:
+/* Threads for harmorph by OpenMP. Compile files that include this header with -fopenmp. Two lines turn threads on:
  *
  *     hm_executor executor = hm_openmp_executor(4);
  *     options.executor = &executor;
@@ -8,7 +8,8 @@
 
 #include "harmorph.h"
 
-static inline void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
+static inline void hm_openmp_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index),
+                                 void *context) {
     const int n_threads = (int)(intptr_t)user;
     int32_t i;
     (void)n_threads; /* used by the pragma only */

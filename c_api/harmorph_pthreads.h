@@ -1,12 +1,12 @@
-/* Threads for harmorph from POSIX threads: a pool that waits between calls. Compile and link with -pthread.
+/* Threads for harmorph by POSIX threads: a pool of threads that wait between calls. Compile and link with -pthread.
  *
  *     hm_pthreads pool;
- *     hm_executor executor = hm_pthreads_start(&pool, 4);   (executor.n_threads: how many there are in the end)
+ *     hm_executor executor = hm_pthreads_start(&pool, 4);   (executor.n_threads: threads that could be started)
  *     options.executor = &executor;
  *     ...
  *     hm_pthreads_stop(&pool);
  *
- * The pool must not move while it runs, and serves one call at a time.
+ * The address of the pool must not change until hm_pthreads_stop. The pool serves one call of the library at a time.
  */
 #ifndef HARMORPH_PTHREADS_H
 #define HARMORPH_PTHREADS_H
@@ -18,7 +18,7 @@
 typedef struct hm_pthreads {
     pthread_mutex_t mutex;
     pthread_cond_t  work, done;
-    pthread_t       thread[255];   /* beside the caller's own */
+    pthread_t       thread[255];   /* in addition to the calling thread */
     int32_t         n_started;
     int32_t         next, n_tasks; /* of the current call */
     int32_t         running;       /* tasks taken and not yet done */
@@ -27,7 +27,7 @@ typedef struct hm_pthreads {
     void           *context;
 } hm_pthreads;
 
-/* Takes tasks until there are none; called and left with the mutex locked. */
+/* Runs tasks until none is left. The mutex is locked on entry and on return. */
 static inline void hm_pthreads_work(hm_pthreads *pool) {
     while (pool->next < pool->n_tasks) {
         const int32_t index = pool->next++;
@@ -51,7 +51,8 @@ static inline void *hm_pthreads_main(void *argument) {
     return NULL;
 }
 
-static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index), void *context) {
+static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(void *context, int32_t index),
+                                   void *context) {
     hm_pthreads *pool = (hm_pthreads *)user;
     pthread_mutex_lock(&pool->mutex);
     pool->task = task;

@@ -2,9 +2,9 @@
 
 namespace harmorph {
 
-void BiconjugateGradients::lay_out(Arena& arena, Index its_n, Index its_width) noexcept {
-    n = its_n;
-    width = its_width;
+void BiconjugateGradients::lay_out(Arena& arena, Index n_rows, Index n_columns) noexcept {
+    n = n_rows;
+    width = n_columns;
     Offset const numbers = Offset{n} * width;
     arena.take(shadow, numbers);
     arena.take(direction, numbers);

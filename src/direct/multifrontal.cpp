@@ -3,31 +3,32 @@
 namespace harmorph {
 
 template <class Number>
-void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept {
-    Offset const lanes = subtrees.lanes;
-    arena.take(its.factor, planes * factor_entries);
-    arena.take(its.sums, lanes * planes * most_sums);
-    arena.take(its.least_left, lanes);
-    arena.take(its.least_pivot, lanes);
-    Offset const stacks = lanes > 1 ? lanes + 1 : 1;
-    arena.take(its.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
+void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
+                                   FrontalNumbers<Number>& numbers) const noexcept {
+    Offset const workers = subtrees.lanes;
+    arena.take(numbers.factor, planes * factor_entries);
+    arena.take(numbers.sums, workers * planes * most_sums);
+    arena.take(numbers.least_left, workers);
+    arena.take(numbers.least_pivot, workers);
+    Offset const stacks = workers > 1 ? workers + 1 : 1;
+    arena.take(numbers.rows, (stacks * subtrees.stack_rows + subtrees.kept_rows) * row_length());
 }
 
-void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width,
-                           bool complex, Precision its_precision) noexcept {
-    subtrees = its_subtrees;
-    precision = its_precision;
+void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& chosen_subtrees,
+                           Index width, bool complex, Precision factor_precision) noexcept {
+    subtrees = chosen_subtrees;
+    precision = factor_precision;
     planes = complex ? 2 : 1;
     largest_border = sizes.largest_border;
     most_sums = sizes.most_sums;
     padded_width = dense::padded(width);
-    Offset const lanes = subtrees.lanes;
+    Offset const workers = subtrees.lanes;
     arena.take(tree.nodes, nodes);
     arena.take(subtrees.all, subtrees.count);
     arena.take(border_start, Offset{nodes} + 1);
     arena.take(border, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
-    arena.take(target, lanes * largest_border);
+    arena.take(target, workers * largest_border);
     if (precision == Precision::in_single) {
         lay_out_numbers(arena, sizes.factor_entries, singles);
     } else {
@@ -36,8 +37,8 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
 }
 
 void Multifrontal::lay_out_stack(Arena& arena) noexcept {
-    Offset const lanes = subtrees.lanes > 1 ? subtrees.lanes : 0;
-    Offset const entries = subtrees.top_stack_entries + subtrees.kept_entries + lanes * subtrees.stack_entries;
+    Offset const workers = subtrees.lanes > 1 ? subtrees.lanes : 0;
+    Offset const entries = subtrees.top_stack_entries + subtrees.kept_entries + workers * subtrees.stack_entries;
     if (precision == Precision::in_single) {
         arena.take(singles.stack, planes * entries);
     } else {
@@ -45,7 +46,7 @@ void Multifrontal::lay_out_stack(Arena& arena) noexcept {
     }
 }
 
-void Multifrontal::place_panels() noexcept {
+void Multifrontal::set_panel_starts() noexcept {
     Offset next = 0;
     for (Index node = 0; node < tree.count; ++node) {
         panel_start[node] = next;
@@ -55,16 +56,16 @@ void Multifrontal::place_panels() noexcept {
 }
 
 void Multifrontal::find_targets(Index child, Index parent, Index* targets) const noexcept {
-    auto const& its = tree.nodes[parent];
+    auto const& into = tree.nodes[parent];
     Span<const Index> const below = border_of(child), above = border_of(parent);
     Index at = 0;
     for (Index r = 0; r < below.count(); ++r) {
-        if (below[r] < its.end) {
-            targets[r] = below[r] - its.begin;
+        if (below[r] < into.end) {
+            targets[r] = below[r] - into.begin;
             continue;
         }
         while (above[at] != below[r]) ++at;  // both increase
-        targets[r] = its.pivots() + at;
+        targets[r] = into.pivots() + at;
     }
 }
 

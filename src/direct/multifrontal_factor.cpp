@@ -3,45 +3,47 @@
 namespace harmorph {
 namespace {
 
-// A pivot this small beside what it is summed of is rounding: the matrix is singular, or worse.
+// A pivot smaller than this part of the sum of its absolute terms is rounding: the matrix is singular or indefinite.
 template <class Number>
-constexpr Number pivot_floor = sizeof(Number) == sizeof(double) ? static_cast<Number>(1e-15) : static_cast<Number>(5e-7);
+constexpr Number pivot_floor = static_cast<Number>(sizeof(Number) == sizeof(double) ? 1e-15 : 5e-7);
 constexpr Index nodes_between_reports = 512;
 
 template <class Number>
 class Factorisation {
 public:
-    using Lane = Multifrontal::Lane<Number>;
+    using Worker = Multifrontal::Worker<Number>;
     using Panel = dense::Panel<Number>;
     using UpdateMatrix = dense::UpdateMatrix<Number>;
 
     Factorisation(Multifrontal const& engine, Matrix const& matrix) noexcept : engine_(engine), matrix_(matrix) {}
 
-    // The node's update matrix is made at `update`; `free` is where its children's may be. told(node) after each node.
+    // Factors the node and its descendants. The update matrix of the node goes to `update`; those of its children use
+    // the stack from `free` on. Calls told(node) after each node.
     template <class Told>
-    Status run(Index node, Number* update, Number* free, Lane const& lane, Told const& told, Fault& fault) const noexcept {
-        auto const& its = engine_.tree.nodes[node];
+    Status run(Index node, Number* update, Number* free, Worker const& worker, Told const& told,
+               Fault& fault) const noexcept {
+        auto const& front = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
         UpdateMatrix const left{update, panel.border, panel.planes};
-        if (its.child == none) begin(node, panel, left);
-        for (Index child = its.child; child != none; child = engine_.tree.nodes[child].sibling) {
+        if (front.child == none) begin(node, panel, left);
+        for (Index child = front.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             UpdateMatrix const added{done != none ? engine_.kept_update<Number>(done) : free,
                                      engine_.border_of(child).count(), panel.planes};
             Number* const behind = free + added.planes * dense::update_entries(added.n);
-            if (done == none) HARMORPH_TRY(run(child, free, behind, lane, told, fault));
-            if (child == its.child) begin(node, panel, left);  // not sooner: it would have left the caches by now
-            engine_.find_targets(child, node, lane.targets);
-            dense::extend_add(engine_.kernel, added, lane.targets, panel, left);
+            if (done == none) HARMORPH_TRY(run(child, free, behind, worker, told, fault));
+            if (child == front.child) begin(node, panel, left);  // only now, so that the panel is still in the caches
+            engine_.find_targets(child, node, worker.targets);
+            dense::extend_add(engine_.kernel, added, worker.targets, panel, left);
         }
-        dense::Workers<Number> const workers{lane.executor, lane.sums, lane.least_left};
+        dense::Workers<Number> const workers{worker.executor, worker.sums, worker.least_left};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);
         if (bad != none) {
             return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh,
-                                its.begin + bad);
+                                front.begin + bad);
         }
         dense::update_border(engine_.kernel, panel, left, workers);
-        note_pivots(panel, matrix_.diagonal.from(its.begin, panel.pivots), *lane.least_pivot);
+        note_pivots(panel, matrix_.diagonal.from(front.begin, panel.pivots), *worker.least_pivot);
         return told(node);
     }
 
@@ -56,21 +58,21 @@ private:
         assemble(node, panel);
     }
 
-    // The matrix's own entries in the pivots' rows, and in the diagonal's place the sums of the whole rows.
+    // Entries of the matrix in the rows of the pivots; row sums instead of diagonals.
     void assemble(Index node, Panel const& panel) const noexcept {
         if (panel.planes == 2) assemble_planes<2>(node, panel);
         else assemble_planes<1>(node, panel);
     }
-    // Apart, or its pointers would have no registers.
+    // A function of its own: inlined, the pointers of this loop would be spilled to memory.
     template <Index planes>
     __attribute__((noinline)) void assemble_planes(Index node, Panel const& panel) const noexcept {
-        auto const& its = engine_.tree.nodes[node];
+        auto const& front = engine_.tree.nodes[node];
         Span<const Index> const border = engine_.border_of(node);
         dense::Slabs<Number> const own = panel.own(), of_border = panel.of_border();
         Span<Offset> const start = matrix_.start;
         Span<Index> const column = matrix_.column;
         Span<Real> const value = matrix_.value, imaginary = matrix_.imaginary;
-        Index const first = its.begin, behind = its.end;
+        Index const first = front.begin, behind = front.end;
         Offset k = start[first];
         for (Index i = first; i < behind; ++i) {
             Index const pivot = i - first;
@@ -79,7 +81,7 @@ private:
             if (planes == 2) sum[dense::slab] = static_cast<Number>(matrix_.row_sum_imaginary[i]);
             for (Offset const end = start[i + 1]; k < end; ++k) {
                 Index const j = column[k];
-                Number* const entry = j < behind ? own.at(pivot, j - first) : of_border.at(pivot, place_in(border, j));
+                Number* const entry = j < behind ? own.at(pivot, j - first) : of_border.at(pivot, index_in(border, j));
                 entry[0] = static_cast<Number>(value[k]);
                 if (planes == 2) entry[dense::slab] = static_cast<Number>(imaginary[k]);
             }
@@ -88,22 +90,22 @@ private:
 
     static void note_pivots(Panel const& panel, Span<const Real> diagonal, Number& least) noexcept {
         for (Index k = 0; k < panel.pivots; ++k) {
-            Number const inverse = *panel.at(k, k);  // of the pivot's root
+            Number const inverse = *panel.at(k, k);  // 1 / sqrt(pivot)
             Number const part = 1 / (static_cast<Number>(diagonal[k]) * inverse * inverse);
             if (part < least) least = part;
         }
     }
 
-    // Most borders are short: what is before the position is counted, without branches.
-    static Index place_in(Span<const Index> border, Index position) noexcept {
+    // The index of `position` in the border. Most borders are short: smaller positions are counted without branches.
+    static Index index_in(Span<const Index> border, Index position) noexcept {
         Index low = 0, high = border.count();
         while (high - low > 32) {
             Index const middle = low + (high - low) / 2;
             (border[middle] <= position ? low : high) = middle;
         }
-        Index place = low;
-        for (Index k = low; k < high; ++k) place += border[k] < position ? 1 : 0;
-        return place;
+        Index index = low;
+        for (Index k = low; k < high; ++k) index += border[k] < position ? 1 : 0;
+        return index;
     }
 
     Multifrontal const& engine_;
@@ -118,14 +120,15 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     fill(numbers<Number>().least_left, Number{1});
     fill(numbers<Number>().least_pivot, Number{1});
     Fault fault_of[Executor::most_threads];
-    for_each_subtree<Number>([&](Subtree const& subtree, Lane<Number> const& lane) {
-        Fault& its = fault_of[subtree.lane];
-        if (failed(its.status)) return;
+    for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& worker) {
+        Fault& own_fault = fault_of[subtree.lane];
+        if (failed(own_fault.status)) return;
         Number* const update = kept_update<Number>(subtrees.find(subtree.root));
-        factorisation.run(subtree.root, update, lane.stack, lane, [](Index) { return Status::ok; }, its);
+        factorisation.run(subtree.root, update, worker.stack, worker, [](Index) { return Status::ok; },
+                          own_fault);
     });
-    for (Fault const& its : fault_of) {  // the first position, whoever met it
-        if (failed(its.status) && (!failed(fault.status) || its.item < fault.item)) fault = its;
+    for (Fault const& other : fault_of) {  // the first position, so that it does not depend on the number of threads
+        if (failed(other.status) && (!failed(fault.status) || other.item < fault.item)) fault = other;
     }
     HARMORPH_TRY(fault.status);
 
@@ -133,10 +136,10 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
         if (subtrees.count == 0 && node % nodes_between_reports != 0) return Status::ok;
         return progress.report(Phase::factor, static_cast<Real>(node + 1) / (tree.count + 1.0), fault);
     };
-    Lane<Number> const lane = top_lane<Number>();
+    Worker<Number> const worker = top_worker<Number>();
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        HARMORPH_TRY(factorisation.run(node, lane.stack, lane.stack, lane, told, fault));  // a root has no border
+        HARMORPH_TRY(factorisation.run(node, worker.stack, worker.stack, worker, told, fault));  // a root has no border
     }
     return Status::ok;
 }
@@ -145,8 +148,8 @@ namespace {
 
 Real least_of(Span<const double> doubles, Span<const float> singles) noexcept {
     Real least = 1;
-    for (double const its : doubles) least = smaller(least, its);
-    for (float const its : singles) least = smaller(least, static_cast<Real>(its));
+    for (double const part : doubles) least = smaller(least, part);
+    for (float const part : singles) least = smaller(least, static_cast<Real>(part));
     return least;
 }
 

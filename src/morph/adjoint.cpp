@@ -10,7 +10,7 @@ constexpr Index most_ranges = 16;    // their sums are on the stack
 constexpr Index least_range = 2048;  // points that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(begin, end, i) for ranges of points; returns how many there are. Sums do not depend on that.
+// body(begin, end, i) for ranges of points; returns the number of ranges, on which the sums do not depend.
 template <class Body>
 Index for_point_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const ranges = executor.is_serial() ? 1 : clamp(n_points / least_range, Index{1}, most_ranges);
@@ -19,7 +19,8 @@ Index for_point_ranges(Index n_points, Executor const& executor, Body const& bod
     return ranges;
 }
 
-// Of numbers first .. first+width-1 of n rows that follow one another, and the gradients by their points: gradient(i).
+// Adds the products of numbers first .. first+width-1 of n consecutive rows with the gradients by their points,
+// gradient(i).
 template <class Number, class Gradient>
 void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, BinaryScale scale,
               Index first, Index width, Gradient const& gradient, FixedSums& total) noexcept {
@@ -29,8 +30,8 @@ void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* r
         Index const count = smaller(block_points, n - begin);
         Vec2 by[block_points];
         for (Index i = 0; i < count; ++i) {
-            Vec2 const its = gradient(begin + i);
-            by[i] = {units.down(its.x), units.down(its.y)};
+            Vec2 const by_point = gradient(begin + i);
+            by[i] = {units.down(by_point.x), units.down(by_point.y)};
         }
         ValueRows<Number> const block{rows + begin * length + first, length, count, width};
         kernels.of(block).multiply_transposed(block, by, total);
@@ -53,7 +54,7 @@ struct SumsBlock {
             if (basis.in_single()) add(basis.single_row(begin), end - begin, gradient, part[i]);
             else add(basis.row(begin), end - begin, gradient, part[i]);
         });
-        if (basis.in_single()) {  // the wall's rows were 0
+        if (basis.in_single()) {  // the rows of the wall are 0 there and stand in double precision apart
             auto const of_slot = [&](Index slot) { return by_points[basis.wall_point[slot]]; };
             add(basis.row(0), basis.wall_point.count(), of_slot, part[0]);
             for (Index k = 0; k < basis.joined_point.count(); ++k) {
@@ -70,7 +71,8 @@ struct SumsBlock {
     }
 };
 
-// Adds what the sums of one number of all functions' values mean for the movement of its function.
+// Adds the contribution of one number of a row, summed over all points, to the gradient by the movement of its
+// function.
 void add_to_gradient(Basis const& basis, Index number, BinaryScale scale, FixedSum x, FixedSum y,
                      Real* gradient) noexcept {
     Index const n = basis.n_functions(), plane = number / n;
@@ -100,18 +102,18 @@ void for_each_block(Index row_length, Body const& body) noexcept {
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
     LargestMagnitude largest[most_ranges];
     for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-        LargestMagnitude its[4];  // so that no number waits for the one before it
+        LargestMagnitude independent[4];  // four chains instead of one: no number waits for the one before it
         for (Index p = begin; p < end; p += 2) {
             Vec2 const one = gradient_by_points[p], next = gradient_by_points[smaller(p + 1, end - 1)];
-            its[0].include(one.x);
-            its[1].include(one.y);
-            its[2].include(next.x);
-            its[3].include(next.y);
+            independent[0].include(one.x);
+            independent[1].include(one.y);
+            independent[2].include(next.x);
+            independent[3].include(next.y);
         }
-        for (LargestMagnitude const one : its) largest[i].include(one.value());
+        for (LargestMagnitude const one : independent) largest[i].include(one.value());
     });
     LargestMagnitude gradient;
-    for (LargestMagnitude const its : largest) gradient.include(its.value());
+    for (LargestMagnitude const one : largest) gradient.include(one.value());
     return BinaryScale::of_products(basis.header->largest, gradient.value());
 }
 
@@ -138,8 +140,8 @@ void adjoint_finish(Basis const& basis, BinaryScale scale, const std::int64_t* s
     Offset const n = basis.row_length();
     set_gradient(basis, 0, gradient);
     for (Index k = 0; k < basis.row_length(); ++k) {
-        const std::int64_t* const its = sums + k;
-        add_to_gradient(basis, k, scale, {its[0], its[n]}, {its[2 * n], its[3 * n]}, gradient);
+        const std::int64_t* const sum = sums + k;
+        add_to_gradient(basis, k, scale, {sum[0], sum[n]}, {sum[2 * n], sum[3 * n]}, gradient);
     }
 }
 

@@ -10,13 +10,14 @@ constexpr Index least_range = 8192;      // points that are worth a thread
 // As ProductKernels::add_sums does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// What each number of a row of values is multiplied with, in blocks of Movements::most numbers. The first blocks, all of most
-// bases, are made once for a morph; what the stack has no room for is made again for each use.
+// The factors of the numbers of a row of values, in blocks of Movements::most numbers. The first blocks, which are all
+// blocks of most bases, are computed once for a morph; further ones do not fit on the stack and are computed for each
+// use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
-        for (Index block = 0; block < kept && block * Movements::most < basis.row_length(); ++block) {
-            kept_[block] = made(block * Movements::most);
+        for (Index block = 0; block < n_stored && block * Movements::most < basis.row_length(); ++block) {
+            stored_[block] = made(block * Movements::most);
         }
     }
 
@@ -26,13 +27,13 @@ public:
         Index const row_length = basis_.row_length();
         for (Index first = 0; first < row_length; first += Movements::most) {
             Index const width = smaller(Movements::most, row_length - first), block = first / Movements::most;
-            if (block < kept) body(first, width, kept_[block]);
+            if (block < n_stored) body(first, width, stored_[block]);
             else body(first, width, made(first));
         }
     }
 
 private:
-    static constexpr Index kept = 4;
+    static constexpr Index n_stored = 4;
 
     Movements made(Index first) const noexcept {
         Movements by = {};
@@ -51,10 +52,10 @@ private:
 
     Basis const& basis_;
     const Real* move_;
-    Movements kept_[kept];
+    Movements stored_[n_stored];
 };
 
-// Row p of `rows`, which follow one another, times the movements, is added to point p.
+// Adds row p of n consecutive rows times the movements to point p.
 template <class Number>
 void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, RowMovements const& move,
               Sums const& to) noexcept {
@@ -69,14 +70,15 @@ void prefetch(const Real* from, Index n) noexcept {
 }
 
 // Points begin .. begin+n-1, n <= block_points.
-void morph_block(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, Points from, MutablePoints to,
+void morph_block(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, Points from,
+                 MutablePoints to,
                  Index begin, Index n) noexcept {
     constexpr Real zero[block_points] = {};
     Real x[block_points] = {}, y[block_points] = {};
     bool const in_rows = (!from.given() || from.stride == 1) && to.stride == 1;
     const Real* const from_x = from.given() ? from.x + begin : zero;
     const Real* const from_y = from.given() ? from.y + begin : zero;
-    if (in_rows) {  // they come while the sums are computed
+    if (in_rows) {  // prefetched while the sums are computed
         prefetch(from_x, n);
         prefetch(from_y, n);
     }
@@ -93,8 +95,9 @@ void morph_block(ProductKernels const& kernels, Basis const& basis, RowMovements
     }
 }
 
-// In single storage the wall has not moved yet: its rows there are 0.
-void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, MutablePoints to) noexcept {
+// In single-precision storage the rows of points on the wall are 0, so these points have not moved yet.
+void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
+                MutablePoints to) noexcept {
     auto const move_point = [&](Index point, Index slot) {
         Vec2 const old = to[point];
         Vec2 sum;

@@ -1,4 +1,4 @@
-// The products of morphing with the registers of one instruction set; compiled for each by product.cpp.
+// The products of morphing with the registers of one instruction set; product.cpp compiles this file for each of them.
 
 namespace harmorph::HARMORPH_SET {
 namespace {
@@ -11,11 +11,11 @@ constexpr Index lanes = Registers::lanes;
 constexpr Index sums = 8;                // partial sums of a point, in all kernels: number k goes to sum k modulo 8
 constexpr Index vectors = sums / lanes;
 constexpr Index at_once = lanes == 8 ? 8 : lanes == 4 ? 2 : 1;  // points whose partial sums fit into the registers
-constexpr Index tile_points = 4;         // of the transpose: sums stay in registers meanwhile
-constexpr Index streams = 2;             // places that are read in turn: memory gives two more than one
-constexpr Offset prefetch_ahead = 4096;  // bytes at least: memory is a page, or a tile, ahead of the registers
+constexpr Index tile_points = 4;         // the transpose adds the products of so many points at a time in registers
+constexpr Index streams = 2;             // rows are read from two streams in turn, as this has more bandwidth than one
+constexpr Offset prefetch_ahead = 4096;  // bytes at least: prefetches are a page, or a tile, ahead
 
-// From a number to the one that is fetched meanwhile: whole rows on, as they may be longer than what is used of them.
+// Distance from a number in use to the number prefetched: whole rows, as rows may be longer than the numbers used.
 template <class Number>
 HARMORPH_INLINE Offset numbers_ahead(ValueRows<Number> const& rows) noexcept {
     Offset const least = prefetch_ahead / static_cast<Offset>(sizeof(Number)), tile = tile_points * rows.row;
@@ -32,22 +32,22 @@ struct FirstLanes<0, lane...> {
 };
 using AllLanes = FirstLanes<lanes>::All;
 
-// Lanes i and i + distance of a are added, and of b; the sums of b come to where the second ones of a were.
+// Adds lanes i and i + distance of a, and likewise of b; the sums of b go to the lanes i + distance.
 template <Index distance, Index... lane>
 HARMORPH_INLINE Vector fold(Vector a, Vector b, Lanes<lane...>) noexcept {
 #if defined(__clang__)
-    Vector const kept = __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane : lane)...);
+    Vector const unmoved = __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane : lane)...);
     Vector const moved =
         __builtin_shufflevector(a, b, ((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...);
 #else
-    Vector const kept = __builtin_shuffle(a, b, Words{((lane & distance) != 0 ? lanes + lane : lane)...});
+    Vector const unmoved = __builtin_shuffle(a, b, Words{((lane & distance) != 0 ? lanes + lane : lane)...});
     Vector const moved =
         __builtin_shuffle(a, b, Words{((lane & distance) != 0 ? lanes + lane - distance : lane + distance)...});
 #endif
-    return kept + moved;
+    return unmoved + moved;
 }
 
-// The sum of vector p of `partial` comes to lane p. `partial` is overwritten.
+// Returns the sum over the lanes of partial[p] in lane p. Overwrites `partial`.
 template <Index distance = lanes / 2>
 HARMORPH_INLINE Vector totals_of(Vector* partial) noexcept {
     for (Index p = 0; p < distance; ++p) partial[p] = fold<distance>(partial[p], partial[p + distance], AllLanes{});
@@ -62,7 +62,7 @@ HARMORPH_INLINE Vector folded(const Vector* partial) noexcept {
     else return partial[0];
 }
 
-// Sums of `points` rows that remain to be added up over their lanes.
+// Products of `points` rows with the movements, summed up but for the sum over the lanes.
 template <Index points, class Number>
 HARMORPH_INLINE void multiply_points(const Number* values, Offset row, Index n, Movements const& by, Offset ahead,
                                      Vector* sum_x, Vector* sum_y) noexcept {
@@ -135,7 +135,8 @@ template <class Of>
 struct SumIn<Of, true> {
     Words first, second;
 
-    // Modulo 2^64, and in floating point: that is wrong by far less than 2^63, so it tells how many 2^64 are missing.
+    // The sum modulo 2^64, and in floating point: the error of the latter is far below 2^63, so the multiple of 2^64
+    // that is missing in the former is known.
     HARMORPH_INLINE void add(Vector t) noexcept {
         first += Of::round(t);
         second = reinterpret_cast<Words>(reinterpret_cast<Vector>(second) + t);
@@ -155,7 +156,8 @@ template <class Of>
 struct SumIn<Of, false> {
     Words first, second;
 
-    // The bits of numbers on FixedSum's grids: multiples of its units, above the grids' own bits.
+    // Sums the bits of numbers rounded to the grids of FixedSum: multiples of its units, plus the bits of the grid
+    // itself.
     HARMORPH_INLINE void add(Vector t) noexcept {
         Vector const on_grid = t + FixedSum::coarse_grid;
         first += reinterpret_cast<Words>(on_grid);
@@ -176,9 +178,9 @@ struct BlockOfSums {
     HARMORPH_INLINE Sum at(Index k) const noexcept {
         return {Registers::load_words(first + k), Registers::load_words(second + k)};
     }
-    HARMORPH_INLINE void set(Index k, Sum its) noexcept {
-        Registers::store_words(first + k, its.first);
-        Registers::store_words(second + k, its.second);
+    HARMORPH_INLINE void set(Index k, Sum sum) noexcept {
+        Registers::store_words(first + k, sum.first);
+        Registers::store_words(second + k, sum.second);
     }
 };
 

@@ -5,17 +5,19 @@
 namespace harmorph {
 namespace {
 
-// Couplings weaker than this share of the strongest one do not make a pair: an aspect ratio of 2. The strongest one of the
-// cell that has the weaker ones: where couplings grow along a line of cells, each is a neighbour's strongest.
+// Couplings weaker than this fraction of the strongest one make no pair: 1/4 is an aspect ratio of 2. Of the two cells
+// the one whose strongest coupling is smaller decides: where couplings grow along a row of cells, each of them is the
+// strongest coupling of one of its two cells.
 constexpr Real strong = 0.25;
 
-// Bound of what is left for the coarse level to do (A. Napov, Y. Notay, SIAM J. Sci. Comput. 34 (2012) A1079; so is its size).
-constexpr Real most_left = 8;
+// Bound of the quality of a pair; the criterion and the size of the bound are those of A. Napov, Y. Notay, SIAM J. Sci.
+// Comput. 34 (2012) A1079.
+constexpr Real pair_quality_bound = 8;
 
-// a b / (a + b), for numbers above 0.
+// a b / (a + b): two conductances in series; 0 if one is not positive.
 Real in_series(Real a, Real b) noexcept { return a > 0 && b > 0 ? a / (a + b) * b : 0; }
 
-// How much two cells want to be one; 0 for those that do not touch.
+// Which of its neighbours a cell is merged with.
 struct Preference {
     using Part = Agglomeration::Part;
     SymmetricRows const& rows;
@@ -25,17 +27,19 @@ struct Preference {
         if (rows.faces[entry] == 0) return 0;
         return merging == Merging::isotropic ? rows.faces[entry] : -rows.value[entry];
     }
-    // A merged cell has one value, so what its two parts differ by is the smoother's to remove. It sees the difference in the
-    // units of the diagonals, and does not if the coupling, with what both have to known values, is small beside them: two
-    // stacks of thin cells, say, each merged for its strong couplings, with next to nothing between them but a third part.
+    // A merged cell has one value, so the difference between its two parts must be removed by the smoother. The
+    // smoother does so only if the coupling of the two, together with their couplings to known values, is not small
+    // relative to their diagonals. A counterexample: two stacks of thin cells, each merged along strong couplings,
+    // which touch only weakly.
     bool is_smoothed(Part const& a, Part const& b, Real coupling) const noexcept {
         if (merging == Merging::isotropic) return true;
-        return 2 * in_series(a.diagonal, b.diagonal) <= most_left * (coupling + in_series(a.row_sum, b.row_sum));
+        return 2 * in_series(a.diagonal,
+                             b.diagonal) <= pair_quality_bound * (coupling + in_series(a.row_sum, b.row_sum));
     }
     bool is_strong(Real coupling, Real strongest) const noexcept {
         return coupling > 0 && (merging == Merging::isotropic || coupling >= strong * strongest);
     }
-    // Of a strong coupling.
+    // Among strong couplings the one with the largest weight is taken.
     Real weight(Offset entry, Real coupling) const noexcept {
         return merging == Merging::automatic ? rows.faces[entry] : coupling;
     }
@@ -111,8 +115,9 @@ bool Agglomeration::add_level(Merging merging) noexcept {
     return true;
 }
 
-// One pass: to [rows.n] receives the merged cell of each; returns their number. They are numbered by their first cells, so
-// that the order stays the front's, and the parts of merged cells can take the place of those of cells that are done.
+// One pass: to [rows.n] receives the merged cell of each cell; returns the number of merged cells. They are numbered in
+// the order of their first cells: so the order stays that of an advancing front, and the parts of merged cells may
+// overwrite the parts of cells that are done.
 Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept {
     Work const& w = work_;
     Preference const prefers{rows, merging};
@@ -150,21 +155,21 @@ Index Agglomeration::pair_up(SymmetricRows const& rows, Merging merging, Span<In
             best_coupling = coupling;
             partner = j;
         }
-        Part its = w.parts[i];
+        Part merged = w.parts[i];
         if (partner != none) {
-            its += w.parts[partner];
+            merged += w.parts[partner];
             to[i] = to[partner] = n;
             w.members[n] = 2;
-            w.parts[n++] = its;
+            w.parts[n++] = merged;
         } else if (host != none && w.members[to[host]] < most_members &&
-                   prefers.is_smoothed(its, w.parts[to[host]], strongest_host)) {
+                   prefers.is_smoothed(merged, w.parts[to[host]], strongest_host)) {
             to[i] = to[host];
             ++w.members[to[i]];
-            w.parts[to[i]] += its;
+            w.parts[to[i]] += merged;
         } else {
             to[i] = n;
             w.members[n] = 1;
-            w.parts[n++] = its;
+            w.parts[n++] = merged;
         }
     }
     return n;

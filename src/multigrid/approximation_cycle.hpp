@@ -28,22 +28,23 @@ struct FinestScheme {
 template <Index W>
 class ApproximationCycles {
 public:
-    ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors, Rows const& values,
+    ApproximationCycles(FullApproximation const& engine, FinestScheme<W> const& finest, Real* vectors,
+                        Rows const& values,
                         Index first) noexcept
         : engine_(engine), a_(engine.levels), finest_(finest), values_(values), first_(first),
           width_(smaller(W, values.width - first)) {
         for (Index l = 0; l < a_.count; ++l) {
             Offset const numbers = Offset{a_.level[l].n} * W;
-            Vectors& its = at_[l];
-            its = {vectors, vectors + numbers, vectors + 2 * numbers, vectors + 3 * numbers, nullptr};
+            Vectors& own = at_[l];
+            own = {vectors, vectors + numbers, vectors + 2 * numbers, vectors + 3 * numbers, nullptr};
             vectors += 4 * numbers;
             if (l == 0) continue;
-            its.restricted = vectors;
+            own.restricted = vectors;
             vectors += numbers;
         }
     }
 
-    // after(cycle, largest relative residual of all functions); not ok ends it.
+    // Calls after(cycle, largest relative residual of all functions); a status other than ok ends the iteration.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index const n = a_.level[0].n;
@@ -51,7 +52,7 @@ public:
             const Real* const given = values_[i] + first_;
             for (Index k = 0; k < W; ++k) at_[0].f[Offset{i} * W + k] = k < width_ ? given[k] : 0;
         }
-        Lanes<W> const given = dot<W>(at_[0].f, at_[0].f, n);
+        PerFunction<W> const given = dot<W>(at_[0].f, at_[0].f, n);
         for (Index k = 0; k < W; ++k) {
             residual_[k] = relative(given[k], given[k]);
             least_[k] = infinity;
@@ -76,11 +77,11 @@ public:
     }
 
 private:
-    // Before and after the coarse correction; they are cheap below the finest level.
+    // Steps before and after the coarse correction; on coarse levels they are cheap.
     static constexpr Index finest_steps = 1, coarse_steps = 3, coarsest_steps = 10;
     static constexpr Index starting_cycles = 2;  // on each level on the way up
-    static constexpr Real lost_beyond = 1000;    // growth of the residual from its least that will not end
-    static constexpr Index remembered = 4;       // cycles over which the rate of convergence is taken
+    static constexpr Real lost_beyond = 1000;    // residual / smallest residual so far: above, the iteration diverges
+    static constexpr Index remembered = 4;       // cycles over which the rate of convergence is measured
 
     struct Vectors {
         Real* f;           // right-hand side: sums of flux balances
@@ -90,47 +91,51 @@ private:
         Real* restricted;  // values from the finer level
     };
 
-    // Each function by itself ends when it has converged, when it is lost or at the last cycle, so that its bits do not
-    // depend on those solved with it: its values are kept as they are then. Does any go on?
-    bool look(IterationReport& report, Lanes<W> const& squares, Lanes<W> const& given) noexcept {
-        Lanes<W> const changes = change();
+    // A function ends when it has converged, when it diverges or at the last cycle, independently of the others: its
+    // values are stored then, so that their bits do not depend on which other functions are in the block. Does any
+    // function go on?
+    bool look(IterationReport& report, PerFunction<W> const& squares, PerFunction<W> const& given) noexcept {
+        PerFunction<W> const changes = change();
         Real const tolerance = engine_.iteration.tolerance;
         bool any = false;
         for (Index k = 0; k < width_; ++k) {
             if (!goes_on_[k]) continue;
             Real const residual = relative(squares[k], given[k]);
-            bool const settled = estimate_left(report.iterations, changes[k], k) <= tolerance;
+            bool const settled = estimate_error(report.iterations, changes[k], k) <= tolerance;
             bool const lost = !(residual <= lost_beyond * least_[k]);
             least_[k] = smaller(least_[k], residual);
             residual_[k] = residual;
-            goes_on_[k] = !(residual <= tolerance && settled) && !lost && report.iterations < engine_.iteration.max_iterations;
+            goes_on_[k] = !(residual <= tolerance && settled) && !lost &&
+                          report.iterations < engine_.iteration.max_iterations;
             any = any || goes_on_[k];
             if (goes_on_[k]) continue;
             report.settled = report.settled && settled;
-            keep(k);
+            store_values(k);
         }
         return any;
     }
 
-    void keep(Index k) const noexcept {
+    void store_values(Index k) const noexcept {
         for (Index i = 0; i < a_.level[0].n; ++i) values_[i][first_ + k] = at_[0].u[Offset{i} * W + k];
     }
 
-    // What the last cycle's correction and a step from here change values by at most, beside the largest value. Far from thin
-    // cells a small residual may hide a large error, as their balances dwarf all others.
-    Lanes<W> change() const noexcept {
-        Lanes<W> most;
+    // Upper bound of the change of values by the last coarse correction and by one step from here, relative to the
+    // largest value. Thin cells have by far the largest flux balances, so elsewhere a small residual may hide a large
+    // error.
+    PerFunction<W> change() const noexcept {
+        PerFunction<W> most;
         for (Index i = 0; i < a_.level[0].n; ++i) {
             const Real* const rest = at_[0].rest + Offset{i} * W;
             for (Index k = 0; k < W; ++k) most[k] = larger(most[k], engine_.rate[0][i] * absolute(rest[k]));
         }
-        Lanes<W> const size = largest<W>(at_[0].u, a_.level[0].n);
+        PerFunction<W> const size = largest<W>(at_[0].u, a_.level[0].n);
         for (Index k = 0; k < W; ++k) most[k] = size[k] > 0 ? (most[k] + corrected_[k]) / size[k] : 0;
         return most;
     }
 
-    // Changes shrink by a rate from cycle to cycle: what all that are to come amount to, at least the last one again.
-    Real estimate_left(Index iteration, Real change, Index k) noexcept {
+    // The estimated error: if changes shrink by a constant rate from cycle to cycle, the sum of all future changes is a
+    // geometric series; at least the last change again.
+    Real estimate_error(Index iteration, Real change, Index k) noexcept {
         Real& oldest = changes_[iteration % remembered][k];
         Real const rate = iteration < remembered || oldest == 0 ? 1 : square_root(square_root(change / oldest));
         oldest = change;
@@ -148,45 +153,45 @@ private:
     }
 
     void take_rest(Index level) noexcept {
-        Vectors const& its = at_[level];
-        if (level > 0 || finest_.nodal == nullptr) return residual<W>(a_.level[level], its.f, its.u, its.rest);
-        copy<W>(its.f, its.rest, a_.level[0].n);
-        finest_.add(its.u, its.rest);
+        Vectors const& own = at_[level];
+        if (level > 0 || finest_.nodal == nullptr) return residual<W>(a_.level[level], own.f, own.u, own.rest);
+        copy<W>(own.f, own.rest, a_.level[0].n);
+        finest_.add(own.u, own.rest);
     }
 
-    // One Runge-Kutta step in pseudo-time; known_rest: the residual of u has been taken.
-    void step(Index level, bool known_rest) noexcept {
-        Vectors const& its = at_[level];
+    // One Runge-Kutta step in pseudo-time. has_rest: the residual of u has been computed.
+    void step(Index level, bool has_rest) noexcept {
+        Vectors const& own = at_[level];
         Index const n = a_.level[level].n;
-        copy<W>(its.u, its.start, n);
+        copy<W>(own.u, own.start, n);
         for (Index stage = 0; stage < stages; ++stage) {
-            if (stage > 0 || !known_rest) take_rest(level);
+            if (stage > 0 || !has_rest) take_rest(level);
             for (Index i = 0; i < n; ++i) {
                 Real const by = stage_coefficient[stage] * engine_.rate[level][i];
                 Offset const row = Offset{i} * W;
-                for (Index k = 0; k < W; ++k) its.u[row + k] = its.start[row + k] + by * its.rest[row + k];
+                for (Index k = 0; k < W; ++k) own.u[row + k] = own.start[row + k] + by * own.rest[row + k];
             }
         }
         if (level == 0) ++fine_steps_;
     }
-    void steps(Index level, Index n, bool known_rest) noexcept {
-        for (Index k = 0; k < n; ++k) step(level, known_rest && k == 0);
+    void steps(Index level, Index n, bool has_rest) noexcept {
+        for (Index k = 0; k < n; ++k) step(level, has_rest && k == 0);
     }
 
-    void cycle(Index level, bool known_rest) noexcept {
-        if (a_.count == 1) return step(level, known_rest);
-        if (level + 1 == a_.count) return steps(level, coarsest_steps, known_rest);
+    void cycle(Index level, bool has_rest) noexcept {
+        if (a_.count == 1) return step(level, has_rest);
+        if (level + 1 == a_.count) return steps(level, coarsest_steps, has_rest);
         Index const n = level == 0 ? finest_steps : coarse_steps;
-        steps(level, n, known_rest);
-        go_down(level);
+        steps(level, n, has_rest);
+        restrict_to_coarse(level);
         cycle(level + 1, false);
         correct(level);
         steps(level, n, false);
     }
 
-    // Values go down as means over areas, flux balances as sums; the coarse equations are those that the restricted values
-    // solve, plus the balances.
-    void go_down(Index level) noexcept {
+    // Restriction: values by area-weighted means, flux balances by sums. The right-hand side of the coarse equations is
+    // the coarse operator applied to the restricted values, plus the restricted balances (full approximation scheme).
+    void restrict_to_coarse(Index level) noexcept {
         Index const below = level + 1, n = a_.level[below].n;
         Vectors const& coarse = at_[below];
         Span<const Index> const cell_of = a_.cell_of[level];
@@ -206,32 +211,33 @@ private:
         for (Offset k = 0; k < Offset{n} * W; ++k) coarse.f[k] += coarse.rest[k];
     }
 
-    // u += length * P (change of the coarse values). The length minimises the energy of the error on this level (A. Reusken,
-    // Numer. Math. 58 (1991) 819): what piecewise constant changes are short of in smooth regions they overshoot elsewhere.
+    // Prolongation: u += length * P (change of the coarse values). The length minimises the energy of the error on this
+    // level (A. Reusken, Numer. Math. 58 (1991) 819): piecewise constant corrections are too small in smooth regions
+    // and too large elsewhere.
     void correct(Index level) noexcept {
-        Vectors const& its = at_[level];
+        Vectors const& own = at_[level];
         Vectors const& coarse = at_[level + 1];
         Span<const Index> const cell_of = a_.cell_of[level];
         Index const n = cell_of.count();
-        Real* const change = its.start;
+        Real* const change = own.start;
         for (Index i = 0; i < n; ++i) {
             Offset const cell = Offset{cell_of[i]} * W;
             for (Index k = 0; k < W; ++k) change[Offset{i} * W + k] = coarse.u[cell + k] - coarse.restricted[cell + k];
         }
-        Lanes<W> length = dot<W>(change, its.rest, n);
-        Lanes<W> const along = energy<W>(a_.level[level], change);
+        PerFunction<W> length = dot<W>(change, own.rest, n);
+        PerFunction<W> const along = energy<W>(a_.level[level], change);
         for (Index k = 0; k < W; ++k) {
-            Real const share = along[k] > 0 ? length[k] / along[k] : 0;
-            length[k] = share;
+            Real const optimal = along[k] > 0 ? length[k] / along[k] : 0;
+            length[k] = optimal;
         }
         if (level == 0) {
             corrected_ = largest<W>(change, n);
             for (Index k = 0; k < W; ++k) corrected_[k] *= absolute(length[k]);
         }
-        add_multiple<W>(length, change, its.u, n);
+        add_multiple<W>(length, change, own.u, n);
     }
 
-    // FMG-FAS: the problem itself on the coarsest level, its solution as the start on the next finer one, and so on.
+    // FMG-FAS: solves the problem on the coarsest level; the solution is the start on the next finer level, and so on.
     void start_from_coarsest() noexcept {
         for (Index l = 0; l + 1 < a_.count; ++l) {
             Index const n = a_.level[l + 1].n;
@@ -257,9 +263,9 @@ private:
     Index first_, width_;
     Index fine_steps_ = 0;
     bool goes_on_[W] = {};
-    Lanes<W> residual_, least_;         // relative; of what goes on now, of the others at their end
-    Lanes<W> changes_[remembered];
-    Lanes<W> corrected_;  // largest change by the last correction on the finest level
+    PerFunction<W> residual_, least_;         // relative; of functions that have ended the values at their end
+    PerFunction<W> changes_[remembered];
+    PerFunction<W> corrected_;  // largest change by the last correction on the finest level
     Vectors at_[Agglomeration::most_levels];
 };
 

@@ -1,5 +1,6 @@
-// A symmetric matrix times a block of W functions: node-major vectors, W numbers of each cell side by side. Each of these
-// is one pass over the matrix's half; a coefficient read once serves W functions.
+// Products of a symmetric matrix with a block of W functions. Vectors are node-major: the W numbers of a cell stand
+// side by side. Each routine is one pass over the stored triangle of the matrix; a coefficient is read once for W
+// functions.
 #pragma once
 
 #include "harmorph/base/scalar.hpp"
@@ -9,20 +10,20 @@ namespace harmorph::block {
 
 // One number for each function.
 template <Index W>
-struct Lanes {
+struct PerFunction {
     Real at[W] = {};
     Real& operator[](Index k) noexcept { return at[k]; }
     Real operator[](Index k) const noexcept { return at[k]; }
 };
 
 template <Index W>
-Lanes<W> load(const Real* from) noexcept {
-    Lanes<W> out;
+PerFunction<W> load(const Real* from) noexcept {
+    PerFunction<W> out;
     for (Index k = 0; k < W; ++k) out.at[k] = from[k];
     return out;
 }
 template <Index W>
-void store(Lanes<W> const& from, Real* to) noexcept {
+void store(PerFunction<W> const& from, Real* to) noexcept {
     for (Index k = 0; k < W; ++k) to[k] = from.at[k];
 }
 // to += a x
@@ -41,8 +42,8 @@ void copy(const Real* from, Real* to, Index n) noexcept {
 }
 
 template <Index W>
-Lanes<W> dot(const Real* x, const Real* y, Index n) noexcept {
-    Lanes<W> sum;
+PerFunction<W> dot(const Real* x, const Real* y, Index n) noexcept {
+    PerFunction<W> sum;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) sum.at[k] += x[i + k] * y[i + k];
     }
@@ -51,8 +52,8 @@ Lanes<W> dot(const Real* x, const Real* y, Index n) noexcept {
 
 // Largest absolute values; NaN where there is one.
 template <Index W>
-Lanes<W> largest(const Real* x, Index n) noexcept {
-    Lanes<W> out;
+PerFunction<W> largest(const Real* x, Index n) noexcept {
+    PerFunction<W> out;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) {
             Real const size = absolute(x[i + k]);
@@ -62,10 +63,10 @@ Lanes<W> largest(const Real* x, Index n) noexcept {
     return out;
 }
 
-// y += a x, each function with its own factor; returns the squared norms of y.
+// y += a x, with one factor for each function; returns the squared norms of y.
 template <Index W>
-Lanes<W> add_multiple(Lanes<W> const& a, const Real* x, Real* y, Index n) noexcept {
-    Lanes<W> sum;
+PerFunction<W> add_multiple(PerFunction<W> const& a, const Real* x, Real* y, Index n) noexcept {
+    PerFunction<W> sum;
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) {
             y[i + k] += a.at[k] * x[i + k];
@@ -77,7 +78,7 @@ Lanes<W> add_multiple(Lanes<W> const& a, const Real* x, Real* y, Index n) noexce
 
 // x = a x + b y
 template <Index W>
-void combine(Lanes<W> const& a, Real* x, Lanes<W> const& b, const Real* y, Index n) noexcept {
+void combine(PerFunction<W> const& a, Real* x, PerFunction<W> const& b, const Real* y, Index n) noexcept {
     for (Offset i = 0; i < Offset{n} * W; i += W) {
         for (Index k = 0; k < W; ++k) x[i + k] = a.at[k] * x[i + k] + b.at[k] * y[i + k];
     }
@@ -85,11 +86,11 @@ void combine(Lanes<W> const& a, Real* x, Lanes<W> const& b, const Real* y, Index
 
 // y += sign A x, flux by flux: what row i gains row j loses. Returns x.A x, as a sum of squares.
 template <Index W>
-Lanes<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
-    Lanes<W> squares;
+PerFunction<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* y) noexcept {
+    PerFunction<W> squares;
     for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W> const own = load<W>(x + Offset{i} * W);
-        Lanes<W> sum = load<W>(y + Offset{i} * W);
+        PerFunction<W> const own = load<W>(x + Offset{i} * W);
+        PerFunction<W> sum = load<W>(y + Offset{i} * W);
         add<W>(sign * rows.row_sum[i], own.at, sum.at);
         for (Index k = 0; k < W; ++k) squares.at[k] += rows.row_sum[i] * own.at[k] * own.at[k];
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
@@ -109,7 +110,7 @@ Lanes<W> add_product(SymmetricRows const& rows, Real sign, const Real* x, Real* 
 
 // y = A x; returns x.y
 template <Index W>
-Lanes<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
+PerFunction<W> multiply(SymmetricRows const& rows, const Real* x, Real* y) noexcept {
     clear<W>(y, rows.n);
     return add_product<W>(rows, 1, x, y);
 }
@@ -123,8 +124,8 @@ void residual(SymmetricRows const& rows, const Real* f, const Real* u, Real* res
 
 // x.A x
 template <Index W>
-Lanes<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
-    Lanes<W> sum;
+PerFunction<W> energy(SymmetricRows const& rows, const Real* x) noexcept {
+    PerFunction<W> sum;
     for (Index i = 0; i < rows.n; ++i) {
         const Real* const own = x + Offset{i} * W;
         for (Index k = 0; k < W; ++k) sum.at[k] += rows.row_sum[i] * own[k] * own[k];
@@ -144,7 +145,7 @@ void forward(SymmetricRows const& rows, Real* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
         Real* const own = x + Offset{i} * W;
         Real const inverse = 1 / rows.diagonal[i];
-        Lanes<W> value;
+        PerFunction<W> value;
         for (Index k = 0; k < W; ++k) own[k] = value.at[k] = own[k] * inverse;
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             add<W>(-rows.value[e], value.at, x + Offset{rows.column[e]} * W);
@@ -163,7 +164,7 @@ template <Index W>
 void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coarse, Real* x, Real* defect) noexcept {
     clear<W>(defect, n_coarse);
     for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W> sum;
+        PerFunction<W> sum;
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             add<W>(rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
         }
@@ -175,7 +176,7 @@ void to_defect(SymmetricRows const& rows, Span<const Index> cell_of, Index n_coa
 template <Index W>
 void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* correction, Real* x) noexcept {
     for (Index i = 0; i < rows.n; ++i) {
-        Lanes<W> const by = load<W>(correction + Offset{cell_of[i]} * W);
+        PerFunction<W> const by = load<W>(correction + Offset{cell_of[i]} * W);
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             add<W>(-rows.value[e], by.at, x + Offset{rows.column[e]} * W);
         }
@@ -185,7 +186,7 @@ void correct(SymmetricRows const& rows, Span<const Index> cell_of, const Real* c
 template <Index W>
 void backward(SymmetricRows const& rows, Real* x) noexcept {
     for (Index i = rows.n - 1; i >= 0; --i) {
-        Lanes<W> sum = load<W>(x + Offset{i} * W);
+        PerFunction<W> sum = load<W>(x + Offset{i} * W);
         for (Offset e = rows.start[i]; e < rows.start[i + 1]; ++e) {
             add<W>(-rows.value[e], x + Offset{rows.column[e]} * W, sum.at);
         }

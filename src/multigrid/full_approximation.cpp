@@ -5,11 +5,13 @@
 
 namespace harmorph {
 
-void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
-                                Executor const& its_executor) noexcept {
-    Iteration chosen = its_iteration;
-    if (chosen.max_iterations == 0) chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
-    BlockIteration::lay_out(arena, n, functions, chosen, its_executor);
+void FullApproximation::lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+                                Executor const& threads) noexcept {
+    Iteration chosen = asked;
+    if (chosen.max_iterations == 0) {
+        chosen.max_iterations = chosen.merging.max_levels == 1 ? default_steps : default_cycles;
+    }
+    BlockIteration::lay_out(arena, n, functions, chosen, threads);
     Offset const cells = n + Agglomeration::coarse_cells(n);
     arena.take(rate_pool, cells);
     arena.take(area_pool, cells);
@@ -26,7 +28,7 @@ void FullApproximation::lay_out_work(Arena& arena, Index n, Offset entries) noex
 }
 
 void FullApproximation::lay_out_vectors(Arena& arena, Index n) noexcept {
-    arena.take(vectors, lanes * lane_rows(n) * iteration.block_width);
+    arena.take(vectors, workers * worker_rows(n) * iteration.block_width);
 }
 
 Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
@@ -47,8 +49,9 @@ Status FullApproximation::set_up(SymmetricRows const& finest, Fault& fault) noex
     return Status::ok;
 }
 
-// No eigenvalue of a row's equation is larger than its diagonal and the size of the rest together (Gershgorin). Coarser
-// levels have no edges, and so this limit alone.
+// Eigenvalues are at most the maximum over the rows of |diagonal| + sum of |off-diagonal entries| (Gershgorin's
+// theorem); the step of a row follows from the sum of that row. Coarse levels have no edge lengths, so there only this
+// limit applies.
 void FullApproximation::choose_steps() noexcept {
     for (Index l = 0; l < levels.count; ++l) {
         SymmetricRows const& rows = levels.level[l];
@@ -57,7 +60,7 @@ void FullApproximation::choose_steps() noexcept {
             rate[l][i] += absolute(rows.value[e]);
             rate[l][j] += absolute(rows.value[e]);
         });
-        for (Real& its : rate[l]) its = damping_limit / its;
+        for (Real& row_rate : rate[l]) row_rate = damping_limit / row_rate;
     }
     for (Index i = 0; i < rate[0].count(); ++i) {
         Real const half = 0.5 * volumes.shortest_edge[i];
@@ -70,10 +73,10 @@ Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme,
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
-        auto const solve_block = [&](Index lane, Index first, IterationReport& its, auto const& after) {
-            Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
-            block::FinestScheme<w> const finest{scheme, n, its_vectors + level_rows(n) * w};
-            return block::ApproximationCycles<w>(*this, finest, its_vectors, values, first).run(its, after);
+        auto const solve_block = [&](Index worker, Index first, IterationReport& block_report, auto const& after) {
+            Real* const own_vectors = vectors.data() + worker * worker_rows(n) * w;
+            block::FinestScheme<w> const finest{scheme, n, own_vectors + level_rows(n) * w};
+            return block::ApproximationCycles<w>(*this, finest, own_vectors, values, first).run(block_report, after);
         };
         return solve_in_blocks(*this, values.width, progress, report, fault, solve_block);
     };

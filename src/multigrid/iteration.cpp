@@ -4,14 +4,14 @@
 
 namespace harmorph {
 
-void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
-                             Executor const& its_executor) noexcept {
-    iteration = its_iteration;
-    executor = its_executor;
+void BlockIteration::lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+                             Executor const& threads) noexcept {
+    iteration = asked;
+    executor = threads;
     Index const blocks = (functions + iteration.block_width - 1) / iteration.block_width;
-    lanes = executor.is_serial() ? 1 : smaller(executor.n_threads, blocks);
+    workers = executor.is_serial() ? 1 : smaller(executor.n_threads, blocks);
     levels.lay_out(arena, n);
-    arena.take(lane_history, Offset{lanes} * iteration.history.count());
+    arena.take(worker_history, Offset{workers} * iteration.history.count());
 }
 
 Status BlockIteration::check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept {
@@ -25,20 +25,20 @@ Status BlockIteration::refuse_row(Index position, Fault& fault) noexcept {
     return fault.refuse(Status::not_positive, "the matrix is not positive definite at point #", Counts::mesh, position);
 }
 
-void BlockIteration::note(Index lane, Index its_iteration, Real residual) const noexcept {
+void BlockIteration::note(Index worker, Index number, Real residual) const noexcept {
     Index const length = iteration.history.count();
-    if (its_iteration >= length) return;
-    Real& its = lane_history[Offset{lane} * length + its_iteration];
-    if (exceeds(residual, its)) its = residual;
+    if (number >= length) return;
+    Real& largest = worker_history[Offset{worker} * length + number];
+    if (exceeds(residual, largest)) largest = residual;
 }
 
-void BlockIteration::tell_history() const noexcept {
+void BlockIteration::merge_histories() const noexcept {
     Size const length = iteration.history.size();
     for (Size k = 0; k < length; ++k) {
         Real largest = 0;
-        for (Size lane = 0; lane < static_cast<Size>(lanes); ++lane) {
-            Real const its = lane_history[lane * length + k];
-            if (exceeds(its, largest)) largest = its;
+        for (Size worker = 0; worker < static_cast<Size>(workers); ++worker) {
+            Real const residual = worker_history[worker * length + k];
+            if (exceeds(residual, largest)) largest = residual;
         }
         iteration.history[k] = largest;
     }

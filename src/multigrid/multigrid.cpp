@@ -5,16 +5,16 @@
 
 namespace harmorph {
 
-void Multigrid::lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration,
-                        Executor const& its_executor) noexcept {
-    Iteration chosen = its_iteration;
+void Multigrid::lay_out(Arena& arena, Index n, Index functions, Iteration const& asked,
+                        Executor const& threads) noexcept {
+    Iteration chosen = asked;
     if (chosen.max_iterations == 0) chosen.max_iterations = default_iterations;
-    BlockIteration::lay_out(arena, n, functions, chosen, its_executor);
+    BlockIteration::lay_out(arena, n, functions, chosen, threads);
     bottom.lay_out(arena, Agglomeration::coarsest, Agglomeration::coarsest - 1, false);
 }
 
 void Multigrid::lay_out_vectors(Arena& arena, Index n) noexcept {
-    arena.take(vectors, lanes * lane_rows(n) * iteration.block_width);
+    arena.take(vectors, workers * worker_rows(n) * iteration.block_width);
 }
 
 Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
@@ -29,14 +29,16 @@ Status Multigrid::set_up(SymmetricRows const& finest, Fault& fault) noexcept {
     return bottom.factor() ? Status::ok : refuse_row(0, fault);
 }
 
-Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report, Fault& fault) const noexcept {
+Status Multigrid::solve(Rows const& values, Progress const& progress, IterationReport& report,
+                        Fault& fault) const noexcept {
     Index const n = levels.level[0].n;
     auto const run = [&](auto width) {
         constexpr Index w = decltype(width)::value;
         return solve_in_blocks(*this, values.width, progress, report, fault,
-                               [&](Index lane, Index first, IterationReport& its, auto const& after) {
-                                   Real* const its_vectors = vectors.data() + lane * lane_rows(n) * w;
-                                   return block::ConjugateGradients<w>(*this, its_vectors, values, first).run(its, after);
+                               [&](Index worker, Index first, IterationReport& block_report, auto const& after) {
+                                   Real* const own_vectors = vectors.data() + worker * worker_rows(n) * w;
+                                   return block::ConjugateGradients<w>(*this, own_vectors, values,
+                                                                       first).run(block_report, after);
                                });
     };
     return iteration.with_width(run);

@@ -13,13 +13,16 @@ public:
         Index const n = a_.level[0].n;
         for (Index k = 0; k < Multigrid::finest_vectors; ++k, vectors += Offset{n} * W) finest[k] = vectors;
         for (Index l = 1; l < a_.count; ++l) {
-            for (Index k = 0; k < Multigrid::coarse_vectors; ++k, vectors += Offset{a_.level[l].n} * W) coarse_[l][k] = vectors;
+            for (Index k = 0; k < Multigrid::coarse_vectors; ++k, vectors += Offset{a_.level[l].n} * W) {
+                coarse_[l][k] = vectors;
+            }
         }
     }
 
     Real* finest[Multigrid::finest_vectors];
 
-    // z = B r, B positive definite, nearly the inverse; it depends on r a little, as its inner steps do.
+    // z = B r: B approximates the inverse. It is positive definite, but depends weakly on r through the inner steps of
+    // the cycle: hence flexible conjugate gradients.
     void precondition(const Real* r, Real* z) const noexcept { precondition(0, r, z); }
 
 private:
@@ -41,7 +44,7 @@ private:
         backward<W>(rows, z);
     }
 
-    // Two steps of flexible conjugate gradients from 0, each preconditioned by the levels below.
+    // Two steps of flexible conjugate gradients from 0, each preconditioned by the coarser levels (K-cycle).
     void solve(Index level) const noexcept {
         SymmetricRows const& rows = a_.level[level];
         Real* const r = coarse_[level][0];
@@ -50,9 +53,9 @@ private:
         Real* const d = coarse_[level][3];
         precondition(level, r, c);
         if (is_last(level) && engine_.has_bottom) return;
-        Lanes<W> const along_r = dot<W>(c, r, rows.n);
-        Lanes<W> const along = multiply<W>(rows, c, v);
-        Lanes<W> step, minus_step;
+        PerFunction<W> const along_r = dot<W>(c, r, rows.n);
+        PerFunction<W> const along = multiply<W>(rows, c, v);
+        PerFunction<W> step, minus_step;
         for (Index k = 0; k < W; ++k) {
             step[k] = along[k] > 0 ? along_r[k] / along[k] : 0;
             minus_step[k] = -step[k];
@@ -60,15 +63,15 @@ private:
         add_multiple<W>(minus_step, v, r, rows.n);
 
         precondition(level, r, d);
-        Lanes<W> const across = dot<W>(d, v, rows.n);
-        Lanes<W> const second_r = dot<W>(d, r, rows.n);
-        Lanes<W> const second = energy<W>(rows, d);
-        Lanes<W> second_step;
+        PerFunction<W> const across = dot<W>(d, v, rows.n);
+        PerFunction<W> const second_r = dot<W>(d, r, rows.n);
+        PerFunction<W> const second = energy<W>(rows, d);
+        PerFunction<W> second_step;
         for (Index k = 0; k < W; ++k) {
-            Real const share = along[k] > 0 ? across[k] / along[k] : 0;
-            Real const left = second[k] - share * across[k];
+            Real const projection = along[k] > 0 ? across[k] / along[k] : 0;
+            Real const left = second[k] - projection * across[k];
             second_step[k] = left > 0 ? second_r[k] / left : 0;
-            step[k] -= share * second_step[k];
+            step[k] -= projection * second_step[k];
         }
         combine<W>(step, c, second_step, d, rows.n);
     }
@@ -88,7 +91,7 @@ private:
     Real* coarse_[Agglomeration::most_levels][Multigrid::coarse_vectors];
 };
 
-// Flexible conjugate gradients for functions first .. first + W - 1 of `values`, those behind the last being 0.
+// Flexible conjugate gradients for functions first .. first + W - 1 of `values`; functions behind the last one are 0.
 template <Index W>
 class ConjugateGradients {
 public:
@@ -96,7 +99,7 @@ public:
         : engine_(engine), rows_(engine.levels.level[0]), cycle_(engine, vectors), values_(values), first_(first),
           width_(smaller(W, values.width - first)) {}
 
-    // after(iteration, largest relative residual of all functions); not ok ends it.
+    // Calls after(iteration, largest relative residual of all functions); a status other than ok ends the iteration.
     template <class After>
     Status run(IterationReport& report, After const& after) noexcept {
         Index& iterations = report.iterations;
@@ -110,7 +113,8 @@ public:
         errors_ = {};
         for (Index k = 0; k < W; ++k) wanted_[k] *= engine_.iteration.tolerance * engine_.iteration.tolerance;
         HARMORPH_TRY(after(0, largest_residual()));
-        // The residual that is carried along drifts from the true one: it decides only when the true one agrees.
+        // The recursively updated residual drifts from the true one: a function has converged only if the true one
+        // agrees.
         for (Index descents = 0; descents < 3 && iterations < engine_.iteration.max_iterations; ++descents) {
             HARMORPH_TRY(descend(iterations, after));
             take_true_residual();
@@ -118,7 +122,7 @@ public:
             if (converged()) break;
         }
         for (Index k = 0; k < W; ++k) report.settled = report.settled && (is_confirmed_[k] || is_settled(k));
-        report.fine_sweeps = iterations;  // each is a Gauss-Seidel sweep there and one back
+        report.fine_sweeps = iterations;  // one symmetric Gauss-Seidel sweep in each
         for (Index i = 0; i < rows_.n; ++i) {
             Real* const to = values_[i] + first_;
             for (Index k = 0; k < width_; ++k) to[k] = x()[Offset{i} * W + k];
@@ -133,8 +137,8 @@ private:
     Real* p() const noexcept { return cycle_.finest[3]; }
     Real* q() const noexcept { return cycle_.finest[4]; }
 
-    // Far from thin cells a small residual may hide a large error, as their entries dwarf all others, and so may a small
-    // energy. B r is about what the values are off: its largest number must be small beside theirs.
+    // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a small energy, may
+    // hide a large error. B r approximates the error: its maximum must be small relative to the largest value.
     bool is_settled(Index k) const noexcept { return errors_[k] <= engine_.iteration.tolerance * sizes_[k]; }
     bool is_done(Index k) const noexcept { return is_confirmed_[k] || (squares_[k] <= wanted_[k] && is_settled(k)); }
     bool converged() const noexcept {
@@ -146,8 +150,8 @@ private:
     Real largest_residual() const noexcept {
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
-            Real const share = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
-            if (exceeds(share, largest)) largest = share;
+            Real const ratio = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
+            if (exceeds(ratio, largest)) largest = ratio;
         }
         return square_root(largest) * engine_.iteration.tolerance;
     }
@@ -155,16 +159,17 @@ private:
     template <class After>
     Status descend(Index& iterations, After const& after) noexcept {
         Index const n = rows_.n;
-        Lanes<W> one;
+        PerFunction<W> one;
         for (Index k = 0; k < W; ++k) one[k] = 1;
         cycle_.precondition(r(), z());
         estimate_errors();
         copy<W>(z(), p(), n);
         while (iterations < engine_.iteration.max_iterations && !converged()) {
-            Lanes<W> const along = multiply<W>(rows_, p(), q());
-            Lanes<W> step = dot<W>(p(), r(), n), minus_step;  // to the least energy along p: none grows, whatever p is
+            PerFunction<W> const along = multiply<W>(rows_, p(), q());
+            // The step to the minimum of the energy along p: the energy of the error never grows, whatever p is.
+            PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
             for (Index k = 0; k < W; ++k) {
-                step[k] = !is_done(k) && along[k] > 0 ? step[k] / along[k] : 0;  // what is done stays
+                step[k] = !is_done(k) && along[k] > 0 ? step[k] / along[k] : 0;  // converged functions stay
                 minus_step[k] = -step[k];
             }
             add_multiple<W>(step, p(), x(), n);
@@ -173,7 +178,7 @@ private:
             HARMORPH_TRY(after(iterations, largest_residual()));
             cycle_.precondition(r(), z());
             estimate_errors();
-            Lanes<W> turn = dot<W>(z(), q(), n);
+            PerFunction<W> turn = dot<W>(z(), q(), n);
             for (Index k = 0; k < W; ++k) turn[k] = along[k] > 0 ? -turn[k] / along[k] : 0;
             combine<W>(turn, p(), one, z(), n);
         }
@@ -203,9 +208,9 @@ private:
     Cycle<W> cycle_;
     Rows const& values_;
     Index first_, width_;
-    Lanes<W> squares_, wanted_;            // squared norms of the residuals, and where they are to be
-    Lanes<W> errors_, sizes_;              // largest numbers of B r and of x
-    bool is_confirmed_[W] = {};            // done, and the true residual agrees: no other function takes it further
+    PerFunction<W> squares_, wanted_;            // squared norms of the residuals, and their targets
+    PerFunction<W> errors_, sizes_;              // maxima of |B r| and |x|
+    bool is_confirmed_[W] = {};            // converged by the true residual: not changed any more
 };
 
 }  // namespace harmorph::block

@@ -3,8 +3,8 @@
 namespace harmorph {
 namespace {
 
-// From the smallest point on, so that the three edges of a triangle are told the same number: linear fields are
-// reproduced then even where the area is a small difference of large products.
+// Computed from the smallest point number on, so that the three edges of a triangle get the same bits: linear fields
+// are then reproduced even where the area is a small difference of large products.
 Real twice_area(Index a, Index b, Index c, Points points) noexcept {
     Index const first = smaller(a, smaller(b, c));
     if (first == b) return cross(points[c] - points[b], points[a] - points[b]);

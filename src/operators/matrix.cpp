@@ -16,13 +16,13 @@ void sort_row(Span<Index> row) noexcept {
     }
 }
 
-// Across a periodic pair two points may share cells on both sides. Returns how many columns are left.
+// Across a periodic pair two points may share cells on both sides. Returns the number of distinct columns.
 Offset drop_repeats(Span<Index> row) noexcept {
-    Size kept = 0;
+    Size n = 0;
     for (Size i = 0; i < row.size(); ++i) {
-        if (i == 0 || row[i] != row[i - 1]) row[kept++] = row[i];
+        if (i == 0 || row[i] != row[i - 1]) row[n++] = row[i];
     }
-    return static_cast<Offset>(kept);
+    return static_cast<Offset>(n);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(row_sum, n);
     arena.take(row_sum_imaginary, is_complex() ? n : 0);
     arena.take(start, Offset{n} + 1);
-    arena.take(column, sizes.entries + short_row);  // a row is written and searched beyond its end
+    arena.take(column, sizes.entries + short_row);  // rows are written and searched beyond their end
     arena.take(value, sizes.entries);
     arena.take(imaginary, is_complex() ? sizes.entries : 0);
     arena.take(coupling_start, Offset{components()} * wall_points + 1);
@@ -51,62 +51,62 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                    Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent) noexcept {
     for (Index point = 0; point < representative.count(); ++point) {
-        Index const its = representative[point];
+        Index const same = representative[point];
         for (Index c = 0; c < components(); ++c) {
-            Index const unknown = graph.unknown[components() * its + c];
-            row_of[components() * point + c] = unknown != none     ? position[unknown]
-                                              : slot[its] != none ? wall(components() * slot[its] + c)
-                                                                  : none;
+            Index const unknown = graph.unknown[components() * same + c];
+            row_of[components() * point + c] = unknown != none      ? position[unknown]
+                                               : slot[same] != none ? wall(components() * slot[same] + c)
+                                                                    : none;
         }
-        if (!frame.empty()) frame[point] = tangent[its];
+        if (!frame.empty()) frame[point] = tangent[same];
     }
     Offset filled = 0;
     Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
         Offset const begin = filled;
         for (Index const neighbour : graph.of(order[row])) {
-            Index const its = position[neighbour];
-            columns[filled] = its;
-            filled += its > row ? 1 : 0;
+            Index const later = position[neighbour];
+            columns[filled] = later;
+            filled += later > row ? 1 : 0;
         }
-        Span<Index> const its = columns.from(begin, filled - begin);
-        sort_row(its);
+        Span<Index> const row_columns = columns.from(begin, filled - begin);
+        sort_row(row_columns);
         start[row] = begin;
-        filled = begin + drop_repeats(its);
+        filled = begin + drop_repeats(row_columns);
     }
     start[n] = filled;
 
-    auto const coupled_line = [&](Index line) {
-        Index const its_slot = slot[line / components()];
-        return its_slot != none ? components() * its_slot + line % components() : none;
+    auto const wall_dof = [&](Index dof) {
+        Index const on_wall = slot[dof / components()];
+        return on_wall != none ? components() * on_wall + dof % components() : none;
     };
     Index n_fixed = 0;
     fill(coupling_start, Index{0});
-    graph.for_each_known([&](Index, Index line) {
-        Index const its = coupled_line(line);
-        if (its != none) ++coupling_start[its];
+    graph.for_each_known([&](Index, Index dof) {
+        Index const known = wall_dof(dof);
+        if (known != none) ++coupling_start[known];
     });
     counts_to_starts(coupling_start);
-    graph.for_each_known([&](Index unknown, Index line) {
-        Index const its = coupled_line(line);
-        if (its != none) {
-            coupling_row[coupling_start[its]++] = position[unknown];
-        } else if (components() == 1 || stands_for_fixed(graph.line[unknown], line)) {
+    graph.for_each_known([&](Index unknown, Index dof) {
+        Index const known = wall_dof(dof);
+        if (known != none) {
+            coupling_row[coupling_start[known]++] = position[unknown];
+        } else if (components() == 1 || stands_for_fixed(graph.line[unknown], dof)) {
             fixed_row[n_fixed++] = position[unknown];
         }
     });
     rewind_starts(coupling_start);
-    for (Index line = 0; line + 1 < coupling_start.count(); ++line) {
-        sort_row(coupling_row.from(coupling_start[line], coupling_start[line + 1] - coupling_start[line]));
+    for (Index known = 0; known + 1 < coupling_start.count(); ++known) {
+        sort_row(coupling_row.from(coupling_start[known], coupling_start[known + 1] - coupling_start[known]));
     }
     fixed_row = fixed_row.first(n_fixed);
     sort_row(fixed_row);
 }
 
-// Of all pairs of lines of two points, the one that stands for what a point loses to another that is fixed.
-bool Matrix::stands_for_fixed(Index line, Index other_line) const noexcept {
-    Index const point = line / 2, other = other_line / 2;
-    bool const first_pair = line % 2 == 0 && other_line % 2 == (row_of[2 * other] == none ? 0 : 1);
+// Two points with two dofs each make several pairs of dofs: only the first pair makes an entry of fixed_row.
+bool Matrix::stands_for_fixed(Index dof, Index other_dof) const noexcept {
+    Index const point = dof / 2, other = other_dof / 2;
+    bool const first_pair = dof % 2 == 0 && other_dof % 2 == (row_of[2 * other] == none ? 0 : 1);
     return first_pair && is_beside_fixed(point, other);
 }
 
@@ -169,10 +169,10 @@ void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
         row_sum[j] += conductance;
         if (with_circulation) row_sum_imaginary[j] += circulation;
     }
-    Entry const its = entry(rows, i, j);
-    if (its.value == nullptr) return;
-    *its.value -= conductance;
-    if (with_circulation) *its.imaginary += its.turned ? -circulation : circulation;
+    Entry const stored = entry(rows, i, j);
+    if (stored.value == nullptr) return;
+    *stored.value -= conductance;
+    if (with_circulation) *stored.imaginary += stored.turned ? -circulation : circulation;
 }
 
 template void Matrix::add_off_diagonal<false>(RowRange, Index, Index, Real, Real) const noexcept;
@@ -182,19 +182,20 @@ bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
     bool any_row = false;
     for (Index k = 0; k < cell.n; ++k) {
         for (Index c = 0; c < components(); ++c) {
-            Index const its = row_of[components() * cell.point[k] + c];
-            if (rows.contain(its)) return true;
-            any_row = any_row || its >= 0;
+            Index const row = row_of[components() * cell.point[k] + c];
+            if (rows.contain(row)) return true;
+            any_row = any_row || row >= 0;
         }
     }
     return !any_row && rows.begin == 0;
 }
 
-// The complex entry as a real 2 x 2 block, in the frames of its two points: a point that slips has the first line only.
-void Matrix::add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {
+// The complex entry of two points as a real 2 x 2 block in the frames of these points; a slipping point has the first
+// dof only.
+void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {
     if (row_of[2 * point] == row_of[2 * other]) return;
-    Vec2 const its = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
-    Real const block[2][2] = {{its.x, -its.y}, {its.y, its.x}};
+    Vec2 const complex_entry = product(conjugate(frame[point]), product({-conductance, circulation}, frame[other]));
+    Real const block[2][2] = {{complex_entry.x, -complex_entry.y}, {complex_entry.y, complex_entry.x}};
     auto const add_to = [&](Span<Real> numbers, Index row, Real number) {
         if (rows.contain(row)) numbers[row] += number;
     };

@@ -7,17 +7,17 @@ namespace {
 
 constexpr Real zeros[Residual::widest] = {};
 
-// Columns of a basis's lines, by the scheme's rows.
+// Values of a basis from column `first` on, by rows of the scheme.
 struct BasisRows {
     NodalEquations const& equations;
-    Lines const& lines;
+    DofValues const& dofs;
     Index first;
 
     const Real* known(Index row) const noexcept {
         Index const slot = row - equations.n;
-        return slot >= 0 && slot < equations.n_wall ? lines.wall(slot) + first : zeros;
+        return slot >= 0 && slot < equations.n_wall ? dofs.wall(slot) + first : zeros;
     }
-    const Real* any(Index row) const noexcept { return row < equations.n ? lines.at(row) + first : known(row); }
+    const Real* any(Index row) const noexcept { return row < equations.n ? dofs.at(row) + first : known(row); }
 };
 
 }  // namespace
@@ -38,21 +38,23 @@ void NodalEquations::init(Topology const& topology, Matrix const& matrix, bool c
     scheme.init(topology, topology.edges, corrected);
 }
 
-void NodalEquations::set_right_hand_sides(Lines const& lines, Index columns) const noexcept {
+void NodalEquations::set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept {
     for (Index first = 0; first < columns; first += width) {
         Index const count = smaller(width, columns - first);
-        for (Index i = 0; i < n; ++i) fill(Span<Real>(lines.at(i) + first, static_cast<Size>(count)), 0.0);
-        BasisRows const rows{*this, lines, first};
+        for (Index i = 0; i < n; ++i) fill(Span<Real>(dofs.at(i) + first, static_cast<Size>(count)), 0.0);
+        BasisRows const rows{*this, dofs, first};
         add_balances(
             scheme, count, [&](Index row) { return row < n ? zeros : rows.known(row); }, gradient,
-            [&](Index row) { return row < n ? lines.at(row) + first : nullptr; });
+            [&](Index row) { return row < n ? dofs.at(row) + first : nullptr; });
     }
 }
 
-Residual::Norms NodalEquations::compute(Residual const& residual, Lines const& lines, Index first,
+Residual::Norms NodalEquations::compute(Residual const& residual, DofValues const& dofs, Index first,
                                         Index columns) const noexcept {
-    BasisRows const rows{*this, lines, first};
-    auto const balance_of = [&](Index row) { return row < n ? residual.value.data() + Offset{row} * residual.width : nullptr; };
+    BasisRows const rows{*this, dofs, first};
+    auto const balance_of = [&](Index row) {
+        return row < n ? residual.value.data() + Offset{row} * residual.width : nullptr;
+    };
     auto const squares = [&](Real* sums) {
         for (Index i = 0; i < n; ++i) {
             for (Index k = 0; k < columns; ++k) sums[k] += balance_of(i)[k] * balance_of(i)[k];
@@ -76,7 +78,7 @@ void NodalEquations::apply(const Real* from, Real* to) const noexcept {
     add_balances(
         scheme, width, [&](Index row) { return row < n ? from + Offset{row} * width : zeros; }, gradient,
         [&](Index row) { return row < n ? to + Offset{row} * width : nullptr; });
-    for (Real& its : all) its = -its;
+    for (Real& value : all) value = -value;
 }
 
 }  // namespace harmorph

@@ -4,22 +4,22 @@
 
 namespace harmorph {
 
-void NodalGradient::lay_out(Arena& arena, Mesh const& its_mesh, Index n_edges) noexcept {
-    arena.take(row_of, its_mesh.n_points);
-    arena.take(edges.start, Offset{its_mesh.n_points} + 1);
+void NodalGradient::lay_out(Arena& arena, Mesh const& of_mesh, Index n_edges) noexcept {
+    arena.take(row_of, of_mesh.n_points);
+    arena.take(edges.start, Offset{of_mesh.n_points} + 1);
     arena.take(edges.first, n_edges);
     arena.take(edges.second, n_edges);
-    arena.take(cells, its_mesh.n_cells);
-    arena.take(inverse_area, its_mesh.n_points);
+    arena.take(cells, of_mesh.n_cells);
+    arena.take(inverse_area, of_mesh.n_points);
     dual.lay_out(arena, n_edges);
 }
 
-void NodalGradient::init(OrientedMesh const& its_mesh, Edges const& its_edges, bool with_correction) noexcept {
-    mesh = its_mesh;
+void NodalGradient::init(OrientedMesh const& of_mesh, Edges const& mesh_edges, bool with_correction) noexcept {
+    mesh = of_mesh;
     corrected = with_correction;
-    copy(edges.start, Span<const Index>(its_edges.start));
-    copy(edges.first, Span<const Edges::Side>(its_edges.first.first(its_edges.count())));
-    copy(edges.second, Span<const Index>(its_edges.second.first(its_edges.count())));
+    copy(edges.start, Span<const Index>(mesh_edges.start));
+    copy(edges.first, Span<const Edges::Side>(mesh_edges.first.first(mesh_edges.count())));
+    copy(edges.second, Span<const Index>(mesh_edges.second.first(mesh_edges.count())));
     for (Index i = 0; i < cells.count(); ++i) {
         Cell const cell = mesh.cell(i);
         cells[i].row[3] = none;

@@ -6,16 +6,18 @@ namespace harmorph {
 namespace {
 
 template <class To>
-void find_balances(Residual const& its, Matrix const& matrix, Lines const& lines, Index first, Index n, To* value,
+void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
                    Residual::Norms& norms) noexcept {
-    residual_kernels<To>(its.kernel).find_balances(matrix, lines, its.latest, its.next, first, n, value, its.width, norms);
+    residual_kernels<To>(work.kernel).find_balances(matrix, dofs, work.latest, work.next, first, n, value, work.width,
+                                                    norms);
 }
 
-// Of two lines a point.
+// Balances where x and y are coupled: two dofs a point.
 class TurnedBalances {
 public:
-    TurnedBalances(Matrix const& matrix, Lines const& lines, Index first, Index n, Index width, Span<Real> value) noexcept
-        : matrix_(matrix), lines_(lines), first_(first), n_(n), width_(width), value_(value) {}
+    TurnedBalances(Matrix const& matrix, DofValues const& dofs, Index first, Index n, Index width,
+                   Span<Real> value) noexcept
+        : matrix_(matrix), dofs_(dofs), first_(first), n_(n), width_(width), value_(value) {}
 
     Residual::Norms run() const noexcept {
         Residual::Norms norms;
@@ -27,7 +29,7 @@ public:
 
 private:
     Real* row_of(Index position) const noexcept { return value_.data() + Offset{position} * width_; }
-    const Real* at(Index position) const noexcept { return lines_.at(position) + first_; }
+    const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
 
     // row -= entry x
     void subtract(Real entry, const Real* x, Real* row) const noexcept {
@@ -41,10 +43,10 @@ private:
         for (Index k = 0; k < n_; ++k) sums[k] += row[k] * row[k];
     }
 
-    // Their squares; the rows are 0 again.
+    // Adds up the squares of right-hand sides; leaves the rows 0.
     void take_right_hand_sides(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
-            const Real* const known = lines_.wall(wall) + first_;
+            const Real* const known = dofs_.wall(wall) + first_;
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
                 subtract(matrix_.coupling_value[c], known, row_of(matrix_.coupling_row[c]));
             }
@@ -55,44 +57,47 @@ private:
         }
     }
 
-    // One of a point's two lines.
-    struct Place {
-        Index point, line;
+    struct Dof {
+        Index point, component;
     };
-    Place place_of(Index position) const noexcept { return {lines_.of[position] / 2, lines_.of[position] % 2}; }
+    Dof dof_at(Index position) const noexcept { return {dofs_.of[position] / 2, dofs_.of[position] % 2}; }
     bool slips(Index point) const noexcept { return matrix_.row_of[2 * point + 1] == none; }
-    const Real* line(Index point, Index its) const noexcept { return lines_.line(2 * point + its) + first_; }
+    const Real* of_dof(Index point, Index component) const noexcept {
+        return dofs_.of_dof(2 * point + component) + first_;
+    }
 
-    // Points that slip have a line of their own direction. What flows is found from displacements in the plane, and only then
-    // turned: so both ends see the same, to rounding of the flow.
+    // The dof of a slipping point has a direction of its own. Flows are computed from displacements along x and y, and
+    // only then turned to the dofs: so both end points get the same flow, up to the rounding of the flow itself.
     void add_turned_flows(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
-            const Real* const known = lines_.wall(wall) + first_;
+            const Real* const known = dofs_.wall(wall) + first_;
             for (Index c = matrix_.coupling_start[wall]; c < matrix_.coupling_start[wall + 1]; ++c) {
-                Index const i = matrix_.coupling_row[c], point = place_of(i).point;
-                Real const share = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
-                const Real* const own = line(point, slips(point) ? 0 : wall % 2);
+                Index const i = matrix_.coupling_row[c], point = dof_at(i).point;
+                Real const along = slips(point) ? component(matrix_.frame[point], wall % 2) : 1;
+                const Real* const own = of_dof(point, slips(point) ? 0 : wall % 2);
                 Real* const row = row_of(i);
-                for (Index k = 0; k < n_; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - share * own[k]);
+                for (Index k = 0; k < n_; ++k) row[k] -= matrix_.coupling_value[c] * (known[k] - along * own[k]);
             }
         }
         for (Index h = 0; h < matrix_.fixed_row.count(); ++h) {
             add_fixed(matrix_.fixed_row[h], matrix_.fixed_value[h], matrix_.fixed_imaginary[h]);
         }
         for (Index i = 0; i < matrix_.n; ++i) {
-            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) add_entry(i, matrix_.column[e], matrix_.value[e]);
+            for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
+                add_entry(i, matrix_.column[e], matrix_.value[e]);
+            }
         }
         for (Index i = 0; i < matrix_.n; ++i) add_squares(row_of(i), squares);  // any entry may change any row
     }
     static Real component(Vec2 of, Index number) noexcept { return number == 0 ? of.x : of.y; }
 
-    // i: the position of a point's first line.
+    // i: the position of a point's first dof.
     void add_fixed(Index i, Real re, Real im) const noexcept {
-        Index const point = place_of(i).point;
-        const Real* const x = line(point, 0);
+        Index const point = dof_at(i).point;
+        const Real* const x = of_dof(point, 0);
         subtract(-re, x, row_of(i));
         if (slips(point)) return;
-        const Real* const y = line(point, 1);
+        const Real* const y = of_dof(point, 1);
         Real* const second = row_of(matrix_.row_of[2 * point + 1]);
         subtract(im, y, row_of(i));
         subtract(-re, y, second);
@@ -100,53 +105,55 @@ private:
     }
 
     void add_entry(Index i, Index j, Real entry) const noexcept {
-        Place const a = place_of(i), b = place_of(j);
-        if (slips(a.point) != slips(b.point)) return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
-        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // what each is fixed by the other is in fixed_value
+        Dof const a = dof_at(i), b = dof_at(j);
+        if (slips(a.point) != slips(b.point)) {
+            return slips(a.point) ? add_slipping(i, j, entry) : add_slipping(j, i, entry);
+        }
+        if (slips(a.point) && matrix_.turns(a.point, b.point)) {  // the rest of this coupling is in fixed_value
             subtract(entry, at(j), row_of(i));
             subtract(entry, at(i), row_of(j));
             return;
         }
-        take_flow(entry, line(a.point, b.line), at(j), row_of(i));
-        take_flow(entry, line(b.point, a.line), at(i), row_of(j));
+        take_flow(entry, of_dof(a.point, b.component), at(j), row_of(i));
+        take_flow(entry, of_dof(b.point, a.component), at(i), row_of(j));
     }
 
-    // Between a point that slips and one that does not, by one of its lines: its conductance and circulation, turned as the
-    // first one is, are that and the other line's entry.
+    // Between a point that slips and one dof of a point that does not. The conductance and circulation of the two
+    // points, turned by the slip direction, are the entries of the two dofs of the free point.
     void add_slipping(Index slipping, Index free, Real entry) const noexcept {
-        Place const its = place_of(free);
-        Vec2 const along = matrix_.frame[place_of(slipping).point];
+        Dof const dof = dof_at(free);
+        Vec2 const along = matrix_.frame[dof_at(slipping).point];
         const Real* const slid = at(slipping);
-        const Real* const x = line(its.point, 0);
-        const Real* const y = line(its.point, 1);
+        const Real* const x = of_dof(dof.point, 0);
+        const Real* const y = of_dof(dof.point, 1);
         Real* const own = row_of(slipping);
         Real* const same = row_of(free);
-        Real* const other = row_of(matrix_.row_of[2 * its.point + 1 - its.line]);
-        Real const across = its.line == 0 ? entry : -entry;
+        Real* const other = row_of(matrix_.row_of[2 * dof.point + 1 - dof.component]);
+        Real const across = dof.component == 0 ? entry : -entry;
         for (Index k = 0; k < n_; ++k) {
             Vec2 const rise{along.x * slid[k] - x[k], along.y * slid[k] - y[k]};
-            own[k] += entry * component(rise, its.line);
+            own[k] += entry * component(rise, dof.component);
             same[k] -= entry * dot(along, rise);
             other[k] -= across * cross(along, rise);
         }
     }
 
     Matrix const& matrix_;
-    Lines const& lines_;
+    DofValues const& dofs_;
     Index first_, n_, width_;
     Span<Real> value_;
 };
 
-// The chosen columns of F += those of rows.
+// Adds the chosen columns of the rows `from` to F.
 template <class Number>
-Residual::Changes add_rows(Matrix const& matrix, Lines const& lines, const Number* from, Index width, Index first, Index n,
-                           Residual::Choice const& chosen) noexcept {
+Residual::Changes add_rows(Matrix const& matrix, DofValues const& dofs, const Number* from, Index width, Index first,
+                           Index n, Residual::Choice const& chosen) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
-    Offset const plane = lines.columns(matrix);
+    Offset const plane = dofs.columns(matrix);
     Real change[Residual::widest] = {}, size[Residual::widest] = {};
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p, from += width) {
-            Real* const to = lines.at(i) + p * plane + first;
+            Real* const to = dofs.at(i) + p * plane + first;
             for (Index k = 0; k < n; ++k) {
                 Real const correction = static_cast<Real>(from[k]);
                 to[k] = chosen.column[k] ? to[k] + correction : to[k];
@@ -160,9 +167,10 @@ Residual::Changes add_rows(Matrix const& matrix, Lines const& lines, const Numbe
     return out;
 }
 
-// See Residual::beside_entries: rows of the numbers left in one column, which finds room for its entries in the next one.
+// See Residual::beside_entries. Column 0 of `rows` has the residuals; column 1 is used for the sums of absolute
+// entries.
 template <class Number>
-Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, Number* rows, Index width) noexcept {
+Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column, Number* rows, Index width) noexcept {
     Index const planes = matrix.is_complex() ? 2 : 1;
     auto const row_of = [&](Index i) { return rows + Offset{i} * planes * width; };
     auto const add = [&](Index i, Real size) { row_of(i)[1] += static_cast<Number>(size); };
@@ -172,9 +180,9 @@ Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, N
     for (Index i = 0; i < matrix.n; ++i) row_of(i)[1] = 0;
     for (Index i = 0; i < matrix.n; ++i) {
         for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-            Real const its = size(matrix.value, matrix.imaginary, e);
-            add(i, its);
-            add(matrix.column[e], its);
+            Real const entry_size = size(matrix.value, matrix.imaginary, e);
+            add(i, entry_size);
+            add(matrix.column[e], entry_size);
         }
     }
     for (Index c = 0; c < matrix.coupling_row.count(); ++c) {
@@ -184,19 +192,19 @@ Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, N
         add(matrix.fixed_row[h], size(matrix.fixed_value, matrix.fixed_imaginary, h));
     }
     Real largest = 0, worst = 0;
-    Offset const plane = lines.columns(matrix);
-    auto const look = [&](const Real* its) {
-        for (Index p = 0; p < planes; ++p) largest = larger(largest, absolute(its[p * plane + column]));
+    Offset const plane = dofs.columns(matrix);
+    auto const look = [&](const Real* values) {
+        for (Index p = 0; p < planes; ++p) largest = larger(largest, absolute(values[p * plane + column]));
     };
-    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) look(lines.wall(wall));
-    for (Index i = 0; i < matrix.n; ++i) look(lines.at(i));
+    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) look(dofs.wall(wall));
+    for (Index i = 0; i < matrix.n; ++i) look(dofs.at(i));
     for (Index i = 0; i < matrix.n; ++i) {
         for (Index p = 0; p < planes; ++p) {
             Real const left = absolute(static_cast<Real>(row_of(i)[p * width]));
             if (left == 0) continue;
-            Real const share = left / (static_cast<Real>(row_of(i)[1]) * largest);
-            if (!(share < infinity)) return infinity;
-            worst = larger(worst, share);
+            Real const relative = left / (static_cast<Real>(row_of(i)[1]) * largest);
+            if (!(relative < infinity)) return infinity;
+            worst = larger(worst, relative);
         }
     }
     return worst;
@@ -204,48 +212,48 @@ Real beside_entries_in(Matrix const& matrix, Lines const& lines, Index column, N
 
 }  // namespace
 
-void Residual::lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width,
+void Residual::lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind kind, Index n_columns,
                        Precision precision) noexcept {
-    width = its_width;
+    width = n_columns;
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
     arena.take(value, precision == Precision::in_double ? numbers : 0);
     arena.take(single, precision == Precision::in_single ? numbers : 0);
     bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
-    arena.take(next, waits ? Offset{unknowns} + walls : 0);
+    arena.take(next, waits ? Offset{unknowns} + wall_dofs : 0);
 }
 
 Real Residual::Norms::relative(Index k) const noexcept {
     return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
 }
 
-Residual::Norms Residual::compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
-    if (matrix.kind == MatrixKind::coupled_xy) return TurnedBalances(matrix, lines, first, n, width, value).run();
+Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept {
+    if (matrix.kind == MatrixKind::coupled_xy) return TurnedBalances(matrix, dofs, first, n, width, value).run();
     Norms norms;
     if (single.empty()) {
-        find_balances(*this, matrix, lines, first, n, value.data(), norms);
+        find_balances(*this, matrix, dofs, first, n, value.data(), norms);
     } else {
-        find_balances(*this, matrix, lines, first, n, single.data(), norms);
+        find_balances(*this, matrix, dofs, first, n, single.data(), norms);
     }
     return norms;
 }
 
-Residual::Norms Residual::measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept {
+Residual::Norms Residual::measure(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept {
     Norms norms;
-    find_balances(*this, matrix, lines, first, n, static_cast<Real*>(nullptr), norms);
+    find_balances(*this, matrix, dofs, first, n, static_cast<Real*>(nullptr), norms);
     return norms;
 }
 
-Real Residual::beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept {
-    compute(matrix, lines, column, 1);
-    if (single.empty()) return beside_entries_in(matrix, lines, column, value.data(), width);
-    return beside_entries_in(matrix, lines, column, single.data(), width);
+Real Residual::beside_entries(Matrix const& matrix, DofValues const& dofs, Index column) const noexcept {
+    compute(matrix, dofs, column, 1);
+    if (single.empty()) return beside_entries_in(matrix, dofs, column, value.data(), width);
+    return beside_entries_in(matrix, dofs, column, single.data(), width);
 }
 
-Residual::Changes Residual::add_to(Matrix const& matrix, Lines const& lines, Index first, Index n,
+Residual::Changes Residual::add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
                                    Choice const& chosen) const noexcept {
-    if (single.empty()) return add_rows(matrix, lines, value.data(), width, first, n, chosen);
-    return add_rows(matrix, lines, single.data(), width, first, n, chosen);
+    if (single.empty()) return add_rows(matrix, dofs, value.data(), width, first, n, chosen);
+    return add_rows(matrix, dofs, single.data(), width, first, n, chosen);
 }
 
 }  // namespace harmorph

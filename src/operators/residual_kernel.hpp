@@ -1,5 +1,5 @@
-// Balances of all rows with the registers of one instruction set; compiled for each by residual_table.cpp. A column's arithmetic is
-// the same in all of them, and so are its bits.
+// Balances of all rows with the registers of one instruction set; residual_table.cpp compiles this file for each of
+// them. The arithmetic of a column is the same in all instruction sets, and so are the bits of the result.
 
 namespace harmorph::HARMORPH_SET {
 namespace {
@@ -11,10 +11,10 @@ constexpr Index lanes = Registers::lanes;
 constexpr Index block = 8;  // columns at a time
 constexpr Index vectors = block / lanes;
 constexpr Index most_at_once = 32;  // neighbours
-constexpr Index rows_ahead = 4;     // lines lie anywhere: those are on their way while a row is summed
+constexpr Index rows_ahead = 4;     // the order of values in memory is not that of rows, so they are prefetched
 static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole blocks");
 
-// The first n columns from a place in a line, n <= block.
+// The first n numbers of `from`, n <= block; 0 behind them.
 HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
     for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
         to[v] = n >= lanes ? Registers::load(from) : Registers::load_part(from, n > 0 ? n : 0);
@@ -24,11 +24,13 @@ HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noex
 template <Index planes, class To>
 class Balances {
 public:
-    Balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n) noexcept
-        : matrix_(matrix), lines_(lines), latest_(latest), next_(next), first_(first), n_(n), plane_(lines.columns(matrix)) {}
+    Balances(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next, Index first,
+             Index n) noexcept
+        : matrix_(matrix), dofs_(dofs), latest_(latest), next_(next), first_(first), n_(n),
+          plane_(dofs.columns(matrix)) {}
 
     void run(To* value, Index width, Residual::Norms& norms) noexcept {
-        for (Index& its : latest_) its = none;
+        for (Index& row : latest_) row = none;
         Index const walls = matrix_.coupling_start.count() - 1;
         for (Index wall = 0; wall < walls; ++wall) queue(matrix_.n + wall, matrix_.coupling_start[wall]);
         Index fixed = 0;
@@ -59,10 +61,10 @@ private:
     };
     typedef Real Row[planes][Residual::widest];
 
-    const Real* at(Index position) const noexcept { return lines_.at(position) + first_; }
+    const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
     static Real imaginary(Span<Real> of, Offset entry) noexcept { return planes == 2 ? of[entry] : 0; }
 
-    // Entries of an unknown's row, or behind those of a line of the wall, with their columns.
+    // Entries of an unknown's row, or, for numbers from n on, of the column of a dof on the wall.
     Span<Index> columns(Index row) const noexcept {
         return row < matrix_.n ? matrix_.column : matrix_.coupling_row;
     }
@@ -72,14 +74,14 @@ private:
     Offset begin(Index row) const noexcept {
         return row < matrix_.n ? matrix_.start[row] : matrix_.coupling_start[row - matrix_.n];
     }
-    // The row waits for the one that its entry leads to.
+    // The row waits for the row whose number is the column of this entry.
     void queue(Index row, Offset entry) const noexcept {
         if (entry == end(row)) return;
         Index const column = columns(row)[entry];
         next_[row] = latest_[column];
         latest_[column] = row;
     }
-    // Its first entry that leads to i.
+    // The first entry of `row` in column i.
     Offset entry_to(Index i, Index row) const noexcept {
         Span<Index> const columns_of = columns(row);
         Offset low = begin(row), high = end(row) - 1;
@@ -107,7 +109,7 @@ private:
     void take_earlier(Index i, Real* right_hand_side) noexcept {
         bool beside_wall = false;
         for (Index row = latest_[i]; row != none;) {
-            Index const its_next = next_[row];
+            Index const next_waiting = next_[row];
             Offset e = entry_to(i, row);
             if (row < matrix_.n) {
                 add({at(row), matrix_.value[e], -imaginary(matrix_.imaginary, e)});
@@ -118,14 +120,14 @@ private:
                 for (; e < end(row) && matrix_.coupling_row[e] == i; ++e) take_known(row - matrix_.n, e);
             }
             queue(row, e);
-            row = its_next;
+            row = next_waiting;
         }
         if (beside_wall) add_squares(right_, right_hand_side);
     }
 
     void take_known(Index wall, Offset coupling) noexcept {
         Real const re = matrix_.coupling_value[coupling], im = imaginary(matrix_.coupling_imaginary, coupling);
-        const Real* const known = lines_.wall(wall) + first_;
+        const Real* const known = dofs_.wall(wall) + first_;
         Row numbers;
         for (Index p = 0; p < planes; ++p) {
             for (Index k = 0; k < n_; ++k) numbers[p][k] = known[p * plane_ + k];
@@ -155,12 +157,12 @@ private:
         }
     }
 
-    void add(Neighbour const& its) noexcept {
+    void add(Neighbour const& neighbour) noexcept {
         if (count_ == most_at_once) sum_flows();
-        neighbour_[count_++] = its;
+        neighbour_[count_++] = neighbour;
     }
 
-    // What flows along couplings: rest -= (re + i im) (neighbour's - own)
+    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value)
     void sum_flows() noexcept {
         for (Index k = 0; k < n_; k += block) {
             Vector own[planes][vectors], rest[planes][vectors];
@@ -169,16 +171,16 @@ private:
                 load(rest_[p] + k, block, rest[p]);
             }
             for (Index c = 0; c < count_; ++c) {
-                Neighbour const& its = neighbour_[c];
+                Neighbour const& neighbour = neighbour_[c];
                 Vector other[planes][vectors];
-                for (Index p = 0; p < planes; ++p) load(its.at + p * plane_ + k, n_ - k, other[p]);
+                for (Index p = 0; p < planes; ++p) load(neighbour.at + p * plane_ + k, n_ - k, other[p]);
                 for (Index v = 0; v < vectors; ++v) {
                     Vector const rise = other[0][v] - own[0][v];
-                    rest[0][v] -= rise * its.re;
+                    rest[0][v] -= rise * neighbour.re;
                     if constexpr (planes == 2) {
                         Vector const turned = other[1][v] - own[1][v];
-                        rest[0][v] += turned * its.im;
-                        rest[1][v] -= turned * its.re + rise * its.im;
+                        rest[0][v] += turned * neighbour.im;
+                        rest[1][v] -= turned * neighbour.re + rise * neighbour.im;
                     }
                 }
             }
@@ -191,17 +193,17 @@ private:
 
     void fetch(Index i) const noexcept {
         if (i >= matrix_.n) return;
-        fetch_line(at(i));
-        for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) fetch_line(at(matrix_.column[e]));
+        prefetch_values(at(i));
+        for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) prefetch_values(at(matrix_.column[e]));
     }
-    void fetch_line(const Real* line) const noexcept {
+    void prefetch_values(const Real* values) const noexcept {
         for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n_; k += 8) __builtin_prefetch(line + p * plane_ + k);
+            for (Index k = 0; k < n_; k += 8) __builtin_prefetch(values + p * plane_ + k);
         }
     }
 
     Matrix const& matrix_;
-    Lines const& lines_;
+    DofValues const& dofs_;
     Span<Index> latest_, next_;
     Index first_, n_;
     Offset plane_;
@@ -211,12 +213,13 @@ private:
 };
 
 template <class To>
-void find_balances(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n,
+void find_balances(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next, Index first,
+                   Index n,
                    To* value, Index width, Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
-        Balances<2, To>(matrix, lines, latest, next, first, n).run(value, width, norms);
+        Balances<2, To>(matrix, dofs, latest, next, first, n).run(value, width, norms);
     } else {
-        Balances<1, To>(matrix, lines, latest, next, first, n).run(value, width, norms);
+        Balances<1, To>(matrix, dofs, latest, next, first, n).run(value, width, norms);
     }
 }
 

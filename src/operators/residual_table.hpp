@@ -9,7 +9,8 @@ namespace harmorph {
 template <class To>
 struct ResidualKernels {
     // Balances of all rows, into `value` if there is one: columns first .. first+n-1. The rest as in Residual.
-    void (*find_balances)(Matrix const& matrix, Lines const& lines, Span<Index> latest, Span<Index> next, Index first, Index n,
+    void (*find_balances)(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next,
+                          Index first, Index n,
                           To* value, Index width, Residual::Norms& norms) noexcept;
 };
 

@@ -3,14 +3,14 @@
 namespace harmorph {
 namespace {
 
-// The numbers of a line of the wall that are not 0.
-struct KnownLine {
+// The values of a dof on the wall that are not 0.
+struct KnownValues {
     static constexpr Index most = 2 * max_order;
     Index n = 0;
     Index at[most];
     Real value[most];
 
-    KnownLine(Basis const& basis, BoundaryFunctions const& functions, Index component, Index components) noexcept {
+    KnownValues(Basis const& basis, BoundaryFunctions const& functions, Index component, Index components) noexcept {
         Index const n_functions = basis.n_functions(), planes = numbers_of(basis.kind()) / components;
         for (Index k = 0; k < functions.order; ++k) {
             Numbers const numbers = numbers_of(basis.kind(), functions.value[k]);
@@ -24,7 +24,7 @@ struct KnownLine {
     }
 };
 
-// row -= (re + i im) * function's value, for complex equations.
+// row -= coupling * values of the boundary functions, for complex equations.
 void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index plane, Real* row) noexcept {
     for (Index k = 0; k < functions.order; ++k) {
         Vec2 const passed = product(coupling, functions.value[k]);
@@ -35,19 +35,19 @@ void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index p
 
 }  // namespace
 
-void set_right_hand_sides(Matrix const& matrix, Lines const& lines) noexcept {
-    Basis const& basis = lines.basis;
+void set_right_hand_sides(Matrix const& matrix, DofValues const& dofs) noexcept {
+    Basis const& basis = dofs.basis;
     fill(basis.value, 0.0);
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
-        BoundaryFunctions const functions = basis.stored_boundary_functions(wall / lines.components);
-        KnownLine const known(basis, functions, wall % lines.components, lines.components);
-        Real* const own = lines.wall(wall);
+        BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
+        KnownValues const known(basis, functions, wall % dofs.components, dofs.components);
+        Real* const own = dofs.wall(wall);
         for (Index k = 0; k < known.n; ++k) own[known.at[k]] += known.value[k];
         for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
-            Real* const row = lines.at(matrix.coupling_row[c]);
+            Real* const row = dofs.at(matrix.coupling_row[c]);
             if (matrix.is_complex()) {
                 Vec2 const coupling{matrix.coupling_value[c], matrix.coupling_imaginary[c]};
-                subtract_complex(functions, coupling, lines.columns(matrix), row);
+                subtract_complex(functions, coupling, dofs.columns(matrix), row);
                 continue;
             }
             for (Index k = 0; k < known.n; ++k) row[known.at[k]] -= matrix.coupling_value[c] * known.value[k];

@@ -6,56 +6,58 @@
 namespace harmorph {
 namespace {
 
-// The side opposite to each corner: half the cotangent there.
+// The conductance of the side opposite to a corner is half the cotangent of the angle there.
 inline CellConductances triangle_conductances(CellShape const& shape, CellCorners const& corners, Real k) noexcept {
     Real const half = 0.5 * k / corners.twice_area[0];
-    CellConductances its;
+    CellConductances conductance;
     for (Index apex = 0; apex < 3; ++apex) {
         Index const a = (apex + 1) % 3, b = (apex + 2) % 3;
-        its.side[a] = half * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
+        conductance.side[a] = half * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
     }
-    return its;
+    return conductance;
 }
 
-// The two splits have four triangles: the one round corner k is made of k and its neighbours, and is the corner's area.
-inline CellConductances quad_conductances(CellShape const& shape, CellCorners const& corners, Real conductivity) noexcept {
+// The two splits of a quad have four triangles: the one round corner k is made of k and both neighbouring corners.
+inline CellConductances quad_conductances(CellShape const& shape, CellCorners const& corners,
+                                          Real conductivity) noexcept {
     Real quarter[4];
     for (Index k = 0; k < 4; ++k) quarter[k] = 0.25 * conductivity / corners.twice_area[k];
-    // A quarter of the cotangent that `apex` sees a and b under, in the triangle round corner `round`.
+    // A quarter of the cotangent of the angle at `apex` between a and b, in the triangle round corner `round`.
     auto const quarter_cotangent = [&](Index apex, Index a, Index b, Index round) {
         return quarter[round] * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
     };
-    CellConductances its;
-    for (Index a = 0; a < 4; ++a) {  // a side sees its two opposite corners, one in each split
+    CellConductances conductance;
+    for (Index a = 0; a < 4; ++a) {  // each split has one angle opposite to a side: at c and at d
         Index const b = (a + 1) & 3, c = (a + 2) & 3, d = (a + 3) & 3;
-        its.side[a] = quarter_cotangent(c, a, b, b) + quarter_cotangent(d, a, b, a);
+        conductance.side[a] = quarter_cotangent(c, a, b, b) + quarter_cotangent(d, a, b, a);
     }
-    for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only, and sees the other two corners
+    for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only; the angles opposite to it are at b and d
         Index const b = a + 1, c = a + 2, d = (a + 3) & 3;
-        its.across[a] = quarter_cotangent(b, a, c, b) + quarter_cotangent(d, a, c, d);
+        conductance.across[a] = quarter_cotangent(b, a, c, b) + quarter_cotangent(d, a, c, d);
     }
-    return its;
+    return conductance;
 }
 
 template <MatrixKind kind, Index corners>
-void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& its, Real circulation) noexcept {
+void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& conductance,
+              Real circulation) noexcept {
     if constexpr (kind == MatrixKind::coupled_xy) {
         for (Index k = 0; k < corners; ++k) {
-            matrix.add_lines(rows, cell.point[k], cell.point[(k + 1) % corners], its.side[k], circulation);
+            matrix.add_coupled(rows, cell.point[k], cell.point[(k + 1) % corners], conductance.side[k], circulation);
         }
         for (Index k = 0; corners == 4 && k < 2; ++k) {
-            matrix.add_lines(rows, cell.point[k], cell.point[k + 2], its.across[k], 0);
+            matrix.add_coupled(rows, cell.point[k], cell.point[k + 2], conductance.across[k], 0);
         }
     } else {
-        matrix.add_corners<kind == MatrixKind::complex, corners>(rows, cell, its, circulation);
+        matrix.add_corners<kind == MatrixKind::complex, corners>(rows, cell, conductance, circulation);
     }
 }
 
-// The first cell of no positive area that concerns these rows.
+// Adds all cells that concern these rows; returns the first of them without positive area, or none.
 template <MatrixKind kind>
 Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> conductivity, Real half,
-                Matrix const& its_matrix, RowRange rows) noexcept {
-    Matrix const matrix = its_matrix;  // what is written cannot change a copy
+                Matrix const& shared_matrix, RowRange rows) noexcept {
+    Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries does not change it
     Span<const std::uint8_t> const reversed = cells.reversed;
     return cells.mesh.find_cell([&](Index i, Cell cell) {
         if (!matrix.concerns(rows, cell)) return false;

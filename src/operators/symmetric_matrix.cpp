@@ -45,7 +45,8 @@ void SymmetricRows::lay_out(Arena& arena, Index rows, Offset entries) noexcept {
     arena.take(faces, entries);
 }
 
-void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept {
+void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last,
+              SymmetricRows& coarse) noexcept {
     coarse.n = n;
     fill(coarse.row_sum.first(n), 0.0);
     Span<Offset> const starts = coarse.start.first(n + 1);

@@ -3,21 +3,23 @@
 namespace harmorph {
 namespace {
 
-// Of a pivot's terms, what is left where some cancelled.
+// Least |sum of the terms| / sum of |terms| of a pivot at which cancellation does not matter.
 constexpr Real uncancelled_above = 1e-3;
 
-// Of a diagonal, what is left of it when its turn comes: on even cells a fifth, beside thin ones thousandths. Circulations
-// are no conductances, so that something cancels; so it does where cells' angles make conductances negative; and turned
-// lines have no sums to rely on.
+// Least pivot / diagonal at which cancellation does not matter: it is a fifth on isotropic cells, thousandths beside
+// thin ones. Circulations are not conductances, so their sums cancel in part, and so do conductances that large angles
+// make negative; where x and y are coupled, the turned dofs of slipping points have no row sums to rely on.
 constexpr Real even_above(MatrixKind kind) noexcept { return kind == MatrixKind::coupled_xy ? 1.0 / 30 : 1e-5; }
 
-// Conductances that are negative, as angles of cells make them, may cancel others between the same two points, which no pivot
-// shows: what is left is rounding, and flows as a conductance does. So functions are off by about as many roundings as
-// sources the size of all negative conductances raise them. Returns the largest value that these sources make; real
+// Conductances that large angles of cells make negative may cancel others between the same two points, which no pivot
+// shows: the rounding error of the sum acts like a conductance. So the error of functions is about epsilon times the
+// values that sources of the size of all negative conductances would cause. Returns the largest of these values; real
 // matrices only.
-Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> source, Real& rise, Fault& fault) noexcept {
+Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> source, Real& rise,
+                         Fault& fault) noexcept {
     fill(source, 0.0);
-    auto const add = [&](Index row, Real entry) { source[row] += entry > 0 ? entry : 0; };  // entries: their opposites
+    // An entry is minus a conductance.
+    auto const add = [&](Index row, Real entry) { source[row] += entry > 0 ? entry : 0; };
     for (Index i = 0; i < matrix.n; ++i) {
         for (Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
             add(i, matrix.value[e]);
@@ -51,7 +53,7 @@ void DirectEngine::init(Analysis const& analysis) noexcept {
     copy(factor.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
     fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor, factor.border_start,
                  factor.border);
-    factor.place_panels();
+    factor.set_panel_starts();
 }
 
 Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress, Fault& fault) noexcept {
@@ -59,8 +61,9 @@ Status DirectEngine::set_up(Equations const& equations, Points, Progress const& 
     return factor.factorise(equations.matrix, progress, fault);
 }
 
-// Beside thin cells a small residual may hide a large error, as their entries dwarf all others. Where nothing cancelled in
-// the factor, there is none. That of nodal gradients is the compact scheme's.
+// Thin cells have by far the largest entries, so beside them a small residual may hide a large error. Where nothing
+// cancelled in the factor, there is no such error. For nodal gradients the factor is that of the compact scheme, so
+// never trusted.
 Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
     trusted = false;
     Method const& method = equations.method;
@@ -77,10 +80,11 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
     return Status::ok;
 }
 
-// Nodal gradients: the compact scheme's functions, from which refinement starts.
-Status DirectEngine::solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport&,
+// For nodal gradients: the functions of the compact scheme, from which refinement starts.
+Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
+                           IterationReport&,
                            Fault& fault) noexcept {
-    return factor.solve(lines.rows(equations.matrix), progress, fault);
+    return factor.solve(dofs.rows(equations.matrix), progress, fault);
 }
 
 Offset DirectEngine::idle_bytes() const noexcept {

@@ -10,7 +10,7 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Index const n = analysis.graph.n, n_points = problem.mesh.n_points, n_cells = problem.mesh.n_cells;
     Index const n_delaunay = problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
     bool const weighted = problem.method.quarters > 0;
-    arena.take(line_of, n);
+    arena.take(dof_of, n);
     arena.take(cells.reversed, n_cells);
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
     arena.take(delaunay_edges, n_delaunay);
@@ -23,7 +23,7 @@ void Equations::init(Analysis const& analysis) noexcept {
     cells.mesh = analysis.problem.mesh;
     method = analysis.problem.method;
     if (method.kernel == Kernel::automatic) method.kernel = best_kernel();
-    for (Index k = 0; k < line_of.count(); ++k) line_of[k] = analysis.graph.line[analysis.order[k]];
+    for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
     copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
     wall.kernel = method.kernel;
     wall.translations = analysis.translations;
@@ -35,11 +35,12 @@ void Equations::init(Analysis const& analysis) noexcept {
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
-    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position, analysis.wall_work.slot,
+    matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position,
+                 analysis.wall_work.slot,
                  analysis.tangent);
     if (!method.nodal_gradients()) return;
     Topology topology = analysis.topology;
-    topology.reversed = cells.reversed;  // which stays
+    topology.reversed = cells.reversed;  // the copy, which outlives the analysis
     nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
 }
 
@@ -56,7 +57,8 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
     }
     Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh, inverted);
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh,
+                        inverted);
 }
 
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {

@@ -6,8 +6,8 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Method const& method = analysis.problem.method;
     BasisCounts const counts = analysis.basis_counts();
     equations.lay_out(arena, analysis);
-    Index const line_length = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
-    Index const columns = equations.matrix.is_complex() ? counts.functions() : line_length;
+    Index const numbers_per_dof = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
+    Index const columns = equations.matrix.is_complex() ? counts.functions() : numbers_per_dof;
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
@@ -24,7 +24,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     factored = false;
     equations.init(analysis);
     refinement.residual.kernel = equations.method.kernel;
-    executor.for_each(3, [&](Index part) {  // none needs another
+    executor.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations.build(analysis);
         if (part == 1) engine.init(analysis);
         if (part == 2) region_counts = RegionCounts::of(analysis.topology);
@@ -54,17 +54,17 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Matrix const& matrix = equations.matrix;
-    Lines const lines = equations.lines(basis);
-    set_right_hand_sides(matrix, lines);
-    HARMORPH_TRY(engine.solve(equations, lines, progress, report.iteration, fault));
+    DofValues const dofs = equations.dofs(basis);
+    set_right_hand_sides(matrix, dofs);
+    HARMORPH_TRY(engine.solve(equations, dofs, progress, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
     report.unknowns = matrix.n;
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
-    HARMORPH_TRY(refinement.run(equations, engine, lines, progress, report, fault));
-    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_lines(basis);
+    HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
+    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_points(basis);
     copy_joined_points(basis);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
@@ -75,10 +75,12 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
 Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {
     const Agglomeration* const levels = engine.levels();
     if (!factored || levels == nullptr) {
-        return fault.refuse(Status::bad_argument, "the plan has no levels: they are made by hm_plan_factor of other engines");
+        return fault.refuse(Status::bad_argument,
+                            "the plan has no levels: they are made by hm_plan_factor of other engines");
     }
     if (level < 0 || level >= levels->count) {
-        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero, level,
+        return fault.refuse(Status::bad_argument, "there is no level # (from 0): the plan has @", Counts::from_zero,
+                            level,
                             levels->count);
     }
     Matrix const& matrix = equations.matrix;
@@ -100,16 +102,16 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
-// A slipping point has moved along its tangent: from its one line to those of x and y.
-void Plan::turn_slipping_lines(Basis const& basis) const noexcept {
+// The dof of a slipping point is a movement along the tangent: here it becomes movements along x and y.
+void Plan::turn_slipping_points(Basis const& basis) const noexcept {
     Matrix const& matrix = equations.matrix;
-    Lines const all = equations.lines(basis);
+    DofValues const all = equations.dofs(basis);
     for (Index point = 0; point < mesh.n_points; ++point) {
         bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
         if (!slips || all.of[matrix.row_of[2 * point]] != 2 * point) continue;
         Vec2 const along = matrix.frame[point];
-        Real* const x = all.line(2 * point);
-        Real* const y = all.line(2 * point + 1);
+        Real* const x = all.of_dof(2 * point);
+        Real* const y = all.of_dof(2 * point + 1);
         for (Index k = 0; k < all.length(); ++k) {
             y[k] = along.y * x[k];
             x[k] = along.x * x[k];
@@ -124,7 +126,8 @@ void Plan::copy_joined_points(Basis const& basis) const noexcept {
     for (Index point = 0; point < mesh.n_points; ++point) {
         Index const row = matrix.row_of[components * point];
         if (row == none) continue;
-        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components] : equations.point_of(row);
+        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components]
+                                                : equations.point_of(row);
         if (same != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(same), length));
     }
 }

@@ -3,35 +3,38 @@
 namespace harmorph {
 namespace {
 
-// Rounding leaves less on most meshes; on very uneven ones a step of refinement brings it back. With a factor in single
-// precision each step gains about six digits.
+// Relative residuals above this are refined. Rounding leaves less on most meshes; on very uneven ones one step of
+// refinement suffices. With a factor in single precision each step gains about six digits.
 constexpr Real refined_above = 1e-13;
-// And what values are thought to be off, beside the largest.
+// Estimated errors above this, relative to the largest value, are refined as well.
 constexpr Real certain_within = 1e-10;
-// Of what a step must leave less than, to be worth another; of an error, this often in a row it may leave more: what the first
-// correction leaves is rounding of its rough right-hand sides, which bears no relation to the error it took away.
+// A further step is taken only if the last one reduced the residual by this factor. The estimated error may fail to
+// shrink so much this often in a row: the first correction leaves rounding errors of rough right-hand sides, which are
+// unrelated to the error that it removed.
 constexpr Real shrinking = 0.5;
 constexpr Index most_stalls = 1;
-// Of what a row's entries make of the largest value: what rounding of values, and of their sum, leaves there at most.
+// Rounding of the values and of their sum makes a residual of at most this times (sum of |entries| of the row) (max
+// |F|).
 constexpr Real rounded_within = 32 * epsilon;
-// Enough for a factor off by nearly that. Engines that iterate stop where they are asked to.
+// Enough for steps that reduce the error by hardly more than `shrinking`. Iterative engines stop at their tolerance.
 Index most_refinements(Method const& method) noexcept { return method.traits().factors ? 40 : 0; }
 
-// Nodal gradients: all that the compact scheme's functions leave is solved for by an iteration, each time as far as this.
+// Nodal gradients: every refinement solves for the residual by BiCGSTAB, to this reduction of the residual.
 constexpr Real iterated_to = 1e-8;
 constexpr Index most_iterations = 200;
 
-// Residuals are stored as the engine solves for them.
+// Residuals are stored in the precision of the engine's factor.
 Precision residual_precision(Method const& method, MatrixKind kind) noexcept {
     bool const in_rows = !method.nodal_gradients() && kind != MatrixKind::coupled_xy;
     return in_rows ? method.precision : Precision::in_double;
 }
 
-// Columns that are refined at a time: what the engine's idle room holds, but at least a few.
+// Number of columns refined at a time: as many as fit into idle memory of the engine, but at least a few.
 Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const& engine, Index columns) noexcept {
     if (method.nodal_gradients()) return smaller(columns, BiconjugateGradients::widest);
     bool const in_single = residual_precision(method, matrix.kind) == Precision::in_single;
-    Offset const n = larger(matrix.n, Index{1}), bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
+    Offset const n = larger(matrix.n,
+                            Index{1}), bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
     Offset const lists = 2 * n * static_cast<Offset>(sizeof(Index));
     Offset const room = larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
     Offset const least = in_single ? 12 : 5;
@@ -41,18 +44,19 @@ Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const
 
 class Run {
 public:
-    Run(Refinement& with, Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress) noexcept
-        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), lines_(lines),
+    Run(Refinement& with, Equations const& equations, AnyEngine& engine, DofValues const& dofs,
+        Progress const& progress) noexcept
+        : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), dofs_(dofs),
           progress_(progress), residual_(with.residual), biconjugate_(with.biconjugate) {}
 
-    // What is left of the equations, and iterative refinement where that is too much.
+    // Computes residuals, and refines where they are too large.
     Status run(SolveReport& report, Fault& fault) noexcept {
-        Index const n_columns = lines_.columns(matrix_);
+        Index const n_columns = dofs_.columns(matrix_);
         for (Index first = 0, n = 0; first < n_columns; first += n) {
             if (first > 0) HARMORPH_TRY(progress_.report(Phase::residual, static_cast<Real>(first) / n_columns, fault));
             Refined refined;
             n = smaller(Residual::widest, n_columns - first);
-            if (!need_nothing(first, n, refined)) {
+            if (!is_accurate(first, n, refined)) {
                 n = smaller(residual_.width, n_columns - first);
                 HARMORPH_TRY(refine(first, n, refined, fault));
             }
@@ -65,7 +69,7 @@ private:
     // Of a block of columns.
     struct Refined {
         Residual::Norms norms;
-        Real error[Residual::widest] = {};  // what values are thought to be off, beside the largest
+        Real error[Residual::widest] = {};  // estimate, relative to the largest value
         Index steps = 0, iterations = 0;
     };
 
@@ -75,11 +79,11 @@ private:
             worst = found;
             where = function;
         };
-        BasisCounts const& counts = lines_.basis.header->counts;
+        BasisCounts const& counts = dofs_.basis.header->counts;
         report.refinements = larger(report.refinements, refined.steps);
         report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
         for (Index k = 0; k < n; ++k) {
-            Index const function = counts.first_stored + (first + k) % lines_.basis.n_functions();
+            Index const function = counts.first_stored + (first + k) % dofs_.basis.n_functions();
             take_worst(refined.error[k], function, report.error, report.error_function);
             Real const left = refined.norms.relative(k);
             take_worst(left, function, report.residual, report.residual_function);
@@ -89,31 +93,33 @@ private:
     }
 
     Residual::Norms measure(Index first, Index n) const noexcept {
-        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, lines_, first, n);
-        return residual_.compute(matrix_, lines_, first, n);
+        if (method_.nodal_gradients()) return equations_.nodal.compute(residual_, dofs_, first, n);
+        return residual_.compute(matrix_, dofs_, first, n);
     }
 
-    // Most often all is well, which is seen of many columns at once as nothing is stored.
-    bool need_nothing(Index first, Index n, Refined& refined) const noexcept {
+    // Most often no refinement is needed. Without storing residuals this can be checked for many columns at once.
+    bool is_accurate(Index first, Index n, Refined& refined) const noexcept {
         if (!engine_.trusted() || method_.nodal_gradients() || matrix_.kind == MatrixKind::coupled_xy) return false;
-        refined.norms = residual_.measure(matrix_, lines_, first, n);
+        refined.norms = residual_.measure(matrix_, dofs_, first, n);
         bool any = false;
         for (Index k = 0; k < n; ++k) any = any || !(refined.norms.relative(k) <= refined_above);
         return !any || most_refinements(method_) == 0;
     }
 
-    // What is left is solved for and added, until it is rounding or no longer shrinks. Each column by itself, so that the bits
-    // of a column do not depend on those solved with it. What a step leaves of an error is seen from one correction to the
-    // next, but for the first: its right-hand sides are smooth, the later ones' are not. The worst of that, times the last
-    // correction, is what values are still off; that correction itself where there is no such ratio yet, or no shrinking.
+    // Solves for the residual and adds the correction, until the residual is rounding or no longer shrinks. Each column
+    // by itself, so that the bits of a column do not depend on which others are in the block. The reduction of the
+    // error by a step is estimated by the ratio of two successive corrections; the first ratio is not used, as the
+    // right-hand sides of the first step are smooth and later ones are not. Estimated error: the largest ratio times
+    // the last correction, or the last correction itself where there is no ratio yet or no reduction.
     Status refine(Index first, Index n, Refined& refined, Fault& fault) noexcept {
         Residual::Choice wanted;
-        Residual::Changes change;  // by a step of refinement; the first one's was from nothing
+        Residual::Changes change;  // by a step of refinement; that of the first solution, from 0, is 1
         Real before[Residual::widest], left[Residual::widest] = {};
         Index stalls[Residual::widest] = {};
         for (Index k = 0; k < n; ++k) {
             wanted.column[k] = true;
-            change.column[k] = method_.nodal_gradients() ? infinity : 1;  // the compact scheme's functions are no first step
+            // For nodal gradients the functions of the compact scheme do not count as a first solution.
+            change.column[k] = method_.nodal_gradients() ? infinity : 1;
             before[k] = infinity;
             refined.error[k] = engine_.trusted() ? 0 : 1;
         }
@@ -132,7 +138,7 @@ private:
             if (!any || refined.steps == most_refinements(method_)) return Status::ok;
             HARMORPH_TRY(correct(n, refined.iterations, fault));
             Residual::Changes const last = change;
-            change = residual_.add_to(matrix_, lines_, first, n, wanted);
+            change = residual_.add_to(matrix_, dofs_, first, n, wanted);
             for (Index k = 0; k < n; ++k) {
                 if (!wanted.column[k]) continue;
                 ratio[k] = change.column[k] / last.column[k];
@@ -146,7 +152,8 @@ private:
     Status correct(Index n, Index& iterations, Fault& fault) noexcept {
         Offset const row_length = Offset{matrix_.planes()} * residual_.width;
         auto const solve = [&](auto* rows) {
-            return engine_.correct(RowsOf<std::decay_t<decltype(*rows)>>{rows, nullptr, row_length, n, residual_.width}, fault);
+            return engine_.correct(RowsOf<std::decay_t<decltype(*rows)>>{rows, nullptr, row_length, n, residual_.width},
+                                   fault);
         };
         if (!residual_.single.empty()) return solve(residual_.single.data());
         if (!method_.nodal_gradients()) return solve(residual_.value.data());
@@ -157,21 +164,21 @@ private:
         return Status::ok;
     }
 
-    // Flows through thin cells dwarf those at the wall, and so does what rounding of values leaves of them: a residual beside
-    // |b| says nothing there. So it is compared with the entries of the same row, which no wrong value passes that the
-    // neighbours do not share; and what cells share, refinement has found to be right. Where refinement has not looked, the
-    // error is 0.
+    // Fluxes through thin cells are far larger than those at the wall, and so are their rounding errors: there the
+    // residual relative to |b| says nothing. So the residual is compared with the entries of the same row: a value that
+    // is wrong by itself fails this test; an error common to all values of neighbouring cells passes it, but refinement
+    // has estimated that one to be small. Where refinement has not run, `error` is 0.
     bool is_only_rounding(Index column, Real error) const noexcept {
         bool const refined = method_.traits().factors && !method_.nodal_gradients();
         return refined && error > 0 && error <= method_.tolerance &&
-               residual_.beside_entries(matrix_, lines_, column) <= rounded_within;
+               residual_.beside_entries(matrix_, dofs_, column) <= rounded_within;
     }
 
     Equations const& equations_;
     Matrix const& matrix_;
     Method const& method_;
     AnyEngine& engine_;
-    Lines const& lines_;
+    DofValues const& dofs_;
     Progress const& progress_;
     Residual const& residual_;
     BiconjugateGradients& biconjugate_;
@@ -190,24 +197,27 @@ void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const
     if (method.traits().factors) biconjugate.lay_out(arena, matrix.n, residual.width);
 }
 
-Status Refinement::run(Equations const& equations, AnyEngine& engine, Lines const& lines, Progress const& progress,
+Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
                        SolveReport& report, Fault& fault) noexcept {
-    return Run(*this, equations, engine, lines, progress).run(report, fault);
+    return Run(*this, equations, engine, dofs, progress).run(report, fault);
 }
 
 Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {
     if (!(report.missed <= method.tolerance)) {
-        return fault.refuse(Status::not_converged, "function # (from 0) has the relative residual ~, above the tolerance",
+        return fault.refuse(Status::not_converged,
+                            "function # (from 0) has the relative residual ~, above the tolerance",
                             Counts::from_zero, report.missed_function, none, report.missed);
     }
     if (!report.iteration.settled) {
-        return fault.refuse(Status::not_converged, "the iteration ended while values were still off by more than the tolerance");
+        return fault.refuse(Status::not_converged,
+                            "the iteration ended while values were still off by more than the tolerance");
     }
     if (report.error <= larger(method.tolerance, certain_within)) return Status::ok;
     bool const in_single = method.precision == Precision::in_single;
     return fault.refuse(Status::not_converged,
-                        in_single ? "function # (from 0) may be off by ~: cells are too thin for a factor in single precision"
-                                  : "function # (from 0) may be off by ~: cells are too thin for refinement to bring it down",
+                        in_single
+                            ? "function # (from 0) may be off by ~: cells are too thin for a factor in single precision"
+                            : "function # (from 0) may be off by ~: cells are too thin for refinement to bring it down",
                         Counts::from_zero, report.error_function, none, report.error);
 }
 

@@ -5,9 +5,9 @@
 namespace harmorph {
 namespace {
 
-constexpr Real farthest = 0.5;  // longest sides of the nearest cell
+constexpr Real farthest = 0.5;  // in units of the longest side of the nearest cell
 
-// What a range of points has met.
+// Results for a range of points.
 struct Tally {
     Index cell = none;  // the last one found: where the next point probably is
     Index points = 0, outside = 0;
@@ -69,7 +69,8 @@ public:
     }
 
     Tally set_points() const noexcept {
-        return reduce_cells<Tally>(fine_.n_points(), executor(), [&](Index point, Tally& met) { set_point(point, met); });
+        return reduce_cells<Tally>(fine_.n_points(), executor(),
+                                   [&](Index point, Tally& met) { set_point(point, met); });
     }
 
     void copy_joined_points() const noexcept {
@@ -133,7 +134,7 @@ private:
     }
 
     void move_along_with_wall(Index point, Real* row) const noexcept {
-        Index group = 0;  // always: of two feet at the same distance the choice must not depend on the threads
+        Index group = 0;  // no guess: which of two feet at equal distance is chosen must not depend on the threads
         FaceDistance::Foot const foot = transfer_.wall.foot(points_[point], group);
         if (foot.face == none) return;
         FaceDistance::Face const& face = transfer_.wall.faces[foot.face];
@@ -146,15 +147,17 @@ private:
         }
     }
 
-    Index slot_of(Index point) const noexcept { return analysis_.wall_work.slot[analysis_.topology.representative[point]]; }
+    Index slot_of(Index point) const noexcept {
+        return analysis_.wall_work.slot[analysis_.topology.representative[point]];
+    }
 
-    // The lines of a row of matrices: what its functions move the point along x, then along y.
+    // A row of matrix values has the movements along x in the first half, those along y in the second one.
     void keep_on_line(Vec2 tangent, Real* row) const noexcept {
-        Index const line = row_length_ / 2;
-        for (Index k = 0; k < line; ++k) {
-            Real const along = tangent.x * row[k] + tangent.y * row[line + k];
+        Index const half = row_length_ / 2;
+        for (Index k = 0; k < half; ++k) {
+            Real const along = tangent.x * row[k] + tangent.y * row[half + k];
             row[k] = tangent.x * along;
-            row[line + k] = tangent.y * along;
+            row[half + k] = tangent.y * along;
         }
     }
 
@@ -195,7 +198,9 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     }
     run.copy_joined_points();
     report = {met.points, met.outside, met.max_distance, met.max_distance_point, 0};
-    for (Real const difference : correction) report.wall_correction = larger(report.wall_correction, absolute(difference));
+    for (Real const difference : correction) {
+        report.wall_correction = larger(report.wall_correction, absolute(difference));
+    }
     fine.header->coordinates = coordinates_fingerprint(points, fine.n_points());
     fine.seal();
     return Status::ok;

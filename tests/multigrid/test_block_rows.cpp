@@ -46,10 +46,10 @@ bool upper(std::size_t i, std::size_t j) { return j >= i; }
 TEST_CASE("products and energies are those of the whole matrix") {
     Setting const s;
     std::vector<double> y(s.x.size());
-    block::Lanes<w> const dots = block::multiply<w>(s.front.rows, s.x.data(), y.data());
+    block::PerFunction<w> const dots = block::multiply<w>(s.front.rows, s.x.data(), y.data());
     std::vector<double> const expected = product(s.dense, s.x, any);
     CHECK(largest_difference(y, expected) < 1e-13);
-    block::Lanes<w> const energies = block::energy<w>(s.front.rows, s.x.data());
+    block::PerFunction<w> const energies = block::energy<w>(s.front.rows, s.x.data());
     for (Index k = 0; k < w; ++k) {
         double sum = 0;
         for (std::size_t i = 0; i < s.dense.n; ++i)
@@ -105,7 +105,7 @@ TEST_CASE("the largest numbers of each function: NaN where there is one, whereve
     for (Index const row : {-1, 0, 1, 2}) {
         std::vector<double> x = {1, -2, 3, 0, -4, 1, 2, 0, 2, -1, -5, -0.0};
         if (row >= 0) x[static_cast<std::size_t>(w * row + 1)] = nan;
-        block::Lanes<w> const found = block::largest<w>(x.data(), 3);
+        block::PerFunction<w> const found = block::largest<w>(x.data(), 3);
         CHECK(found[0] == 4);
         CHECK((row < 0 ? found[1] == 2 : std::isnan(found[1])));
         CHECK(found[2] == 5);

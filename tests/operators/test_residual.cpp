@@ -52,8 +52,9 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     Index const width = residual.width;
     Index const function = width + 1, wrong = plan.equations.matrix.n / 2;   // of the second group of functions
     double const by = 1e-3;
-    basis.row(plan.equations.line_of[wrong])[function] += by;
-    harmorph::Residual::Norms const norms = residual.compute(plan.equations.matrix, {basis, plan.equations.line_of, 1}, width, width);
+    basis.row(plan.equations.dof_of[wrong])[function] += by;
+    harmorph::Residual::Norms const norms = residual.compute(plan.equations.matrix, {basis, plan.equations.dof_of, 1},
+                                                             width, width);
     double squares = 0, b = 0, worst = 0;
     std::vector<double> const known =
         laplace.couplings_times([&](Index slot) { return basis.row(basis.wall_point[slot])[function]; });
@@ -82,24 +83,24 @@ TEST_CASE("points that slip: any values leave b - A F, of entries, diagonal and 
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations.matrix;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.equations.line_of, 2};
+        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 2};
         std::mt19937 random(5);
         fill(basis.value, 0.0);
-        for (Index i = 0; i < matrix.n; ++i) lines.at(i)[0] = uniform(random) - 0.5;
-        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) lines.wall(wall)[0] = uniform(random) - 0.5;
+        for (Index i = 0; i < matrix.n; ++i) dofs.at(i)[0] = uniform(random) - 0.5;
+        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) dofs.wall(wall)[0] = uniform(random) - 0.5;
         std::vector<double> expected(static_cast<std::size_t>(matrix.n));
         auto const subtract = [&](Index row, double by) { expected[static_cast<std::size_t>(row)] -= by; };
         for (Index i = 0; i < matrix.n; ++i) {
-            subtract(i, matrix.diagonal[i] * lines.at(i)[0]);
+            subtract(i, matrix.diagonal[i] * dofs.at(i)[0]);
             for (harmorph::Offset e = matrix.start[i]; e < matrix.start[i + 1]; ++e) {
-                subtract(i, matrix.value[e] * lines.at(matrix.column[e])[0]);
-                subtract(matrix.column[e], matrix.value[e] * lines.at(i)[0]);
+                subtract(i, matrix.value[e] * dofs.at(matrix.column[e])[0]);
+                subtract(matrix.column[e], matrix.value[e] * dofs.at(i)[0]);
             }
         }
         for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
             for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c)
-                subtract(matrix.coupling_row[c], matrix.coupling_value[c] * lines.wall(wall)[0]);
-        harmorph::Residual::Norms const norms = plan.refinement.residual.compute(matrix, lines, 0, 1);
+                subtract(matrix.coupling_row[c], matrix.coupling_value[c] * dofs.wall(wall)[0]);
+        harmorph::Residual::Norms const norms = plan.refinement.residual.compute(matrix, dofs, 0, 1);
         double worst = 0, squares = 0;
         for (Index i = 0; i < matrix.n; ++i) {
             double const found = plan.refinement.residual.value[harmorph::Offset{i} * plan.refinement.residual.width];
@@ -211,15 +212,15 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Matrix const& matrix = plan.equations.matrix;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.equations.line_of, 1};
+        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
         std::vector<bool> beside_known(static_cast<std::size_t>(matrix.n));
         for (Index const row : matrix.fixed_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index const row : matrix.coupling_row) beside_known[static_cast<std::size_t>(row)] = true;
         for (Index i = 0; i < matrix.n; ++i) {
-            for (Index k = 0; k < lines.length(); ++k) lines.at(i)[k] = 1;
+            for (Index k = 0; k < dofs.length(); ++k) dofs.at(i)[k] = 1;
         }
         Index const n = plan.refinement.residual.width, planes = matrix.is_complex() ? 2 : 1;
-        plan.refinement.residual.compute(matrix, lines, 0, n);
+        plan.refinement.residual.compute(matrix, dofs, 0, n);
         Wrong inside_rows;
         double largest = 0;
         for (Index i = 0; i < matrix.n; ++i) {
@@ -243,13 +244,13 @@ TEST_CASE("rows in single precision are those in double, rounded last; norms are
         harmorph::Plan const& plan = inside(solved.plan);
         harmorph::Residual wide = plan.refinement.residual, narrow = inside(other.plan).refinement.residual;
         harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(solved.basis));
-        harmorph::Lines const lines{basis, plan.equations.line_of, 1};
+        harmorph::DofValues const dofs{basis, plan.equations.dof_of, 1};
         REQUIRE(wide.single.empty());
         REQUIRE(!narrow.single.empty());
         Index const n = std::min(wide.width, narrow.width) - 1, planes = kind == HM_CONFORMAL ? 2 : 1;
-        harmorph::Residual::Norms const norms = wide.compute(plan.equations.matrix, lines, 1, n);
-        harmorph::Residual::Norms const rounded = narrow.compute(plan.equations.matrix, lines, 1, n);
-        harmorph::Residual::Norms const alone = narrow.measure(plan.equations.matrix, lines, 1, n);
+        harmorph::Residual::Norms const norms = wide.compute(plan.equations.matrix, dofs, 1, n);
+        harmorph::Residual::Norms const rounded = narrow.compute(plan.equations.matrix, dofs, 1, n);
+        harmorph::Residual::Norms const alone = narrow.measure(plan.equations.matrix, dofs, 1, n);
         for (Index k = 0; k < n; ++k) {
             CHECK(norms.rest[k] == rounded.rest[k]);
             CHECK(norms.rest[k] == alone.rest[k]);
@@ -278,12 +279,13 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
         harmorph::Residual residual = plan.refinement.residual;
         for (Index n = 1; n <= residual.width; ++n) {
             residual.kernel = harmorph::Kernel::baseline;
-            harmorph::Residual::Norms const plain = residual.compute(plan.equations.matrix, {basis, plan.equations.line_of, 1}, 12 - n, n);
+            harmorph::Residual::Norms const plain = residual.compute(plan.equations.matrix,
+                                                                     {basis, plan.equations.dof_of, 1}, 12 - n, n);
             std::vector<double> const expected(residual.value.begin(), residual.value.end());
             for (harmorph::Kernel const kernel : usable_kernels()) {
                 residual.kernel = kernel;
                 harmorph::Residual::Norms const fast = residual.compute(plan.equations.matrix,
-                                                                         {basis, plan.equations.line_of, 1}, 12 - n, n);
+                                                                         {basis, plan.equations.dof_of, 1}, 12 - n, n);
                 CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
                 for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
             }

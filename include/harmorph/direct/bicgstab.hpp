@@ -1,5 +1,5 @@
-// Biconjugate gradients, stabilised, preconditioned from the right, for equations without symmetry that are nearly those of
-// a factor (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631).
+// BiCGSTAB with right preconditioning, for unsymmetric equations close to those of which there is a factor
+// (H. A. van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992) 631).
 #pragma once
 
 #include "harmorph/base/arena.hpp"
@@ -7,18 +7,19 @@
 
 namespace harmorph {
 
-// Several right-hand sides side by side, each with its own numbers: its bits do not depend on its neighbours.
+// Several right-hand sides at a time, each with separate coefficients: the bits of a solution do not depend on which
+// other right-hand sides are solved with it.
 struct BiconjugateGradients {
     static constexpr Index widest = 8;
 
     Index n = 0, width = 0;
     Span<Real> shadow, direction, image, preconditioned, second, solution;  // [n * width] each
 
-    void lay_out(Arena& arena, Index its_n, Index its_width) noexcept;
+    void lay_out(Arena& arena, Index n_rows, Index n_columns) noexcept;
 
-    // r [n * width], in place: the first `columns` of each row become solutions whose residuals are `reduction` times as
-    // large, or as far as `most` iterations come. apply(from, to): to = A from; precondition(rows): in place, a failed
-    // status ends all.
+    // r [n * width], right-hand sides on entry: the first `columns` of each row become solutions. Ends when the 2-norm
+    // of every residual is at most `reduction` times that of the right-hand side, or after `most` iterations.
+    // apply(from, to): to = A from; precondition(rows): in place; a failed status of the latter ends the iteration.
     template <class Apply, class Precondition>
     Status run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations, Apply const& apply,
                Precondition const& precondition) noexcept;
@@ -39,7 +40,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
                                  Apply const& apply, Precondition const& precondition) noexcept {
     constexpr auto quotient = [](Real a, Real b) { return b != 0 ? a / b : 0; };  // 0 / 0 where there is nothing to do
     Numbers one;
-    for (Real& its : one.at) its = 1;
+    for (Real& number : one.at) number = 1;
     copy(shadow, Span<const Real>(r));
     copy(direction, Span<const Real>(r));
     fill(solution, 0.0);
@@ -78,13 +79,13 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         Numbers const before = along;
         squares = dot(r, r, columns);
         along = dot(shadow, r, columns);
-        // direction = r + share (direction - turn image)
-        Numbers share, of_image;
+        // direction = r + beta (direction - turn image); step, turn and beta are van der Vorst's alpha, omega and beta
+        Numbers beta, of_image;
         for (Index k = 0; k < columns; ++k) {
-            share[k] = quotient(along[k], before[k]) * quotient(step[k], turn[k]);
-            of_image[k] = -turn[k] * share[k];
+            beta[k] = quotient(along[k], before[k]) * quotient(step[k], turn[k]);
+            of_image[k] = -turn[k] * beta[k];
         }
-        combine(of_image, image, share, direction, columns);
+        combine(of_image, image, beta, direction, columns);
         combine(one, r, one, direction, columns);
     }
     copy(r, Span<const Real>(solution));

@@ -10,18 +10,20 @@
 
 namespace harmorph {
 
-// The numbers of a factorisation, one path down the tree at a time: a node's update matrix is made before its children run,
-// so that each of them is added and forgotten at once.
+// The numbers of a factorisation. The tree is walked one path at a time: the update matrix of a node exists before its
+// children are factored, so that the update matrix of a child is added (extend-add) and released at once.
 //
-//   stack:  |above the subtrees ... |kept: update matrices of the subtrees' roots|lane 0 ...|lane 1 ...|
-//   rows:   the same with the right-hand sides of fronts instead of update matrices
+//   stack:  |nodes above the subtrees ...|update matrices of the subtrees' roots|worker 0 ...|worker 1 ...|
+//   rows:   the same layout with right-hand sides of fronts instead of update matrices
+//
+// A worker is one thread's sequence of subtrees (Subtrees::lanes is the number of workers).
 template <class Number>
 struct FrontalNumbers {
     Span<Number> factor;
     Span<Number> stack;
     Span<Number> rows;
-    Span<Number> sums;     // [lanes x planes x most row sums of a front]
-    Span<Number> least_left, least_pivot;  // [lanes] see below
+    Span<Number> sums;     // [workers x planes x most row sums of a front]
+    Span<Number> least_left, least_pivot;  // [workers] see below
 };
 
 struct Multifrontal {
@@ -30,7 +32,7 @@ struct Multifrontal {
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
     Span<Offset> panel_start;   // [nodes + 1] in `factor`
-    Span<Index> target;         // [lanes x largest border] where a border goes in the parent's front
+    Span<Index> target;         // [workers x largest border] indices of a border in the parent's front
     FrontalNumbers<double> doubles;  // these ...
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
@@ -41,26 +43,27 @@ struct Multifrontal {
     Kernel kernel = Kernel::baseline;
     Executor executor;
 
-    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& its_subtrees, Index width,
-                 bool complex = false, Precision its_precision = Precision::in_double) noexcept;
-    // Apart, because nobody needs it but factorise().
+    void lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, Subtrees const& chosen_subtrees, Index width,
+                 bool complex = false, Precision factor_precision = Precision::in_double) noexcept;
+    // Separate, because only factorise() needs the stack.
     void lay_out_stack(Arena& arena) noexcept;
-    void place_panels() noexcept;
+    // Fills panel_start.
+    void set_panel_starts() noexcept;
 
-    // On Status::not_positive, fault.item is a position.
+    // On Status::not_positive, fault.item is a position of the elimination.
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
-    // The least part that was left of what a pivot is summed of: 1 where nothing cancelled.
+    // Minimum over all pivots of |sum of the terms| / sum of |terms|: 1 where nothing cancelled.
     Real least_left() const noexcept;
-    // The least part that was left of a diagonal when its turn came.
+    // Minimum over all pivots of pivot / diagonal of the matrix.
     Real least_pivot() const noexcept;
     // In place: right-hand sides become solutions.
     Status solve(Rows const& values, Progress const& progress, Fault& fault) noexcept;
-    // The same of a factor in single precision.
+    // The same for a factor in single precision.
     Status solve(RowsOf<float> const& values, Progress const& progress, Fault& fault) noexcept;
 
-    // What follows serves those two.
+    // What follows serves factorise() and solve(). The working arrays of one worker:
     template <class Number>
-    struct Lane {
+    struct Worker {
         Executor executor;  // inside fronts
         Number* stack;
         Number* rows;
@@ -70,30 +73,30 @@ struct Multifrontal {
         Index* targets;
     };
     template <class Number>
-    Lane<Number> top_lane() const noexcept {  // above the subtrees, with all threads inside fronts
-        FrontalNumbers<Number> const& its = numbers<Number>();
-        return {executor, its.stack.data(), its.rows.data(), its.sums.data(), its.least_left.data(), its.least_pivot.data(),
-                target.data()};
+    Worker<Number> top_worker() const noexcept {  // for the nodes above the subtrees: all threads work inside a front
+        FrontalNumbers<Number> const& all = numbers<Number>();
+        return {executor, all.stack.data(), all.rows.data(), all.sums.data(), all.least_left.data(),
+                all.least_pivot.data(), target.data()};
     }
     template <class Number>
-    Lane<Number> lane(Index number) const noexcept {
-        FrontalNumbers<Number> const& its = numbers<Number>();
-        Offset const n = number, kept = subtrees.top_stack_entries + subtrees.kept_entries;
+    Worker<Number> worker(Index number) const noexcept {
+        FrontalNumbers<Number> const& all = numbers<Number>();
+        Offset const n = number, before = subtrees.top_stack_entries + subtrees.kept_entries;
         return {Executor{},
-                its.stack.data() + planes * (kept + n * subtrees.stack_entries),
-                its.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
-                its.sums.data() + n * planes * most_sums,
-                its.least_left.data() + n,
-                its.least_pivot.data() + n,
+                all.stack.data() + planes * (before + n * subtrees.stack_entries),
+                all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
+                all.sums.data() + n * planes * most_sums,
+                all.least_left.data() + n,
+                all.least_pivot.data() + n,
                 target.data() + n * largest_border};
     }
-    // body(subtree, lane) for all subtrees, each lane's one after the other.
+    // body(subtree, worker) for all subtrees; those of one worker one after the other.
     template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
         executor.for_each(subtrees.count > 0 ? subtrees.lanes : 0, [&](Index number) {
-            Lane<Number> const its = lane<Number>(number);
+            Worker<Number> const own = worker<Number>(number);
             for (Subtree const& subtree : subtrees.all.first(subtrees.count)) {
-                if (subtree.lane == number) body(subtree, its);
+                if (subtree.lane == number) body(subtree, own);
             }
         });
     }
@@ -112,19 +115,19 @@ struct Multifrontal {
     Number* kept_rows(Index subtree) const noexcept {
         return numbers<Number>().rows.data() + (subtrees.stack_rows + subtrees.all[subtree].kept_rows) * row_length();
     }
-    // Room for a right-hand sides' row.
+    // Numbers in a row of right-hand sides, padding included.
     Offset row_length() const noexcept { return Offset{planes} * padded_width; }
     Index pivots_of(Index node) const noexcept { return tree.nodes[node].pivots(); }
     Index front_of(Index node) const noexcept { return pivots_of(node) + border_of(node).count(); }
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Where a child's border goes in its parent's front: increasing.
+    // Finds the indices of a child's border in the parent's front; they increase.
     void find_targets(Index child, Index parent, Index* targets) const noexcept;
 
 private:
     template <class Number>
-    void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& its) const noexcept;
+    void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& numbers) const noexcept;
     template <class Number>
     Status factorise_in(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
     template <class Number, class Value>

@@ -1,5 +1,5 @@
 // The transpose of morphing: the gradient by movements from the gradient by mesh points. Sums are in fixed point, so
-// that their bits do not depend on threads, nor on how the points are shared out over processes.
+// that their bits depend neither on the number of threads nor on the partition of the points over processes.
 #pragma once
 
 #include "harmorph/basis/basis.hpp"
@@ -11,8 +11,9 @@ namespace harmorph {
 // gradient [2 * functions] = sum over the points of F_i^T (by_x, by_y); all NaN where a number is not finite.
 void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient, Executor const& executor) noexcept;
 
-// The same for points in several places, each with rows of one basis: the largest of the scales, then the sums at that
-// scale, added up elementwise as integers, are those of all points together.
+// The same for points on several processes, each with some rows of the basis: take the maximum of adjoint_scale over
+// the processes, call adjoint_sums with that scale, add the sums of all processes elementwise as integers, and call
+// adjoint_finish.
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept;
 constexpr Offset adjoint_sums_count(Index row_length) noexcept { return 4 * Offset{row_length}; }
 void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale scale, std::int64_t* sums,

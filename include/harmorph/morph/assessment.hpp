@@ -1,4 +1,4 @@
-// A displacement judged in one pass over the cells: how far it may go, and how good the mesh is where it ends.
+// Assesses a displacement in one pass over the cells: the admissible step, and the quality of the displaced mesh.
 #pragma once
 
 #include "harmorph/morph/admissible_step.hpp"

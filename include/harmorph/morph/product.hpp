@@ -1,5 +1,5 @@
-// The two products of morphing, for a few rows of function values: rows times movements, and the transpose. Every
-// kernel adds in the same order, or in fixed point, and rounds alike: the choice of one never shows in a result.
+// The two products of morphing, for a few rows of function values: rows times movements, and the transpose. All kernels
+// add in the same order, or in fixed point, and round alike: results do not depend on the kernel.
 #pragma once
 
 #include "harmorph/base/fixed_sum.hpp"
@@ -8,14 +8,14 @@
 
 namespace harmorph {
 
-// Numbers for the x and y of a block of functions; what is behind the last function is 0.
+// Factors of a block of function values for the sums along x and y; 0 behind the last function.
 struct Movements {
     static constexpr Index most = 128;
     Real x[most], y[most];
 };
 
-// Rows of neighbouring points; n_functions <= Movements::most of each are used. Numbers in single precision (float)
-// become double ones on their way into registers: products and sums are double.
+// Rows of consecutive points, of which n_functions <= Movements::most numbers are used. Numbers in single precision
+// (float) are converted when they are loaded: products and sums are in double precision.
 template <class Number>
 struct ValueRows {
     const Number* values = nullptr;
@@ -45,7 +45,8 @@ struct RowProducts {
 struct ProductKernels {
     RowProducts<Real> in_double;
     RowProducts<float> in_single;
-    // to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be to.
+    // to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be
+    // to.
     void (*add_sums)(const Real* from, Real* to, const Real* sum, Index n) noexcept;
 
     RowProducts<Real> const& of(ValueRows<Real> const&) const noexcept { return in_double; }
@@ -53,7 +54,7 @@ struct ProductKernels {
 };
 
 ProductKernels const& product_kernels(Kernel kernel) noexcept;
-// The best ones for so many values; below 2^16 the question to the processor costs more than they save.
+// The fastest kernels for so many values; below 2^16 values CPUID costs more time than a better kernel saves.
 ProductKernels const& product_kernels_for(Offset values) noexcept;
 
 }  // namespace harmorph

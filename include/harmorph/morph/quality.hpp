@@ -1,4 +1,4 @@
-// How good the cells are: signed corner areas, inverted cells, size-skew quality.
+// Mesh quality: signed corner areas, inverted cells, size-skew quality.
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
@@ -31,8 +31,8 @@ struct Quality {
     Index cells = 0;
 
     Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
-    // reference_area: of the cell on the mesh it is compared with, or 0. sqrt(f_size) f_skew: A. de Boer, M. S. van der
-    // Schoot, H. Bijl, Comput. Struct. 85 (2007) 784.
+    // Adds a cell. reference_area: area of the cell in the mesh to compare with, or 0: skew quality alone. sqrt(f_size)
+    // f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784.
     inline void add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept;
     // Of cells that come later.
     void merge(Quality const& later) noexcept;
@@ -42,18 +42,18 @@ inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real r
     ++cells;
     Real const twice_smallest = corners.smallest();
     min_area = smaller(min_area, 0.5 * twice_smallest);
-    Real its = skew_quality(n, corners);
-    if (its > 0 && reference_area != 0) {
+    Real value = skew_quality(n, corners);
+    if (value > 0 && reference_area != 0) {
         Real const area = corners.cell_area(n), size = absolute(reference_area);
-        its *= square_root(smaller(area, size) / larger(area, size));
+        value *= square_root(smaller(area, size) / larger(area, size));
     }
-    if (!(its > 0)) {  // NaN: a coordinate that is not finite
-        its = 0;
+    if (!(value > 0)) {  // NaN: a coordinate that is not finite
+        value = 0;
         if (inverted++ == 0) first_inverted = cell;
     }
-    quality_sum += its;
-    if (its < min_quality) {
-        min_quality = its;
+    quality_sum += value;
+    if (value < min_quality) {
+        min_quality = value;
         min_quality_cell = cell;
     }
 }

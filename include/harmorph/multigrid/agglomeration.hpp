@@ -5,41 +5,43 @@
 
 namespace harmorph {
 
-// What is merged. Cells of aspect ratio a have conductances in the ratio a^2, and only what is strongly coupled is smoothed
-// alike. isotropic: cells with most mesh edges between them, whatever the conductances. directional: those with the largest
-// conductance. automatic: directional where the aspect ratio exceeds 2, isotropic among the strong neighbours elsewhere.
+// Which cells are merged. In cells of aspect ratio a conductances differ by a factor of a^2, and a smoother reduces
+// errors only along strong couplings. isotropic: the neighbour with most common mesh edges, whatever the conductances.
+// directional: the neighbour with the largest conductance (semi-coarsening). automatic: directional where the aspect
+// ratio exceeds 2, isotropic among the strong neighbours elsewhere.
 enum class Merging : std::int32_t { automatic = 0, isotropic = 1, directional = 2 };
 
 struct MergingRules {
     Merging merging = Merging::automatic;
-    Index max_levels = 0;  // with the finest; 0: as many as there are
+    Index max_levels = 0;  // the finest one included; 0: no limit
 };
 
-// Rules. Cells are taken in their order, which should be that of an advancing front (order_by_layers). A level is made of
-// two passes. In each, a cell that is still alone is paired with the preferred one of its later neighbours that are still
-// alone; if none is coupled strongly enough, it joins the pair of its strongest neighbour. Neither happens, but with
-// isotropic merging, where smoothing on the level below could not bring the two to one value. A merged cell has at most
-// `most_members` cells of its pass, and so at most the square of that of its level. Only cells that share a mesh edge are
-// merged, so that each stays connected, and merged graphs are planar but for two diagonals in each quad: at most
-// `most_couplings` per cell. The levels end where a level would have more couplings, or more than 1 / least_reduction of
-// the cells below it: so all the coarse levels fit in what lay_out() takes.
+// Rules. Cells are taken in the order of their numbers, which should be that of an advancing front (order_by_layers). A
+// coarse level takes two passes. In each, a cell that is not yet merged is paired with the preferred one of its later
+// neighbours that are not yet merged; if no such neighbour is coupled strongly enough, the cell joins the pair of its
+// strongest neighbour. Except with isotropic merging, neither happens where the smoother of the finer level could not
+// make the values of the two equal. A merged cell has at most `most_members` cells of a pass, so at most the square of
+// that of the finer level. Only cells that share a mesh edge are merged, so merged cells are connected, and the graph
+// of a coarse level is planar but for two diagonals in each quad: at most `most_couplings` for each cell. No coarser
+// level is made that would have more couplings, or more cells than 1 / least_reduction of the finer level: so all
+// coarse levels together fit in what lay_out() takes.
 struct Agglomeration {
     static constexpr Index most_levels = 20;  // 3^19 > 2^30
     static constexpr Index most_members = 4;
     static constexpr Index least_reduction = 3;
     static constexpr Index most_couplings = 4;
-    static constexpr Index coarsest = 48;     // unknowns that need no coarser level
+    static constexpr Index coarsest = 48;     // a level of so many unknowns or fewer needs no coarser one
 
     Index count = 0;
-    SymmetricRows level[most_levels];         // the finest is the caller's
-    Span<Index> cell_of[most_levels];         // [n] of each cell of a level: cell of the next coarser one
+    SymmetricRows level[most_levels];         // level[0], the finest, has the caller's arrays
+    Span<Index> cell_of[most_levels];         // [n] the merged cell of the next coarser level
 
-    // Cells of all coarse levels together.
+    // Upper bound of the cells of all coarse levels together.
     static Offset coarse_cells(Index n) noexcept { return n / (least_reduction - 1); }
 
-    // What smoothing sees of a cell, or of several that are to have one value.
+    // The diagonals and row sums of a cell, or of several that are to be merged.
     struct Part {
-        Real diagonal = 0;  // the sum of those of the level's cells
+        Real diagonal = 0;
         Real row_sum = 0;
 
         void operator+=(Part const& more) noexcept {
@@ -49,7 +51,7 @@ struct Agglomeration {
     };
 
     void lay_out(Arena& arena, Index n) noexcept;
-    // Needed by build() alone.
+    // Working space of build().
     void lay_out_work(Arena& arena, Index n, Offset entries) noexcept;
     void build(SymmetricRows const& finest, MergingRules const& rules) noexcept;
 
@@ -57,7 +59,7 @@ private:
     bool add_level(Merging merging) noexcept;
     Index pair_up(SymmetricRows const& rows, Merging merging, Span<Index> to) const noexcept;
 
-    SymmetricRows pool_;    // the coarse levels, one behind the other
+    SymmetricRows pool_;    // all coarse levels, one behind the other
     Span<Index> cell_pool_; // cell_of of all levels
     Offset cells_used_ = 0, entries_used_ = 0, maps_used_ = 0;
 
@@ -65,8 +67,8 @@ private:
         SymmetricRows rows;
         Span<Index> first, second;    // [n] maps of the two passes
         Span<Part> parts;             // [n]
-        Span<Real> strongest;         // [n] coupling of each cell
-        Span<Real> strongest_before;  // [n] coupling to an earlier cell
+        Span<Real> strongest;         // [n] strongest coupling of each cell
+        Span<Real> strongest_before;  // [n] strongest coupling to an earlier cell
         Span<Index> before;           // [n] that cell
         Span<std::uint8_t> members;   // [n]
         Span<Offset> last;            // [n]

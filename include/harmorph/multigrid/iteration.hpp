@@ -1,4 +1,4 @@
-// What the iterative engines have in common: what they are asked for, their levels, and blocks of functions.
+// What the iterative engines have in common: options, agglomerated levels, and blocks of functions.
 #pragma once
 
 #include <type_traits>
@@ -14,12 +14,13 @@ struct Iteration {
     MergingRules merging;
     Index block_width = 8;       // functions that are solved at a time: 4, 8 or 16
     Index max_iterations = 0;
-    bool starts_from_zero = false;  // full approximation scheme: not with the coarsest level's solution
-    // Of each function: relative residual, in 2-norms, and about what values are off beside the largest one.
+    bool starts_from_zero = false;  // full approximation scheme: F = 0 instead of full multigrid (FMG)
+    // For each function: of the relative residual in 2-norms, and of the estimated error relative to the largest value.
     Real tolerance = 1e-10;
-    Span<Real> history;          // the caller's, or empty: largest relative residual before the first iteration and after each
+    // The caller's array, or empty: largest relative residual before the first iteration and after each iteration.
+    Span<Real> history;
 
-    // run(the block's width as a constant type)
+    // Calls run(integral_constant of block_width).
     template <class Run>
     Status with_width(Run const& run) const noexcept {
         switch (block_width) {
@@ -35,25 +36,26 @@ struct IterationReport {
     Index iterations = 0;   // largest over the functions
     Index fine_sweeps = 0;  // of the smoother over the finest level, largest over the functions
     Index levels = 0;
-    bool settled = true;    // what values are still off is within the tolerance, as far as it can be told
+    bool settled = true;    // the estimated errors of values are within the tolerance
 };
 
-// Functions are solved in blocks; a lane is one thread's sequence of blocks, with vectors and a history of its own.
+// Functions are solved in blocks. A worker is one thread's sequence of blocks, with vectors and a history of its own.
 struct BlockIteration {
     Iteration iteration;
     Executor executor;
-    Index lanes = 1;
+    Index workers = 1;
     Agglomeration levels;
-    Span<Real> vectors;        // [lanes x numbers of a lane]
-    Span<Real> lane_history;   // [lanes x history]
+    Span<Real> vectors;        // [workers x numbers of a worker]
+    Span<Real> worker_history; // [workers x history]
 
-    void lay_out(Arena& arena, Index n, Index functions, Iteration const& its_iteration, Executor const& its_executor) noexcept;
+    void lay_out(Arena& arena, Index n, Index functions, Iteration const& asked, Executor const& threads) noexcept;
     // Are all diagonals positive? fault.item is a position otherwise.
     static Status check_diagonals(SymmetricRows const& rows, Fault& fault) noexcept;
     static Status refuse_row(Index position, Fault& fault) noexcept;
-    // The largest residual of a lane's functions; several blocks of a lane pass the same iteration.
-    void note(Index lane, Index its_iteration, Real residual) const noexcept;
-    void tell_history() const noexcept;
+    // Records the residual of a block in the worker's history, which has the maximum over all blocks of the worker.
+    void note(Index worker, Index number, Real residual) const noexcept;
+    // Writes the maximum over all workers to iteration.history.
+    void merge_histories() const noexcept;
 };
 
 }  // namespace harmorph

@@ -11,7 +11,7 @@ namespace harmorph {
 // What the unknowns are, and so what an entry is.
 //   real       one real number for a point: operators that move x and y alike
 //   complex    one complex number for a point: the conformal operator
-//   coupled_xy  two real numbers for a point, one where it slips: any operator where x and y are coupled by slip lines
+//   coupled_xy  two real numbers for a point, one where it slips: any operator where slip lines couple x and y
 enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 
 // Between the corners of a cell: side[k] from corner k to the next, across[k] of a quad from corner k to k + 2.
@@ -20,19 +20,24 @@ struct CellConductances {
     Real across[2] = {};
 };
 
-// Rows begin .. end-1, what one of several threads may write to.
+// Rows begin .. end-1: those that one of several threads may write to.
 struct RowRange {
     Index begin, end;
     bool contain(Index row) const noexcept {
-        return static_cast<std::uint32_t>(row) - static_cast<std::uint32_t>(begin) < static_cast<std::uint32_t>(end - begin);
+        return static_cast<std::uint32_t>(row) - static_cast<std::uint32_t>(begin) <
+               static_cast<std::uint32_t>(end - begin);
     }
 };
 
-// Row i holds its entries in later columns; below the diagonal stand their conjugates, which are implied. A coupling is the
-// entry of an unknown's row in the column of a line of the wall: it belongs to the right-hand side. What couples an unknown
-// to points that are fixed is summed, as all values of those are 0. With it a row's entries, couplings and diagonal sum to 0,
-// but for the rounding of the diagonal, and A F is a sum of differences along couplings. Where x and y are coupled, that is so
-// at a point before points that slip are turned to their lines; a complex number of fixed_value stands for both lines.
+// Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are coupled: dof 2 p
+// moves point p along frame[p], dof 2 p + 1 normal to it. A point that slips has the first one only, along the tangent.
+//
+// Row i stores the entries of later columns, the upper triangle; the lower triangle is the conjugate one and is not
+// stored. A coupling is the entry of an unknown's row in the column of a dof on the wall, whose value is known: it
+// belongs to the right-hand side. Entries in columns of fixed points are summed in fixed_value, as the values of these
+// points are 0. Together with them the diagonal, entries and couplings of a row sum to 0 up to the rounding of the
+// diagonal, so A F is a sum of differences along couplings. Where x and y are coupled, this holds before the dofs of
+// slipping points are turned to the slip lines; one complex number of fixed_value then stands for both dofs of a point.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
@@ -42,9 +47,9 @@ struct Matrix {
 
     Index n = 0;
     MatrixKind kind = MatrixKind::real;
-    Span<Index> row_of;          // [components * n_points] row of an unknown; wall(line of the wall); none where F = 0
+    Span<Index> row_of;          // [components * n_points] row of an unknown; wall(dof on the wall); none where F = 0
     Span<Real> diagonal;         // [n]
-    Span<Real> row_sum;          // [n] of all entries, the diagonal among them
+    Span<Real> row_sum;          // [n] sum of all entries of a row, the diagonal among them
     Span<Real> row_sum_imaginary; // complex only
     Span<Offset> start;          // [n + 1]
     Span<Index> column;
@@ -54,46 +59,50 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> fixed_row;       // rows of unknowns beside fixed points, increasing, some repeated; of coupled x and y the first
+    Span<Index> fixed_row;       // rows of unknowns beside fixed points, increasing, some repeated; first dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first line; its second is normal to it
+    Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first dof
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
     Index planes() const noexcept { return is_complex() ? 2 : 1; }
 
-    static constexpr Index short_row = 8;  // entries: columns that may be read from any row's first on
+    static constexpr Index short_row = 8;  // so many columns may be read from the first one of any row on
 
-    static constexpr Index wall(Index line) noexcept { return -2 - line; }  // its own inverse
+    // Dofs on the wall are numbered components * slot + component. wall(wall(dof)) = dof.
+    static constexpr Index wall(Index dof) noexcept { return -2 - dof; }
     static constexpr bool is_wall(Index row) noexcept { return row <= -2; }
 
     static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
         return {graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
-    // The pattern. slot [n_points]: number on the wall, or none; position [n]: of each unknown; tangent [n_points] of slip
-    // lines, coupled x and y only.
-    void build(Span<const Index> representative, Graph const& graph, Span<const Index> order, Span<const Index> position,
+    // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at each position of
+    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only.
+    void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
+               Span<const Index> position,
                Span<const Index> slot, Span<const Vec2> tangent) noexcept;
 
     void clear() const noexcept;
-    // A conductance between two points: + on both diagonals, - off them. Points that are not unknown have known values.
-    // One unknown at both, as across a periodic pair one cell apart, has no difference that could flow. Real matrices only.
+    // Adds a conductance between two points: + on both diagonals, - off them. Points that are not unknown have known
+    // values. Two points with one common unknown, as across a periodic pair one cell apart, add nothing. Real matrices
+    // only.
     void add(Index point, Index other, Real conductance) const noexcept;
-    // Those of a cell's corners, and a circulation along each of its sides: + i circulation in the row of the corner it
-    // leaves, - i in that of the next; none in a real matrix. Nothing but the rows in range is written to: threads with other
-    // ranges may go through the same cells, and every row is added to in the order of the cells.
+    // Adds the conductances between a cell's corners, and a circulation along each side: + i circulation in the row of
+    // the side's first corner, - i in that of the next corner; no circulation in a real matrix. Writes only to the rows
+    // in range: threads with other ranges may go through the same cells, and every row is added to in the order of the
+    // cells.
     template <bool with_circulation, Index corners>
-    void add_corners(RowRange rows, Cell const& cell, CellConductances its, Real circulation) const noexcept;
-    // The same between two points, where each has two lines.
-    void add_lines(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
-    // All of a conductance but the diagonals, between two rows as row_of has them, and of a circulation from the first to the second.
+    void add_corners(RowRange rows, Cell const& cell, CellConductances conductance, Real circulation) const noexcept;
+    // The same between two points where x and y are coupled.
+    void add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
+    // Adds a conductance without the diagonals, and a circulation from i to j: rows as row_of has them.
     template <bool with_circulation>
     void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
-    // Has the cell an unknown in range? One that has none at all concerns the first range.
+    // Has the cell an unknown in range? A cell without unknowns concerns the first range.
     bool concerns(RowRange rows, Cell const& cell) const noexcept;
-    // body(range, rows) for ranges that together are all rows, one for each thread. Returns how many there are.
+    // body(range, rows) for ranges that together are all rows, one range for each thread. Returns the number of ranges.
     template <class Body>
     Index for_row_ranges(Executor const& executor, Body const& body) const noexcept {
         constexpr Index least = 4096;  // rows that are worth a pass through all cells
@@ -103,29 +112,30 @@ struct Matrix {
         return n_ranges;
     }
 
-    // Two points that slip on different lines: neither moves across its line, so each is fixed in the other's direction.
+    // Do two points slip along different directions? Neither moves normal to its own slip line, so for the equation of
+    // the other point it is partly fixed.
     bool turns(Index point, Index other) const noexcept {
         return frame[point].x != frame[other].x || frame[point].y != frame[other].y;
     }
 
-    // The unknowns' part of a real matrix; faces [entries] tells which of its entries are mesh edges.
+    // The rows and columns of the unknowns, of a real matrix; faces [entries] tells which entries are mesh edges.
     void mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept;
     SymmetricRows rows(Span<std::uint8_t> faces) const noexcept {
         return {n, diagonal, row_sum, start, column, value, faces};
     }
 
 private:
-    // Where two lines meet; nowhere (value null) if neither is unknown.
+    // The stored entry of two dofs; value is null if neither is an unknown in range.
     struct Entry {
         Real* value = nullptr;
         Real* imaginary = nullptr;
-        bool turned = false;  // it stands for the second's row
+        bool turned = false;  // stored in the row of the second dof: the conjugate is wanted
     };
     Entry entry(RowRange rows, Index i, Index j) const noexcept;
     bool slips(Index point) const noexcept { return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none; }
-    // Is the point an unknown, and the other one fixed, or slipping on another line?
+    // Is the point an unknown, and the other one fixed, or slipping along another line?
     bool is_beside_fixed(Index point, Index other) const noexcept;
-    bool stands_for_fixed(Index line, Index other_line) const noexcept;
+    bool stands_for_fixed(Index dof, Index other_dof) const noexcept;
     void couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
 };
 

@@ -1,4 +1,4 @@
-// The unknowns' equations by the scheme of nodal gradients, matrix-free, for the values of a basis.
+// The equations of the unknowns by the scheme of nodal gradients, matrix-free, for the values of a basis.
 #pragma once
 
 #include "harmorph/operators/nodal_gradient.hpp"
@@ -6,8 +6,9 @@
 
 namespace harmorph {
 
-// Rows of the scheme are the unknowns by position, then the points of the wall by their slots, then those whose value is 0.
-// The equation of an unknown is that nothing is left in its volume; known values go to the right-hand side. Real values.
+// Rows of the scheme: unknowns by position, then points of the wall by slot, then points whose value is 0. The equation
+// of an unknown says that the fluxes into its control volume sum to 0; known values go to the right-hand side. Real
+// values.
 struct NodalEquations {
     NodalGradient scheme;
     Index n = 0, n_wall = 0;
@@ -15,17 +16,17 @@ struct NodalEquations {
     Span<Real> gradient;  // [n_points * 2 * width] working space
 
     void lay_out(Arena& arena, Mesh const& mesh, Index n_edges) noexcept { scheme.lay_out(arena, mesh, n_edges); }
-    void lay_out_work(Arena& arena, Index n_points, Index its_width) noexcept {
-        width = its_width;
+    void lay_out_work(Arena& arena, Index n_points, Index n_columns) noexcept {
+        width = n_columns;
         arena.take(gradient, Offset{n_points} * 2 * width);
     }
-    // matrix: once its pattern is built. `reversed` of the topology is kept as a view, the rest is copied.
+    // The pattern of `matrix` must have been built. Keeps a view of topology.reversed and copies the rest.
     void init(Topology const& topology, Matrix const& matrix, bool corrected) noexcept;
 
-    // In the unknowns' lines; those of the wall hold its values.
-    void set_right_hand_sides(Lines const& lines, Index columns) const noexcept;
-    // What Residual::compute does for the compact scheme.
-    Residual::Norms compute(Residual const& residual, Lines const& lines, Index first, Index columns) const noexcept;
+    // Writes right-hand sides to the dofs of the unknowns; the dofs on the wall have their values already.
+    void set_right_hand_sides(DofValues const& dofs, Index columns) const noexcept;
+    // Does what Residual::compute does for the compact scheme.
+    Residual::Norms compute(Residual const& residual, DofValues const& dofs, Index first, Index columns) const noexcept;
     // to = A from, rows of `width` by position.
     void apply(const Real* from, Real* to) const noexcept;
 };

@@ -1,4 +1,5 @@
-// What the solved functions leave of their equations: the measure of every engine, and the food of refinement.
+// Residuals b - A F of the solved functions: they tell how good an engine's solution is, and are the right-hand sides
+// of iterative refinement.
 #pragma once
 
 #include "harmorph/basis/basis.hpp"
@@ -9,66 +10,70 @@
 
 namespace harmorph {
 
-// The values of a basis as the equations see them: a line of numbers for each unknown, a column for each right-hand side.
-// Lines are the rows of values, or their halves where a point has two unknowns. Complex ones hold the columns' real parts,
-// then their imaginary parts.
-struct Lines {
+// The values of a basis as the equations see them: the numbers of a dof (matrix.hpp) stand side by side, one column for
+// each right-hand side. They are a row of basis values, or half a row where a point has two dofs. Of complex values all
+// real parts come first, then all imaginary parts.
+struct DofValues {
     Basis const& basis;
-    Span<const Index> of;  // [n] line of each position
-    Index components;      // lines of a point
+    Span<const Index> of;  // [n] dof of each position
+    Index components;      // dofs of a point
 
     Index length() const noexcept { return basis.row_length() / components; }
-    Real* line(Index number) const noexcept { return basis.value.data() + Offset{number} * length(); }
-    Real* at(Index position) const noexcept { return line(of[position]); }
+    Real* of_dof(Index dof) const noexcept { return basis.value.data() + Offset{dof} * length(); }
+    Real* at(Index position) const noexcept { return of_dof(of[position]); }
     Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? basis.n_functions() : length(); }
-    // The unknowns' lines, as engines see them.
+    // The values of the unknowns by position, as engines see them.
     Rows rows(Matrix const& matrix) const noexcept {
         return {basis.value.data(), of.data(), length(), columns(matrix), columns(matrix)};
     }
-    // Of a line of the wall: its slot's point.
-    Real* wall(Index number) const noexcept {
-        return line(components * basis.wall_point[number / components] + number % components);
+    // The values of a dof on the wall, by its number there (see Matrix::wall).
+    Real* wall(Index dof) const noexcept {
+        return of_dof(components * basis.wall_point[dof / components] + dof % components);
     }
 };
 
-// Residuals of a few columns at a time, in whole rows. They are sums of differences of values along couplings, so that
-// what couplings of thin cells put on the diagonal does not drown what the weak ones do (symmetric_matrix.hpp); of two
-// lines a point differences of displacements. Points that slip have their second line empty: it is filled last.
-// A row is summed at once: it finds its earlier entries in lists, where each row waits for the next that it is coupled to.
+// Residuals of a few columns at a time, for all rows. They are sums of differences of values along couplings, not
+// products with the diagonal: the strong couplings of thin cells would make the diagonal so large that its rounding
+// hides the weak couplings (symmetric_matrix.hpp). Where x and y are coupled, they are sums of differences of
+// displacements; the second dof of a slipping point is not used then, and is set at the very end of a solve.
+// A row is summed in one go. Its entries left of the diagonal are stored in earlier rows; every earlier row waits in
+// the list of the next row that it is coupled to.
 struct Residual {
     static constexpr Index widest = 24;
 
     Index width = 6;   // at most `widest`
     Kernel kernel = Kernel::baseline;  // any gives the same bits
-    // [n x planes x width] rows by position: b - A F, real and then imaginary parts; of these one, as the engine solves.
+    // [n x planes x width] rows by position: b - A F, real and then imaginary parts. Only one of the two arrays exists,
+    // in the precision of the engine's factor.
     Span<Real> value;
-    Span<float> single;  // differences are rounded to single precision last, so that corrections are none the worse
-    Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last, and
-    Span<Index> next;    // [n + lines of the wall] for each the one before it
+    Span<float> single;  // residuals are computed in double and rounded last, so that corrections lose no accuracy
+    Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last for this one, and
+    Span<Index> next;    // [n + dofs on the wall] for each waiting row the one that began before
 
-    void lay_out(Arena& arena, Index unknowns, Index walls, MatrixKind kind, Index its_width = 6,
+    void lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind kind, Index n_columns = 6,
                  Precision precision = Precision::in_double) noexcept;
-    // Columns first .. first+n-1, n <= width; squared 2-norms of b and of b - A F.
+    // Of columns first .. first+n-1, n <= width: squared 2-norms of b and of b - A F.
     struct Norms {
         Real right_hand_side[widest] = {}, rest[widest] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
     };
-    Norms compute(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // The norms alone, n <= widest; not where x and y are coupled.
-    Norms measure(Matrix const& matrix, Lines const& lines, Index first, Index n) const noexcept;
-    // Of one column, in all rows: the largest number of b - A F beside the row's entries times the largest of F. Rounding of F
-    // alone leaves an epsilon of that. 2 <= width. Infinite where a number is none.
-    Real beside_entries(Matrix const& matrix, Lines const& lines, Index column) const noexcept;
+    Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
+    // Computes the norms alone, n <= widest; not where x and y are coupled.
+    Norms measure(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
+    // For one column: the maximum over all rows of |b - A F| / (sum of the row's |entries| times the maximum of |F|).
+    // Rounding of F alone leaves about an epsilon. 2 <= width. Infinite where a value is not a number.
+    Real beside_entries(Matrix const& matrix, DofValues const& dofs, Index column) const noexcept;
     struct Choice {
         bool column[widest];
     };
-    // The chosen ones of columns first .. first+n-1 of F += those of value, as corrections. Returns the largest of
-    // those beside the largest number that F has become.
+    // Adds corrections, which stand in `value` or `single`, to the chosen ones of columns first .. first+n-1 of F.
+    // Returns for each column the largest correction relative to the largest new value.
     struct Changes {
         Real column[widest];
     };
-    Changes add_to(Matrix const& matrix, Lines const& lines, Index first, Index n, Choice const& chosen) const noexcept;
+    Changes add_to(Matrix const& matrix, DofValues const& dofs, Index first, Index n,
+                   Choice const& chosen) const noexcept;
 };
 
 }  // namespace harmorph

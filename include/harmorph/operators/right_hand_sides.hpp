@@ -1,11 +1,12 @@
-// What is known on the wall, and what it puts on the right-hand sides of its neighbours' equations.
+// The known values on the wall, and the right-hand sides that they make in the equations of neighbouring unknowns.
 #pragma once
 
 #include "harmorph/operators/residual.hpp"
 
 namespace harmorph {
 
-// All values 0 but those of the wall's points and, at the unknowns, the right-hand sides: what engines solve in place.
-void set_right_hand_sides(Matrix const& matrix, Lines const& lines) noexcept;
+// Sets values on the wall to the boundary functions, those of unknowns to the right-hand sides, which engines replace
+// by the solution, and all others to 0.
+void set_right_hand_sides(Matrix const& matrix, DofValues const& dofs) noexcept;
 
 }  // namespace harmorph

@@ -1,20 +1,21 @@
-// A symmetric sparse matrix as one half of it, and its contraction: rows of cells that are merged are summed.
+// A symmetric sparse matrix of which one triangle is stored, and the Galerkin contraction of merged cells: their rows
+// are summed.
 #pragma once
 
 #include "harmorph/base/arena.hpp"
 
 namespace harmorph {
 
-// Row i holds its entries in later columns, as Matrix does, and its row sum, which is what couples the cell to known values.
-// In thin cells couplings differ by 1e14. The entries beside the diagonal and the row sum determine what depends on the small
-// couplings; the diagonal, in whose rounding they drown, does not (M. Dailey, F. M. Dopico, Q. Ye, Relative perturbation
-// theory for diagonally dominant matrices). So products are sums of fluxes, (A x)_i = row_sum_i x_i + sum of entries
-// (x_j - x_i): constants give 0 to the bit where the row sum is 0. And a contraction adds row sums. `faces` tells how many
-// mesh edges run between the two cells (255: that or more); 0 for the diagonals of quads, which couple cells that do not
-// touch.
+// Row i stores the entries in later columns, as Matrix does, and the row sum, which couples the cell to known values.
+// In thin cells couplings differ by a factor of 1e14. The off-diagonal entries and the row sum determine accurately
+// what depends on small couplings; the diagonal does not, as its rounding error is larger than they are (M. Dailey, F.
+// M. Dopico, Q. Ye, Relative perturbation theory for diagonally dominant matrices). So products are sums of fluxes, (A
+// x)_i = row_sum_i x_i + sum of a_ij (x_j - x_i), which are exactly 0 for constant x where the row sum is 0, and a
+// contraction adds row sums. `faces` counts the mesh edges between the two cells (255: that or more); 0 for the
+// diagonals of quads, which couple cells that do not touch.
 struct SymmetricRows {
     Index n = 0;
-    Span<Real> diagonal;       // [n] row sum - the sum of the row's other entries
+    Span<Real> diagonal;       // [n] row sum - sum of the row's off-diagonal entries
     Span<Real> row_sum;        // [n]
     Span<Offset> start;        // [n + 1]
     Span<Index> column;
@@ -33,9 +34,10 @@ struct SymmetricRows {
     }
 };
 
-// coarse = P^T fine P, P the map from cells to merged cells: conductances between two merged cells are summed, as are the
-// faces between them and the row sums of what is inside one, whose couplings vanish. cell_of [fine.n] -> 0 .. n-1; last [n]:
-// working space. coarse must have room for n rows and as many entries as `fine` has.
-void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last, SymmetricRows& coarse) noexcept;
+// coarse = P^T fine P, P the piecewise constant prolongation from merged cells to cells: conductances and faces between
+// two merged cells are summed, couplings inside a merged cell vanish, and row sums are added. cell_of [fine.n] -> 0 ..
+// n-1; last [n]: working space. coarse must have room for n rows and as many entries as `fine` has.
+void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Span<Offset> last,
+              SymmetricRows& coarse) noexcept;
 
 }  // namespace harmorph

@@ -1,4 +1,4 @@
-// The direct engine of a plan: a multifrontal factor of the matrix, which also corrects what rounding has left.
+// The direct engine of a plan: a multifrontal factor of the matrix, also used for iterative refinement.
 #pragma once
 
 #include "harmorph/direct/multifrontal.hpp"
@@ -7,7 +7,7 @@
 
 namespace harmorph {
 
-// See AnyEngine for what engines answer.
+// See AnyEngine for what the members do.
 struct DirectEngine {
     Multifrontal factor;
     bool trusted = false;  // nothing cancelled in the factor: solutions need no refinement
@@ -18,13 +18,13 @@ struct DirectEngine {
     Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept;
     // `work` [n] is overwritten; empty where the factor is in single precision, which is never trusted.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept;
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept;
     template <class Number>
     Status correct(RowsOf<Number> const& rows, Fault& fault) noexcept {
         return factor.solve(rows, Progress{}, fault);
     }
-    // What set_up() alone needs.
+    // Memory that only set_up() needs.
     Offset idle_bytes() const noexcept;
     const Agglomeration* levels() const noexcept { return nullptr; }
 };

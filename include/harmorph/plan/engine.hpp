@@ -35,12 +35,12 @@ struct AnyEngine {
         visit(*this, [](auto& engine) { ::new (&engine) std::decay_t<decltype(engine)>(); });
     }
 
-    // What set_up() or solve() alone need lies behind the rest: the next arrays of the arena may be in the same place.
-    // columns: right-hand sides of all functions.
+    // Working space that only set_up() or solve() needs lies behind the rest: the arrays laid out next may overlap with
+    // it. columns: number of right-hand sides of all functions.
     void lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
         visit(*this, [&](auto& engine) { engine.lay_out(arena, analysis, columns); });
     }
-    // Once for an analysis: what needs no matrix, and then what the pattern of the matrix says.
+    // Once for an analysis: init() before the matrix has a sparsity pattern, then take_pattern().
     void init(Analysis const& analysis) noexcept {
         visit(*this, [&](auto& engine) { engine.init(analysis); });
     }
@@ -48,21 +48,21 @@ struct AnyEngine {
         visit(*this, [&](auto& engine) { engine.take_pattern(analysis, matrix); });
     }
 
-    // Factor or levels of assembled equations. On Status::not_positive, fault.item is a position.
+    // Computes the factor or the levels of assembled equations. On Status::not_positive, fault.item is a position.
     Status set_up(Equations const& equations, Points points, Progress const& progress, Fault& fault) noexcept {
         return visit(*this, [&](auto& engine) { return engine.set_up(equations, points, progress, fault); });
     }
-    // Decides whether solutions are to be trusted without refinement. work [n] is overwritten.
+    // Decides whether solutions are accurate without refinement. work [n] is overwritten.
     Status examine(Equations const& equations, Span<Real> work, Fault& fault) noexcept {
         return visit(*this, [&](auto& engine) { return engine.examine(equations, work, fault); });
     }
     bool trusted() const noexcept {
         return visit(*this, [](auto const& engine) { return bool{engine.trusted}; });
     }
-    // In place: the right-hand sides of the unknowns' lines become functions.
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    // In place: the right-hand sides of the unknowns become functions.
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept {
-        return visit(*this, [&](auto& engine) { return engine.solve(equations, lines, progress, report, fault); });
+        return visit(*this, [&](auto& engine) { return engine.solve(equations, dofs, progress, report, fault); });
     }
     // Engines that factor: residuals become corrections, in place and in the factor's precision.
     template <class Number>
@@ -70,7 +70,7 @@ struct AnyEngine {
         return visit(*this, [&](auto& engine) { return engine.correct(rows, fault); });
     }
 
-    // Of what set_up() or solve() alone need: room that refinement may fill without making the plan larger.
+    // Bytes that only set_up() or solve() needs: refinement may use them without making the plan larger.
     Offset idle_bytes() const noexcept {
         return visit(*this, [](auto const& engine) { return engine.idle_bytes(); });
     }

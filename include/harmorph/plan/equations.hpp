@@ -8,9 +8,9 @@
 namespace harmorph {
 
 struct Equations {
-    OrientedMesh cells;           // with orientations of their own: the analysis may be gone
+    OrientedMesh cells;           // a copy of the orientations: the analysis may be gone
     Method method;                // the kernel is never automatic here
-    Span<Index> line_of;          // [n] line of values of each position
+    Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
     std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to
@@ -18,16 +18,17 @@ struct Equations {
     Matrix matrix;                // of the compact or the bounded scheme; beside nodal gradients the compact scheme's
     NodalEquations nodal;         // schemes of nodal gradients only
 
-    // The working space of nodal gradients is laid out apart: see NodalEquations::lay_out_work.
+    // Without the working space of nodal gradients: see NodalEquations::lay_out_work.
     void lay_out(Arena& arena, Analysis const& analysis) noexcept;
-    // All but the matrix and the nodal equations, which take longest: build() may run beside what else is made of the analysis.
+    // init() takes over everything but the matrix and the nodal equations. These take longest and are made by build(),
+    // which may run in parallel with other users of the analysis.
     void init(Analysis const& analysis) noexcept;
     void build(Analysis const& analysis) noexcept;
-    // Entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix is of no use.
+    // Computes the entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix must not be used.
     Status assemble(Points points, Executor const& executor, Fault& fault) noexcept;
 
-    Lines lines(Basis const& basis) const noexcept { return {basis, line_of, matrix.components()}; }
-    Index point_of(Index position) const noexcept { return line_of[position] / matrix.components(); }
+    DofValues dofs(Basis const& basis) const noexcept { return {basis, dof_of, matrix.components()}; }
+    Index point_of(Index position) const noexcept { return dof_of[position] / matrix.components(); }
 
 private:
     Status assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept;

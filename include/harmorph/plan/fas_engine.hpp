@@ -18,11 +18,12 @@ struct FasEngine : LevelEngine<FullApproximation> {
         iteration.volumes.measure(equations.cells, points, equations.matrix.row_of);
         return iteration.set_up(equations.matrix.rows(faces), fault);
     }
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept {
         bool const nodal_gradients = equations.method.nodal_gradients();
-        if (nodal_gradients) equations.nodal.set_right_hand_sides(lines, lines.columns(equations.matrix));
-        return iteration.solve(lines.rows(equations.matrix), nodal_gradients ? &equations.nodal.scheme : nullptr, progress,
+        if (nodal_gradients) equations.nodal.set_right_hand_sides(dofs, dofs.columns(equations.matrix));
+        return iteration.solve(dofs.rows(equations.matrix), nodal_gradients ? &equations.nodal.scheme : nullptr,
+                               progress,
                                report, fault);
     }
 };

@@ -1,4 +1,4 @@
-// What engines that iterate on agglomerated levels answer alike.
+// The members that all engines on agglomerated levels have in common.
 #pragma once
 
 #include "harmorph/multigrid/iteration.hpp"
@@ -6,7 +6,7 @@
 
 namespace harmorph {
 
-// Iterative: a BlockIteration. It ends at the tolerance that it is asked for: its solutions are not corrected.
+// Iterative: a BlockIteration. It iterates to the given tolerance, so solutions are not refined.
 template <class Iterative>
 struct LevelEngine {
     static constexpr bool trusted = true;
@@ -26,7 +26,8 @@ struct LevelEngine {
         arena.release(shared);
     }
     void init(Analysis const&) const noexcept {}
-    void take_pattern(Analysis const& analysis, Matrix const& matrix) noexcept { matrix.mark_faces(analysis.topology.edges, faces); }
+    void take_pattern(Analysis const& analysis,
+                      Matrix const& matrix) noexcept { matrix.mark_faces(analysis.topology.edges, faces); }
     Status examine(Equations const&, Span<Real>, Fault&) const noexcept { return Status::ok; }
     template <class Number>
     Status correct(RowsOf<Number> const&, Fault&) const noexcept { return Status::ok; }

@@ -10,9 +10,9 @@ struct MultigridEngine : LevelEngine<Multigrid> {
     Status set_up(Equations const& equations, Points, Progress const&, Fault& fault) noexcept {
         return iteration.set_up(equations.matrix.rows(faces), fault);
     }
-    Status solve(Equations const& equations, Lines const& lines, Progress const& progress, IterationReport& report,
+    Status solve(Equations const& equations, DofValues const& dofs, Progress const& progress, IterationReport& report,
                  Fault& fault) noexcept {
-        return iteration.solve(lines.rows(equations.matrix), progress, report, fault);
+        return iteration.solve(dofs.rows(equations.matrix), progress, report, fault);
     }
 };
 

@@ -17,7 +17,7 @@ struct Plan {
     BasisCounts basis_counts;
     MeshFingerprint topology;
     std::uint64_t conditions = 0;   // fingerprint of the problem
-    std::uint64_t coordinates = 0;  // fingerprint of those the factor belongs to
+    std::uint64_t coordinates = 0;  // fingerprint of the coordinates that the factor belongs to
     RegionCounts region_counts;     // for untangling
     Offset factor_entries = 0;
     bool factored = false;
@@ -30,11 +30,11 @@ struct Plan {
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
     // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
     Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
-    // Is the basis of the same analysis, or of one that is equal?
+    // Refuses a basis that was made of a different analysis; an equal one is accepted.
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
 private:
-    void turn_slipping_lines(Basis const& basis) const noexcept;
+    void turn_slipping_points(Basis const& basis) const noexcept;
     void copy_joined_points(Basis const& basis) const noexcept;
 };
 
