@@ -133,6 +133,7 @@ hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, do
 hm_status hm_fit_size(int32_t n, const hm_fit_options* options, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         FitOptions asked;
+        HARMORPH_TRY(require({{"bytes", bytes}}, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
         HARMORPH_TRY(check_fit(n, asked, fault));
         FitBlock made;
@@ -145,7 +146,7 @@ hm_status hm_fit(const hm_curves** curves, void* block, size_t bytes, const hm_p
     return guarded(err, [&](CallFault& fault) {
         Points view;
         FitOptions asked;
-        HARMORPH_TRY(require({{"curves", curves}}, fault));
+        HARMORPH_TRY(require({{"curves", curves}, {"block", block}}, fault));
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_points(points, "points", view, fault));
         HARMORPH_TRY(view_fit_options(options, asked, fault));
