@@ -98,8 +98,9 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
         for (Index k = begin; k < end; ++k) counts.add<is_large>(coordinates_.of[order_[k]]);
     }
     for (Index k = begin; k < end && stride > 1; k += stride) {
-        Index const ahead = k + prefetch_ahead * stride;
-        if (ahead < end) __builtin_prefetch(&coordinates_.of[order_[ahead]]);
+        if (k + prefetch_ahead * stride < end) {
+            __builtin_prefetch(&coordinates_.of[order_[k + prefetch_ahead * stride]]);
+        }
         counts.add<is_large>(coordinates_.of[order_[k]]);
         if (counts.n % 32 == 0) k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
     }
