@@ -5,8 +5,8 @@
 namespace harmorph {
 namespace {
 
-// Largest size of coordinates for which products of four of their differences cannot overflow, and what their underflows may
-// add up to: a few times 2^-1074 times the square of that size.
+// Largest size of coordinates for which products of four of their differences cannot overflow, and a bound of the error
+// by underflow: a few times 2^-1074 times the square of that size.
 constexpr Real large = 0x1p200, underflow = 0x1p-600;
 
 constexpr Real size_of(Vec2 p) noexcept { return larger(absolute(p.x), absolute(p.y)); }
@@ -60,13 +60,13 @@ struct Whole {
             carry >>= limb_bits;
         }
     }
-    // *this -= other * 2^(limb_bits * place); what does not fit is dropped.
-    template <Index its_degree>
-    void subtract(Whole<its_degree> const& other, Index place) noexcept {
+    // *this -= other * 2^(limb_bits * first_limb); what does not fit is dropped.
+    template <Index other_degree>
+    void subtract(Whole<other_degree> const& other, Index first_limb) noexcept {
         std::uint64_t borrow = 0;
-        for (Index i = place; i < n; ++i) {
-            std::uint64_t const its = i - place < other.n ? other.limb[i - place] : 0;
-            std::uint64_t const difference = std::uint64_t{limb[i]} - its - borrow;
+        for (Index i = first_limb; i < n; ++i) {
+            std::uint64_t const subtrahend = i - first_limb < other.n ? other.limb[i - first_limb] : 0;
+            std::uint64_t const difference = std::uint64_t{limb[i]} - subtrahend - borrow;
             limb[i] = static_cast<std::uint32_t>(difference);
             borrow = difference >> 63;
         }
@@ -95,8 +95,8 @@ Whole<degree> operator-(Whole<degree> const& a, Whole<degree> const& b) noexcept
     return out;
 }
 
-// Of the limbs as if there were no signs; then, for a negative factor, which counts 2^bits too much, the other is taken
-// off.
+// The product of the limbs as unsigned numbers. In two's complement a negative factor is 2^bits too large as an
+// unsigned number: so the other factor times 2^bits is subtracted.
 template <Index p, Index q>
 Whole<p + q> operator*(Whole<p> const& a, Whole<q> const& b) noexcept {
     Whole<p + q> out;
@@ -124,10 +124,10 @@ struct Grid {
     void include(Vec2 p) noexcept {
         Real const coordinates[] = {p.x, p.y};
         for (Real const x : coordinates) {
-            Scaled const its(x);
-            if (its.whole == 0) continue;
-            shift = smaller(shift, its.shift);
-            end = larger(end, its.shift + its.bits());
+            Scaled const scaled(x);
+            if (scaled.whole == 0) continue;
+            shift = smaller(shift, scaled.shift);
+            end = larger(end, scaled.shift + scaled.bits());
         }
     }
     Index limbs() const noexcept { return end < shift ? 1 : (end - shift + 3 + limb_bits - 1) / limb_bits; }
@@ -136,13 +136,13 @@ struct Grid {
         Whole<1> out;
         out.n = limbs();
         for (Index i = 0; i < out.n; ++i) out.limb[i] = 0;
-        Scaled const its(x);
-        if (its.whole == 0) return out;
-        Index const first = (its.shift - shift) / limb_bits, within = (its.shift - shift) % limb_bits;
-        std::uint64_t const low = its.whole << within, high = within > 0 ? its.whole >> (64 - within) : 0;
+        Scaled const scaled(x);
+        if (scaled.whole == 0) return out;
+        Index const first = (scaled.shift - shift) / limb_bits, within = (scaled.shift - shift) % limb_bits;
+        std::uint64_t const low = scaled.whole << within, high = within > 0 ? scaled.whole >> (64 - within) : 0;
         std::uint64_t const parts[] = {low & 0xFFFFFFFFu, low >> limb_bits, high};
         for (Index i = 0; i < 3 && first + i < out.n; ++i) out.limb[first + i] = static_cast<std::uint32_t>(parts[i]);
-        if (its.negative) out.negate();
+        if (scaled.negative) out.negate();
         return out;
     }
 };
@@ -177,8 +177,8 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
 
 }  // namespace
 
-// Every product has gone through 4 roundings: of its two differences, its own, and that of the sum. 5 cover their
-// squares.
+// Each product carries 4 rounding errors of epsilon / 2: of two differences, of the product, of the sum. The bound
+// takes 5, which covers terms of second order.
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     if (!(size_of(a, b, c) < large)) return exact_orientation_sign(a, b, c);
     Vec2 const p = a - c, q = b - c;
@@ -187,8 +187,9 @@ int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     return absolute(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);
 }
 
-// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Its products go through 11 roundings: 4 in each of
-// their two factors, one of their own, two of the sums. 12 cover their squares.
+// The determinant of rows (x, y, x^2 + y^2) of a, b, c about d. Each product carries 11 rounding errors of epsilon / 2:
+// 4 in each of the two factors, one of the product, two of the sums. The bound takes 12, which covers terms of second
+// order.
 int in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
     if (!(size_of(a, b, c) < large) || !(size_of(d) < large)) return exact_in_circle_sign(a, b, c, d);
     Vec2 const from[] = {a - d, b - d, c - d};

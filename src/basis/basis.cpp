@@ -17,7 +17,9 @@ Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     return sum;
 }
 
-std::uint64_t pair(Index a, Index b) noexcept { return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b); }
+std::uint64_t pair(Index a, Index b) noexcept {
+    return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
+}
 
 }  // namespace
 
@@ -113,9 +115,9 @@ BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
     BoundaryFunctions const all = boundary_functions(slot);
     BoundaryFunctions out;
     for (Index k = 0; k < all.order; ++k) {
-        Index const place = all.function[k] - counts.first_stored;
-        if (place < 0 || place >= counts.stored) continue;
-        out.function[out.order] = place;
+        Index const stored = all.function[k] - counts.first_stored;
+        if (stored < 0 || stored >= counts.stored) continue;
+        out.function[out.order] = stored;
         out.value[out.order++] = all.value[k];
     }
     return out;
@@ -130,19 +132,19 @@ Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
     return sum;
 }
 
-void Basis::column(Index place, Real* out) const noexcept {
+void Basis::column(Index number, Real* out) const noexcept {
     for (Index point = 0; point < n_points(); ++point) {
-        out[point] = in_single() ? static_cast<Real>(single_row(point)[place]) : row(point)[place];
+        out[point] = in_single() ? static_cast<Real>(single_row(point)[number]) : row(point)[number];
     }
     if (!in_single()) return;
-    for (Index slot = 0; slot < wall_point.count(); ++slot) out[wall_point[slot]] = row(slot)[place];
-    for (Index k = 0; k < joined_point.count(); ++k) out[joined_point[k]] = row(joined_slot[k])[place];
+    for (Index slot = 0; slot < wall_point.count(); ++slot) out[wall_point[slot]] = row(slot)[number];
+    for (Index k = 0; k < joined_point.count(); ++k) out[joined_point[k]] = row(joined_slot[k])[number];
 }
 
 Status Basis::require_double(Fault& fault) const noexcept {
     if (!in_single()) return Status::ok;
     return fault.refuse(Status::unsupported,
-                        "the basis has its functions in single precision, this call needs them in double");
+                        "the basis has face_hash functions in single precision, this call needs them in double");
 }
 
 void Basis::seal(Real at_least) const noexcept {
@@ -170,10 +172,10 @@ MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
     front.add(back.value());
     std::uint64_t sum = 0;  // does not depend on the order of the faces
     mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {
-        Hash its;
-        its.add(pair(smaller(face.begin, face.end), larger(face.begin, face.end)));
-        its.add(static_cast<std::uint32_t>(face.marker));
-        sum += its.value();
+        Hash face_hash;
+        face_hash.add(pair(smaller(face.begin, face.end), larger(face.begin, face.end)));
+        face_hash.add(static_cast<std::uint32_t>(face.marker));
+        sum += face_hash.value();
         return true;
     });
     return {front.value(), sum};

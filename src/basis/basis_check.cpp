@@ -46,7 +46,8 @@ private:
         Method const& method = header.method;
         return is_within(header.index_base, 0, 2) && is_within(header.filled, 0, counts_.stored + 1) &&
                is_within(static_cast<Index>(method.operator_kind), 0, 3) &&
-               is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0, 3) &&
+               is_within(static_cast<Index>(method.scheme), 0, 4) && is_within(static_cast<Index>(method.engine), 0,
+                                                                               3) &&
                is_within(method.quarters, 0, 17) && is_within(method.offset_correction, 0, 2) &&
                is_within(static_cast<Index>(method.precision), 0, 2);
     }
@@ -55,7 +56,8 @@ private:
         Index indices = 0, knots = 0;
         for (Index number = 0; number < counts_.curves; ++number) {
             Basis::CurveShape const& curve = basis_.shape[number];
-            if (!is_within(curve.degree, 1, max_degree + 1) || curve.first_index != indices || curve.first_knot != knots) return false;
+            if (!is_within(curve.degree, 1, max_degree + 1) || curve.first_index != indices ||
+                curve.first_knot != knots) return false;
             if (!is_within(curve.n_indices, curve.degree + 1, counts_.indices - indices + 1)) return false;
             if (curve.n_indices + curve.degree + 1 > counts_.knots - knots) return false;
             Fault unheard;
@@ -68,7 +70,8 @@ private:
 
     bool conditions_fit() const noexcept {
         for (Condition const& condition : basis_.conditions) {
-            if (!is_within(static_cast<Index>(condition.kind), 0, static_cast<Index>(ConditionKind::periodic) + 1)) return false;
+            if (!is_within(static_cast<Index>(condition.kind), 0,
+                           static_cast<Index>(ConditionKind::periodic) + 1)) return false;
             bool const on_curve = condition.kind == ConditionKind::on_curve;
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
             if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;
@@ -120,9 +123,11 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
     auto const refuse = [&](const char* why, Real found = 0) {
         return fault.refuse(Status::bad_basis, why, Counts::from_zero, none, none, found);
     };
-    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic, smaller(bytes, sizeof BasisHeader::expected_magic)) != 0) return refuse("this is not a harmorph basis");
+    if (bytes == 0 || std::memcmp(block, BasisHeader::expected_magic, smaller(bytes,
+        sizeof BasisHeader::expected_magic)) != 0) return refuse("this is not a harmorph basis");
     if (bytes < sizeof(BasisHeader)) {
-        return refuse("the basis is truncated: at least ~ bytes are missing", static_cast<Real>(sizeof(BasisHeader) - bytes));
+        return refuse("the basis is truncated: at least ~ bytes are missing",
+                      static_cast<Real>(sizeof(BasisHeader) - bytes));
     }
     BasisHeader header;
     std::memcpy(static_cast<void*>(&header), block, sizeof header);
@@ -131,7 +136,8 @@ Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault
         return fault.refuse(Status::bad_basis, "the basis has format version #, this library reads @: solve it again",
                             Counts::from_zero, static_cast<Index>(header.format), Index{BasisHeader::current_format});
     }
-    if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing", static_cast<Real>(header.bytes - bytes));
+    if (header.bytes > bytes) return refuse("the basis is truncated: ~ bytes are missing",
+                                            static_cast<Real>(header.bytes - bytes));
     if (!counts_make_sense(header.counts) || Basis::bytes(header.counts) != header.bytes) {
         return refuse("the basis is damaged: its sizes contradict each other");
     }

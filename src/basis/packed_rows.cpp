@@ -25,7 +25,8 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
         return fault.refuse(Status::bad_basis, "parcels are for rows of all functions, this is a share of them");
     }
     if (label.first != header.filled || label.n < 0 || label.n > rows.n_functions() - label.first) {
-        return fault.refuse(Status::bad_basis, "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
+        return fault.refuse(Status::bad_basis,
+                            "the parcel begins with function # (from 0), the next one to come is @ (from 0)",
                             Counts::from_zero, label.first, header.filled);
     }
     return Status::ok;

@@ -38,8 +38,9 @@ void Extract::take_work(Arena& arena, Basis const& whole) noexcept {
     arena.take(slot, n_wall);
 }
 
-// How many points of the wall the list names, and repeats, is known only when it is read. It takes most room to name all of
-// them once. Where a few repeats take their place arrays may grow that had not grown for others: a few lines of memory more.
+// How many points of the wall the list names, and repeats, is known only when it is read. It takes most room to name
+// all of them once. Where a few repeats take their place arrays may grow that had not grown for others: a few lines of
+// memory more.
 void Extract::count(Arena& arena, Basis const& whole, Index n_points) noexcept {
     constexpr Index few = 24;
     Extract bound;

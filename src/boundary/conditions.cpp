@@ -19,42 +19,48 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
         }
     }
     if (has_faces(boundary, marker)) return Status::ok;
-    return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face", Counts::from_zero,
+    return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face",
+                        Counts::from_zero,
                         marker, i);
 }
 
 // Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
 Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
-    Condition const& its = conditions[i];
-    if (!is_finite(its.centre.x) || !is_finite(its.centre.y)) {
-        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite", Counts::from_zero, i);
+    Condition const& condition = conditions[i];
+    if (!is_finite(condition.centre.x) || !is_finite(condition.centre.y)) {
+        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite",
+                            Counts::from_zero, i);
     }
-    Index previous = its.body == 0 ? 0 : none;
+    Index previous = condition.body == 0 ? 0 : none;
     for (Condition const& other : conditions) {
         if (other.kind != ConditionKind::rigid) continue;
-        if (other.body == its.body - 1) previous = other.body;
-        if (other.body == its.body && (other.centre.x != its.centre.x || other.centre.y != its.centre.y)) {
+        if (other.body == condition.body - 1) previous = other.body;
+        if (other.body == condition.body &&
+            (other.centre.x != condition.centre.x || other.centre.y != condition.centre.y)) {
             return fault.refuse(Status::bad_condition, "markers # and @ are one rigid body, but turn about two centres",
-                                Counts::from_zero, its.marker, other.marker);
+                                Counts::from_zero, condition.marker, other.marker);
         }
     }
-    if (its.body >= 0 && previous != none) return Status::ok;
-    return fault.refuse(Status::bad_condition, "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
-                        Counts::from_zero, i, its.body);
+    if (condition.body >= 0 && previous != none) return Status::ok;
+    return fault.refuse(Status::bad_condition,
+                        "condition # (from 0) names rigid body @ (from 0), but not all before it are there",
+                        Counts::from_zero, i, condition.body);
 }
 
 Status check_partner(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
-    Condition const& its = conditions[i];
-    if (its.partner == its.marker) {
-        return fault.refuse(Status::bad_condition, "marker # is its own periodic partner", Counts::from_zero, its.marker);
+    Condition const& condition = conditions[i];
+    if (condition.partner == condition.marker) {
+        return fault.refuse(Status::bad_condition, "marker # is its own periodic partner", Counts::from_zero,
+                            condition.marker);
     }
-    if (condition_of(conditions, its.partner) != nullptr) {
+    if (condition_of(conditions, condition.partner) != nullptr) {
         return fault.refuse(Status::bad_condition, "marker #, the periodic partner of @, has a condition of its own",
-                            Counts::from_zero, its.partner, its.marker);
+                            Counts::from_zero, condition.partner, condition.marker);
     }
-    if (has_faces(boundary, its.partner)) return Status::ok;
-    return fault.refuse(Status::bad_condition, "marker @ is to be the periodic partner of #, but no boundary face has it",
-                        Counts::from_zero, its.marker, its.partner);
+    if (has_faces(boundary, condition.partner)) return Status::ok;
+    return fault.refuse(Status::bad_condition,
+                        "marker @ is to be the periodic partner of #, but no boundary face has it",
+                        Counts::from_zero, condition.marker, condition.partner);
 }
 
 }  // namespace
@@ -66,7 +72,8 @@ void Demands::add(Condition const& condition) noexcept {
     periodic = periodic || condition.kind == ConditionKind::periodic;
 }
 
-Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary, Fault& fault) noexcept {
+Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
+                        Fault& fault) noexcept {
     bool any_wall = false;
     for (Index i = 0; i < conditions.count(); ++i) {
         Condition const& condition = conditions[i];
@@ -78,12 +85,14 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         any_wall = true;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
-            return fault.refuse(Status::bad_condition, "condition # (from 0) names curves that do not exist; there are @",
+            return fault.refuse(Status::bad_condition,
+                                "condition # (from 0) names curves that do not exist; there are @",
                                 Counts::from_zero, i, n_curves);
         }
     }
     if (any_wall) return Status::ok;
-    return fault.refuse(Status::bad_condition, "no condition puts a marker on a curve or makes it a rigid body: nothing moves");
+    return fault.refuse(Status::bad_condition,
+                        "no condition puts a marker on a curve or makes it a rigid body: nothing moves");
 }
 
 const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept {

@@ -8,35 +8,36 @@ namespace {
 
 constexpr Index lanes = FaceDistance::lanes;
 
-// Places in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
-// finest at the faces and reaches to infinity, in Morton's order.
-struct SortedPlaces {
+// Points in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
+// finest at the faces and reaches to infinity, in Morton order.
+struct SortedPoints {
     static constexpr Index most = 512, levels = 5, side = 1 << levels, squares = side * side;
 
-    Index n;  // whole eights: the last place comes several times
+    Index n;  // a multiple of eight: the last point is repeated
     Real x[most], y[most];
     std::uint16_t number[most];
 
-    void sort(FaceDistance const& faces, const Vec2* place, Index its_n) noexcept {
+    void sort(FaceDistance const& faces, const Vec2* point, Index n_points) noexcept {
         Index square[most];
         std::uint16_t start[squares] = {};
-        for (Index i = 0; i < its_n; ++i) {  // nothing else, so that compilers make vectors of it
-            square[i] = spread(place[i].x - faces.middle.x, faces.half_size.x) |
-                        spread(place[i].y - faces.middle.y, faces.half_size.y) << 1;
+        for (Index i = 0; i < n_points; ++i) {  // a loop of its own, so that compilers vectorise it
+            square[i] = spread(point[i].x - faces.middle.x, faces.half_size.x) |
+                        spread(point[i].y - faces.middle.y, faces.half_size.y) << 1;
         }
-        for (Index i = 0; i < its_n; ++i) ++start[square[i]];
+        for (Index i = 0; i < n_points; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
-        for (Index i = 0; i < its_n; ++i) set(start[square[i]]++, place[i], i);
-        for (n = its_n; n % lanes != 0; ++n) set(n, {x[its_n - 1], y[its_n - 1]}, number[its_n - 1]);
+        for (Index i = 0; i < n_points; ++i) set(start[square[i]]++, point[i], i);
+        for (n = n_points; n % lanes != 0; ++n) set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
     }
 
 private:
-    void set(Index at, Vec2 place, Index its_number) noexcept {
-        x[at] = place.x;
-        y[at] = place.y;
-        number[at] = static_cast<std::uint16_t>(its_number);
+    void set(Index at, Vec2 point, Index new_number) noexcept {
+        x[at] = point.x;
+        y[at] = point.y;
+        number[at] = static_cast<std::uint16_t>(new_number);
     }
-    // One coordinate's bits of a square's number, a place apart. Half of the grid is within half_size.
+    // The bits of one coordinate, spread to every second bit of the number of a square. Half of the grid is within
+    // half_size.
     static Index spread(Real from_middle, Real half_size) noexcept {
         Real const part = from_middle / (absolute(from_middle) + half_size);  // -1 .. 1
         Index bits = static_cast<Index>((0.5 * side - 0.01) * (1 + (part > -1 ? part : -1)));
@@ -46,26 +47,26 @@ private:
     }
 };
 
-// k [n] at the places of its numbers, in units. for_each_place(begin, end, take(number, place)).
-template <class ForEachPlace>
+// k [n] at points in units, which for_each_point(begin, end, take(number, point)) passes on by their numbers.
+template <class ForEachPoint>
 void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor const& executor,
-           ForEachPlace for_each_place) noexcept {
+           ForEachPoint for_each_point) noexcept {
     if (faces.unit == 0 || quarters == 0) return fill(k, Real{1});
     DistanceKernels const& kernels = distance_kernels(faces.kernel);
     constexpr Index least_blocks = 8;
-    constexpr Index block = SortedPlaces::most;
+    constexpr Index block = SortedPoints::most;
     executor.for_ranges((k.count() + block - 1) / block, least_blocks, [&](Index begin, Index end) {
         Index group = 0;
         for (Index number = begin; number < end; ++number) {
             Index const first = number * block, n = smaller(block, k.count() - first);
-            Vec2 place[block];
-            for_each_place(first, first + n, [&](Index i, Vec2 its) { place[i - first] = its; });
-            SortedPlaces sorted;
-            sorted.sort(faces, place, n);
+            Vec2 point[block];
+            for_each_point(first, first + n, [&](Index i, Vec2 at) { point[i - first] = at; });
+            SortedPoints sorted;
+            sorted.sort(faces, point, n);
             for (Index i = 0; i < sorted.n; i += lanes) {
-                Real its[lanes];
-                kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, its, group);
-                for (Index lane = 0; lane < lanes; ++lane) k[first + sorted.number[i + lane]] = its[lane];
+                Real weight[lanes];
+                kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, weight, group);
+                for (Index lane = 0; lane < lanes; ++lane) k[first + sorted.number[i + lane]] = weight[lane];
             }
         }
     });
@@ -83,12 +84,12 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     if (count == 0) return {};
     Vec2 const here = inverse_unit * from;
     distance_kernels(kernel).nearest_square(*this, here, group);
-    Segments const& its = groups[group];
+    Segments const& segments = groups[group];
     Foot best;
     Real least = infinity;
     for (Index lane = 0; lane < lanes && lanes * group + lane < count; ++lane) {
-        Vec2 const start{its.x[lane], its.y[lane]}, along{its.along_x[lane], its.along_y[lane]};
-        Real const t = clamp(dot(here - start, along) * its.inverse[lane], 0.0, 1.0);
+        Vec2 const start{segments.x[lane], segments.y[lane]}, along{segments.along_x[lane], segments.along_y[lane]};
+        Real const t = clamp(dot(here - start, along) * segments.inverse[lane], 0.0, 1.0);
         Real const distance = square(here - start - t * along);
         if (!(distance < least)) continue;
         least = distance;

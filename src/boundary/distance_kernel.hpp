@@ -1,5 +1,6 @@
-// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each by distance_table.cpp. All of
-// them find the least of the same numbers, whichever they pass over: so the bits are the same.
+// Searches of the tree of FaceDistance with the registers of one instruction set; compiled for each by
+// distance_table.cpp. All find the least of the same numbers, whichever parts of the tree they skip: so the bits are
+// the same.
 
 namespace harmorph::HARMORPH_SET {
 namespace {
@@ -26,47 +27,51 @@ HARMORPH_INLINE Real smallest_of(Real* eight) noexcept {
     return eight[0];
 }
 
-// Squared distances from several segments to one place, or from one segment to several places.
-template <class Segment, class Place>
+// Squared distances from several segments to one point, or from one segment to several points.
+template <class Segment, class Point>
 HARMORPH_INLINE Vector square_from(Segment begin_x, Segment begin_y, Segment along_x, Segment along_y, Segment inverse,
-                                   Place place_x, Place place_y) noexcept {
-    Vector x = place_x - begin_x, y = place_y - begin_y;
+                                   Point point_x, Point point_y) noexcept {
+    Vector x = point_x - begin_x, y = point_y - begin_y;
     Vector const nearest = (x * along_x + y * along_y) * inverse;
     Vector const t = Registers::smaller(Registers::larger(nearest, Vector{}), Vector{} + 1);
     x -= t * along_x;
     y -= t * along_y;
     return x * x + y * y;
 }
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& its, Index lane, Vec2 place) noexcept {
-    return square_from(Registers::load(its.x + lane), Registers::load(its.y + lane), Registers::load(its.along_x + lane), Registers::load(its.along_y + lane),
-                       Registers::load(its.inverse + lane), place.x, place.y);
+HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vec2 point) noexcept {
+    return square_from(Registers::load(segments.x + lane), Registers::load(segments.y + lane),
+                       Registers::load(segments.along_x + lane), Registers::load(segments.along_y + lane),
+                       Registers::load(segments.inverse + lane), point.x, point.y);
 }
-HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& its, Index lane, Vector x, Vector y) noexcept {
-    return square_from(its.x[lane], its.y[lane], its.along_x[lane], its.along_y[lane], its.inverse[lane], x, y);
+HARMORPH_INLINE Vector square_from(FaceDistance::Segments const& segments, Index lane, Vector x, Vector y) noexcept {
+    return square_from(segments.x[lane], segments.y[lane], segments.along_x[lane], segments.along_y[lane],
+                       segments.inverse[lane], x, y);
 }
 
-template <class Corner, class Place>
-HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y, Place place_x,
-                                      Place place_y) noexcept {
-    Vector const x = Registers::larger(Registers::larger(low_x - place_x, place_x - high_x), Vector{});
-    Vector const y = Registers::larger(Registers::larger(low_y - place_y, place_y - high_y), Vector{});
+template <class Corner, class Point>
+HARMORPH_INLINE Vector square_outside(Corner low_x, Corner low_y, Corner high_x, Corner high_y, Point point_x,
+                                      Point point_y) noexcept {
+    Vector const x = Registers::larger(Registers::larger(low_x - point_x, point_x - high_x), Vector{});
+    Vector const y = Registers::larger(Registers::larger(low_y - point_y, point_y - high_y), Vector{});
     return x * x + y * y;
 }
 
-// Those of eight nodes that may hold a face at a distance from a place of `reach` or less: the nearest bound first,
-// then the others in their order.
+// Those of eight nodes that may contain a face within `reach` of a point: the one with the smallest bound first, then
+// the others in order.
 class Candidates {
 public:
-    HARMORPH_INLINE Candidates(FaceDistance::Boxes const& its, Vec2 from, Real reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Boxes const& boxes, Vec2 from, Real reach) noexcept {
         for (Index k = 0; k < lanes; k += width) {
-            add(k, square_outside(Registers::load(its.low_x + k), Registers::load(its.low_y + k), Registers::load(its.high_x + k), Registers::load(its.high_y + k),
-                                  from.x, from.y), Vector{} + (1 + 2 * slack) * reach * reach);
+            add(k,
+                square_outside(Registers::load(boxes.low_x + k), Registers::load(boxes.low_y + k),
+                               Registers::load(boxes.high_x + k), Registers::load(boxes.high_y + k), from.x, from.y),
+                Vector{} + (1 + 2 * slack) * reach * reach);
         }
     }
-    HARMORPH_INLINE Candidates(FaceDistance::Chords const& its, Vec2 from, Real reach) noexcept {
+    HARMORPH_INLINE Candidates(FaceDistance::Chords const& chords, Vec2 from, Real reach) noexcept {
         for (Index k = 0; k < lanes; k += width) {
-            Vector const limit = (1 + slack) * (reach + Registers::load(its.radius + k));
-            add(k, square_from(its.axis, k, from), limit * limit);
+            Vector const limit = (1 + slack) * (reach + Registers::load(chords.radius + k));
+            add(k, square_from(chords.axis, k, from), limit * limit);
         }
     }
     HARMORPH_INLINE void leave_out(Index lane) noexcept {
@@ -96,71 +101,71 @@ private:
     Real square_[lanes];
 };
 
-// A search is for what is nearest to one place.
+// The state of a search for the face nearest to one point.
 struct One {
     Vec2 centre;
-    Index group;  // the nearest; at first, where it is tried
+    Index group;  // of the nearest face so far; at first, the group that is tried first
     Real square = infinity, reach = infinity;
 
-    HARMORPH_INLINE One(Vec2 place, Index first_group) noexcept : centre(place), group(first_group) {}
+    HARMORPH_INLINE One(Vec2 point, Index first_group) noexcept : centre(point), group(first_group) {}
 
-    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const&, Index, Real its_square) const noexcept {
-        return its_square < (1 + 2 * slack) * square;
+    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const&, Index, Real bound) const noexcept {
+        return bound < (1 + 2 * slack) * square;
     }
-    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane, Real its_square) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane, Real bound) const noexcept {
         Real const limit = (1 + slack) * (reach + chords.radius[lane]);
-        return its_square < limit * limit;
+        return bound < limit * limit;
     }
-    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index its) noexcept {
+    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index tried) noexcept {
         Real squares[lanes];
         for (Index k = 0; k < lanes; k += width) Registers::store(squares + k, square_from(segments, k, centre));
         Real const nearest = smallest_of(squares);
-        if (!(nearest < square || (nearest == square && its < group))) return;  // whichever was tried first
+        if (!(nearest < square || (nearest == square && tried < group))) return;  // whichever was tried first
         square = nearest;
         reach = square_root(nearest);
-        group = its;
+        group = tried;
     }
 };
 
-// Or to each of eight places, which should be neighbours: each alone would be a chain of branches that nobody can
-// predict.
+// The same for each of eight points, which should be neighbours: they share the branches, which are hard to predict.
 struct Eight {
     Vec2 centre;
-    Index group;  // the last that was the nearest of one of them
-    Real reach = infinity;  // whatever is nearest to one of them is no farther from the centre
+    Index group;  // the last group that was nearest to one of the points
+    Real reach = infinity;  // the face nearest to any of the points is no farther than this from the centre
     Vector x[vectors], y[vectors], square[vectors], distance[vectors], from_centre[vectors];
 
-    HARMORPH_INLINE Eight(const Real* its_x, const Real* its_y, Index first_group) noexcept : group(first_group) {
+    HARMORPH_INLINE Eight(const Real* new_x, const Real* new_y, Index first_group) noexcept : group(first_group) {
         for (Index v = 0; v < vectors; ++v) square[v] = distance[v] = Vector{} + infinity;
-        move(its_x, its_y, {0, 0});
+        move(new_x, new_y, {0, 0});
     }
-    // To their images, of which the distances found so far are bounds as well.
-    HARMORPH_INLINE void move(const Real* its_x, const Real* its_y, Vec2 shift) noexcept {
+    // Goes on with translated points: the distances found so far remain upper bounds.
+    HARMORPH_INLINE void move(const Real* new_x, const Real* new_y, Vec2 shift) noexcept {
         for (Index v = 0; v < vectors; ++v) {
-            x[v] = Registers::load(its_x + v * width) + shift.x;
-            y[v] = Registers::load(its_y + v * width) + shift.y;
+            x[v] = Registers::load(new_x + v * width) + shift.x;
+            y[v] = Registers::load(new_y + v * width) + shift.y;
         }
         set_centre();
     }
 
-    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& its, Index lane, Real) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Boxes const& boxes, Index lane, Real) const noexcept {
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
             Vector const bound =
-                square_outside(its.low_x[lane], its.low_y[lane], its.high_x[lane], its.high_y[lane], x[v], y[v]);
+                square_outside(boxes.low_x[lane], boxes.low_y[lane], boxes.high_x[lane], boxes.high_y[lane], x[v],
+                               y[v]);
             any |= Registers::less(bound, (1 + 2 * slack) * square[v]);
         }
         return any != 0;
     }
-    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& its, Index lane, Real) const noexcept {
+    HARMORPH_INLINE bool reaches(FaceDistance::Chords const& chords, Index lane, Real) const noexcept {
         unsigned any = 0;
         for (Index v = 0; v < vectors; ++v) {
-            Vector const limit = (1 + slack) * (distance[v] + its.radius[lane]);
-            any |= Registers::less(square_from(its.axis, lane, x[v], y[v]), limit * limit);
+            Vector const limit = (1 + slack) * (distance[v] + chords.radius[lane]);
+            any |= Registers::less(square_from(chords.axis, lane, x[v], y[v]), limit * limit);
         }
         return any != 0;
     }
-    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index its) noexcept {
+    HARMORPH_INLINE void try_group(FaceDistance::Segments const& segments, Index tried) noexcept {
         Vector nearest[vectors];
         for (Index v = 0; v < vectors; ++v) nearest[v] = square[v];
         for (Index lane = 0; lane < lanes; ++lane) {
@@ -175,7 +180,7 @@ struct Eight {
             distance[v] = Registers::square_root(nearest[v]);
         }
         if (any == 0) return;
-        group = its;
+        group = tried;
         set_reach();
     }
 
@@ -201,11 +206,11 @@ private:
     }
 };
 
-template <class Places>
+template <class Searches>
 class Search {
 public:
-    HARMORPH_INLINE Search(FaceDistance const& tree, Places& places, Index tried) noexcept
-        : tree_(tree), places_(places), tried_(tried) {}
+    HARMORPH_INLINE Search(FaceDistance const& tree, Searches& searches, Index tried) noexcept
+        : tree_(tree), searches_(searches), tried_(tried) {}
     HARMORPH_INLINE void run() noexcept { visit(tree_.root_height, 0); }
 
 private:
@@ -213,23 +218,23 @@ private:
         Index lane;
         if (height > 1) {
             FaceDistance::Boxes const& boxes = tree_.boxes[tree_.height_start[height] + node];
-            Candidates candidates(boxes, places_.centre, places_.reach);
+            Candidates candidates(boxes, searches_.centre, searches_.reach);
             while (candidates.next(lane)) {
-                if (places_.reaches(boxes, lane, candidates.square(lane))) visit(height - 1, lanes * node + lane);
+                if (searches_.reaches(boxes, lane, candidates.square(lane))) visit(height - 1, lanes * node + lane);
             }
             return;
         }
         FaceDistance::Chords const& chords = tree_.chords[node];
-        Candidates candidates(chords, places_.centre, places_.reach);
+        Candidates candidates(chords, searches_.centre, searches_.reach);
         candidates.leave_out(tried_ - lanes * node);
         while (candidates.next(lane)) {
-            if (!places_.reaches(chords, lane, candidates.square(lane))) continue;
-            places_.try_group(tree_.groups[lanes * node + lane], lanes * node + lane);
+            if (!searches_.reaches(chords, lane, candidates.square(lane))) continue;
+            searches_.try_group(tree_.groups[lanes * node + lane], lanes * node + lane);
         }
     }
 
     FaceDistance const& tree_;
-    Places& places_;
+    Searches& searches_;
     Index tried_;
 };
 
@@ -249,24 +254,24 @@ HARMORPH_INLINE Vector weight_of(Vector square, Index quarters) noexcept {
 }
 
 Real nearest_square(FaceDistance const& tree, Vec2 from, Index& group) noexcept {
-    One place(from, group);
-    place.try_group(tree.groups[group], group);
-    Search<One>(tree, place, group).run();
-    group = place.group;
-    return place.square;
+    One point(from, group);
+    point.try_group(tree.groups[group], group);
+    Search<One>(tree, point, group).run();
+    group = point.group;
+    return point.square;
 }
 
 void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const Real* y, Real* k,
                  Index& group) noexcept {
-    Eight places(x, y, group);
-    places.try_group(tree.groups[group], group);
-    Search<Eight>(tree, places, group).run();
-    group = places.group;
+    Eight searches(x, y, group);
+    searches.try_group(tree.groups[group], group);
+    Search<Eight>(tree, searches, group).run();
+    group = searches.group;
     for (Index image = 0; image < tree.n_shifts; ++image) {
-        places.move(x, y, tree.shift[image]);
-        Search<Eight>(tree, places, none).run();
+        searches.move(x, y, tree.shift[image]);
+        Search<Eight>(tree, searches, none).run();
     }
-    for (Index v = 0; v < vectors; ++v) Registers::store(k + v * width, weight_of(places.square[v], quarters));
+    for (Index v = 0; v < vectors; ++v) Registers::store(k + v * width, weight_of(searches.square[v], quarters));
 }
 
 constexpr DistanceKernels kernels{nearest_square, weigh_eight};

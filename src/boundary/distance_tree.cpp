@@ -15,7 +15,7 @@ Real power_of_two_below(Real x) noexcept {
     return power;
 }
 
-// 0 of nothing, and of what is so small that its inverse is not finite: no floating-point exception is raised.
+// 0 where the inverse would not be finite: no floating-point exception is raised.
 Real inverse_of(Real square) noexcept { return square >= 0x1p-1000 ? 1 / square : 0; }
 
 Real distance_from_segment(Vec2 from, Vec2 to, Vec2 point) noexcept {
@@ -50,13 +50,13 @@ void FaceDistance::Chords::clear(Index lane) noexcept {
     radius[lane] = 0;
 }
 
-void FaceDistance::Chords::copy(Index lane, Chords const& other, Index its_lane) noexcept {
-    axis.x[lane] = other.axis.x[its_lane];
-    axis.y[lane] = other.axis.y[its_lane];
-    axis.along_x[lane] = other.axis.along_x[its_lane];
-    axis.along_y[lane] = other.axis.along_y[its_lane];
-    axis.inverse[lane] = other.axis.inverse[its_lane];
-    radius[lane] = other.radius[its_lane];
+void FaceDistance::Chords::copy(Index lane, Chords const& other, Index other_lane) noexcept {
+    axis.x[lane] = other.axis.x[other_lane];
+    axis.y[lane] = other.axis.y[other_lane];
+    axis.along_x[lane] = other.axis.along_x[other_lane];
+    axis.along_y[lane] = other.axis.along_y[other_lane];
+    axis.inverse[lane] = other.axis.inverse[other_lane];
+    radius[lane] = other.radius[other_lane];
 }
 
 void FaceDistance::Boxes::clear(Index lane) noexcept {
@@ -64,11 +64,11 @@ void FaceDistance::Boxes::clear(Index lane) noexcept {
     high_x[lane] = high_y[lane] = -far_away;
 }
 
-void FaceDistance::Boxes::copy(Index lane, Boxes const& other, Index its_lane) noexcept {
-    low_x[lane] = other.low_x[its_lane];
-    low_y[lane] = other.low_y[its_lane];
-    high_x[lane] = other.high_x[its_lane];
-    high_y[lane] = other.high_y[its_lane];
+void FaceDistance::Boxes::copy(Index lane, Boxes const& other, Index other_lane) noexcept {
+    low_x[lane] = other.low_x[other_lane];
+    low_y[lane] = other.low_y[other_lane];
+    high_x[lane] = other.high_x[other_lane];
+    high_y[lane] = other.high_y[other_lane];
 }
 
 void FaceDistance::lay_out(Arena& arena, Size max_faces) noexcept {

@@ -15,14 +15,14 @@ void WallPoints::lay_out(Arena& arena, Index n_points, Size max_faces) noexcept 
 void WallPoints::find(Index n_points, FaceDistance const& walls) noexcept {
     count = 0;
     fill(slot.first(n_points), none);
-    auto const slot_of = [&](Index its_point) {
-        if (slot[its_point] == none) {
-            slot[its_point] = count;
-            point[count] = its_point;
+    auto const slot_of = [&](Index wall_point) {
+        if (slot[wall_point] == none) {
+            slot[wall_point] = count;
+            point[count] = wall_point;
             previous[count] = next[count] = none;
             ++count;
         }
-        return slot[its_point];
+        return slot[wall_point];
     };
     for (FaceDistance::Face const& face : walls.faces.first(walls.count)) {
         next[slot_of(face.point[0])] = face.point[1];
@@ -30,18 +30,18 @@ void WallPoints::find(Index n_points, FaceDistance const& walls) noexcept {
     }
 }
 
-Vec2 WallPoints::tangent(Index its_slot, Points points) const noexcept {
-    Vec2 const here = points[point[its_slot]];
-    if (previous[its_slot] == none) return points[next[its_slot]] - here;
-    Vec2 const behind = here - points[previous[its_slot]];
-    if (next[its_slot] == none) return behind;
-    Vec2 const ahead = points[next[its_slot]] - here;
+Vec2 WallPoints::tangent(Index at_slot, Points points) const noexcept {
+    Vec2 const here = points[point[at_slot]];
+    if (previous[at_slot] == none) return points[next[at_slot]] - here;
+    Vec2 const behind = here - points[previous[at_slot]];
+    if (next[at_slot] == none) return behind;
+    Vec2 const ahead = points[next[at_slot]] - here;
     return length(ahead) * direction(behind) + length(behind) * direction(ahead);
 }
 
-Vec2 WallPoints::turn(Index its_slot, Points before, Points after) const noexcept {
+Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept {
     Vec2 sum{};
-    Index const here = point[its_slot], from[] = {previous[its_slot], here}, to[] = {here, next[its_slot]};
+    Index const here = point[at_slot], from[] = {previous[at_slot], here}, to[] = {here, next[at_slot]};
     Real weight[2] = {1, 1};  // those of the tangent
     if (from[0] != none && to[1] != none) {
         for (Index face = 0; face < 2; ++face) weight[1 - face] = length(before[to[face]] - before[from[face]]);

@@ -8,7 +8,8 @@ constexpr Real translated_within = 1e-6;  // of the boundary's extent: what file
 
 class Pair {
 public:
-    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent) noexcept
+    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds,
+         Span<Vec2> tangent) noexcept
         : mesh_(topology.mesh), boundary_(boundary), chain_(chain), tied_(topology.representative), kinds_(kinds), tangent_(tangent) {}
 
     Status run(Condition const& condition, Translations& translations, Fault& fault) noexcept {
@@ -19,7 +20,8 @@ public:
                                 Counts::from_zero, n == 0 ? condition.marker : condition.partner);
         }
         if (n != n_partner) {
-            return fault.refuse(Status::bad_condition, "the periodic markers # and @ do not have the same number of points",
+            return fault.refuse(Status::bad_condition,
+                                "the periodic markers # and @ do not have the same number of points",
                                 Counts::from_zero, condition.marker, condition.partner);
         }
         // Both run with the mesh on their left, and so in opposite directions.
@@ -60,7 +62,8 @@ private:
         Index n = 0;
         bool closed = false;
         auto const visit = [&](Index, Index point) { chain_[begin + n++] = point; };
-        Index const pieces = boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == marker; }, visit,
+        Index const pieces = boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == marker; },
+                                                      visit,
                                                       [&](Index, bool is_loop) { closed = closed || is_loop; });
         return pieces == 1 && !closed ? n : 0;
     }

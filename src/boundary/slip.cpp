@@ -25,7 +25,8 @@ public:
             for (Index from = 0; from < n;) {
                 Index to = from + 1;
                 while (to < n && continues(loop, begin + (first + to) % n)) ++to;
-                if (slips(begin + (first + from) % n)) HARMORPH_TRY(add_line(loop, (first + from) % n, to - from, fault));
+                if (slips(begin + (first + from) % n)) HARMORPH_TRY(add_line(loop, (first + from) % n, to - from,
+                                                                             fault));
                 from = to;
             }
         }
@@ -70,7 +71,8 @@ private:
             if (!(bend(along, side(loop, face_at(k))) < straight_below)) return curved(face_at(k), fault);
         }
         Vec2 const direction = (1 / length(along)) * along;
-        bool const from_corner = slips(before(loop, face_at(0))), to_corner = slips(boundary_.after(face_at(n - 1), loop));
+        bool const from_corner = slips(before(loop, face_at(0))), to_corner = slips(boundary_.after(face_at(n - 1),
+                                                                                                    loop));
         for (Index k = 0; k < n; ++k) put(boundary_.point[face_at(k)], direction, k == 0 && from_corner);
         put(last, direction, to_corner);
         return Status::ok;

@@ -44,9 +44,9 @@ Real WallHeights::height(FaceDistance const& walls, Index point, Points before) 
     return length(before[point] - walls.at(foot[point], before));
 }
 
-Real WallHeights::reach_at(FaceDistance const& walls, FaceDistance::Foot const& its) const noexcept {
-    FaceDistance::Face const& face = walls.faces[its.face];
-    return (1 - its.t) * reach[wall.slot[face.point[0]]] + its.t * reach[wall.slot[face.point[1]]];
+Real WallHeights::reach_at(FaceDistance const& walls, FaceDistance::Foot const& at) const noexcept {
+    FaceDistance::Face const& face = walls.faces[at.face];
+    return (1 - at.t) * reach[wall.slot[face.point[0]]] + at.t * reach[wall.slot[face.point[1]]];
 }
 
 void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) noexcept {
@@ -61,17 +61,17 @@ void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) n
     }
 }
 
-// Beside a boundary that is no wall here, and where two points of one cell have feet far from each other, because the
-// nearest wall changes between them.
+// Bounds the reach beside a boundary that is no wall here, and where two points of one cell have feet far from each
+// other, because the nearest wall changes between them.
 void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Index> representative,
                                  FaceDistance const& walls) noexcept {
-    auto const bound = [&](Index its_point) {
-        Real const most = height(walls, its_point, before);
-        for (Index const end : walls.faces[foot[its_point].face].point) {
+    auto const bound = [&](Index near_point) {
+        Real const most = height(walls, near_point, before);
+        for (Index const end : walls.faces[foot[near_point].face].point) {
             reach[wall.slot[end]] = smaller(reach[wall.slot[end]], most);
         }
     };
-    auto const has_foot = [&](Index its_point) { return foot[its_point].face != none; };
+    auto const has_foot = [&](Index near_point) { return foot[near_point].face != none; };
     auto const is_jump = [&](Index a, Index b) {
         if (!has_foot(b)) return wall.slot[b] == none;
         Real const between_feet = length(walls.at(foot[a], before) - walls.at(foot[b], before));
@@ -107,18 +107,18 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
     for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
     executor.for_ranges(foot.count(), least_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
-            FaceDistance::Foot const& its = foot[k];
-            if (its.face == none) continue;
-            FaceDistance::Face const& face = walls.faces[its.face];
-            Vec2 const from_foot = before[k] - walls.at(its, before), up = direction(from_foot);
-            Real const its_height = dot(from_foot, up);
-            Vec2 const its_turn =
-                direction((1 - its.t) * turn[wall.slot[face.point[0]]] + its.t * turn[wall.slot[face.point[1]]]);
-            Vec2 const normal = turned(up, its_turn);
-            Real const lost = its_height - dot(after[k] - walls.at(its, after), normal);
-            Real const reached = reach_at(walls, its);
-            if (!(its_height < reached)) continue;
-            points.set(k, after[k] + (amount * lost * fade(its_height / reached)) * normal);
+            FaceDistance::Foot const& foot_of_k = foot[k];
+            if (foot_of_k.face == none) continue;
+            FaceDistance::Face const& face = walls.faces[foot_of_k.face];
+            Vec2 const from_foot = before[k] - walls.at(foot_of_k, before), up = direction(from_foot);
+            Real const height_before = dot(from_foot, up);
+            Vec2 const turn_at_foot =
+                direction((1 - foot_of_k.t) * turn[wall.slot[face.point[0]]] + foot_of_k.t * turn[wall.slot[face.point[1]]]);
+            Vec2 const normal = turned(up, turn_at_foot);
+            Real const lost = height_before - dot(after[k] - walls.at(foot_of_k, after), normal);
+            Real const reached = reach_at(walls, foot_of_k);
+            if (!(height_before < reached)) continue;
+            points.set(k, after[k] + (amount * lost * fade(height_before / reached)) * normal);
         }
     });
     for (Index k = 0; k < foot.count(); ++k) {

@@ -16,7 +16,8 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
             return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it", k);
     }
     if (!(curve.begin() < curve.end()) || !is_finite(curve.knots[n_knots - 1] - curve.knots[0]))
-        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length or an infinite one", curve.degree);
+        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length or an infinite one",
+                      curve.degree);
 
     Index fold = 0;
     for (Index k = 0; k < n_knots; ++k) {
@@ -36,14 +37,16 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
         // Not by control_point(): the subtraction may overflow before anything is known about the index.
         Offset const c = curve.indices != nullptr ? static_cast<Offset>(curve.indices[k]) - curve.index_base : k;
         if (c < 0 || c >= curve.n_control)
-            return fault.refuse(Status::bad_curve, "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
+            return fault.refuse(Status::bad_curve,
+                                "index # (from 0) of curve @ (from 0) is ~: there is no such control point",
                                 Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         if (!is_finite(curve.control[2 * point]) || !is_finite(curve.control[2 * point + 1]))
             return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
                                 point, number);
         if (curve.weights != nullptr && !(curve.weights[point] > 0 && is_finite(curve.weights[point])))
-            return fault.refuse(Status::bad_curve, "the weight of control point # of curve @ (from 0) is ~, not positive",
+            return fault.refuse(Status::bad_curve,
+                                "the weight of control point # of curve @ (from 0) is ~, not positive",
                                 Counts::curves, point, number, curve.weights[point]);
     }
     return Status::ok;

@@ -3,8 +3,9 @@
 namespace harmorph {
 namespace {
 
-// Directions are taken over several lengths, and the smallest turn counts. A corner turns the direction over all of them,
-// the zigzag of coordinates with few digits only over short ones, roundness and a corner nearby only over long ones.
+// Directions are taken over several lengths, and the smallest turn counts. A corner turns the direction over all of
+// them, the zigzag of coordinates with few digits only over short ones, roundness and a corner nearby only over long
+// ones.
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
 constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degrees

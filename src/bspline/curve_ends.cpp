@@ -3,12 +3,13 @@
 namespace harmorph {
 namespace {
 
-constexpr Real cosine_of_return = -0.7;  // of the angle between what goes into a base and what comes out: wedges up to 45 degrees
+// Of the angle between the directions before and behind a base: about -cos 45 degrees, so wedges up to 45 degrees have bases.
+constexpr Real cosine_of_return = -0.7;
 constexpr Real at_the_end = 0.95;        // of the chord: how far from the nose a base is at least
 constexpr Real blunt_turn = 1;           // 2 sin(angle / 2) of 60 degrees
 
-// Of the points that turn within `tie` of the most, those farthest from the centroid (the origin), of these the one nearest
-// to either end of the list: rounding, turning and reversing the outline shall not change the choice.
+// Of the points that turn within `tie` of the most, those farthest from the centroid (the origin), of these the one
+// nearest to either end of the list: rounding, turning and reversing the outline shall not change the choice.
 template <class Candidates>
 Index sharpest_of(Outline const& outline, Candidates const& candidates, Index n, Real tie) noexcept {
     Real turn = 0;
@@ -35,10 +36,10 @@ Index sharpest_point(Outline const& outline, Span<const Index> corner) noexcept 
 
 Index following(Span<const Index> corner, Index j) noexcept { return corner[j + 1 == corner.count() ? 0 : j + 1]; }
 
-Index farthest_from(Outline const& outline, Vec2 place) noexcept {
+Index farthest_from(Outline const& outline, Vec2 from) noexcept {
     Index farthest = 0;
     for (Index k = 1; k < outline.count(); ++k)
-        if (square(outline.points[k] - place) > square(outline.points[farthest] - place)) farthest = k;
+        if (square(outline.points[k] - from) > square(outline.points[farthest] - from)) farthest = k;
     return farthest;
 }
 
@@ -58,10 +59,11 @@ bool is_base(Outline const& outline, Index from, Index to) noexcept {
     return larger(length(begin - nose), length(end - nose)) > at_the_end * chord;
 }
 
-// Which corner a base begins at; none if there is no base, or one at either end of the body. Of several at one end, as a
-// step makes them, the shortest.
+// Which corner a base begins at; none if there is no base, or one at either end of the body. Of several at one end, as
+// a step makes them, the shortest.
 Index find_base(Outline const& outline, Span<const Index> corner) noexcept {
-    auto const middle = [&](Index j) { return 0.5 * (outline.points[corner[j]] + outline.points[following(corner, j)]); };
+    auto const middle = [&](Index j) { return 0.5 * (outline.points[corner[j]] + outline.points[following(corner,
+                                                                                                          j)]); };
     Index found = none;
     Real shortest = infinity;
     for (Index j = 0; j < corner.count(); ++j) {

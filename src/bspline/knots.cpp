@@ -42,8 +42,8 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
     }
 }
 
-// No interval may hold more than one span's mass, so that each span gets a point: the Schoenberg-Whitney condition, that
-// every basis function sees a point of its own. Too few points: equal shares.
+// No interval may have more mass than one span, so that each span contains a point. This ensures the Schoenberg-Whitney
+// condition: points can be assigned one to one to basis functions that are not 0 there. Too few points: equal masses.
 void cap_mass(KnotSites const& sites, Section section, Index n_spans) noexcept {
     for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
     Real const most = 1 / static_cast<Real>(smaller(n_spans, section.last - section.first));

@@ -3,7 +3,8 @@
 namespace harmorph {
 namespace {
 
-// Where points leave a control point free, its second differences shall vanish: far below the points' pull, above rounding.
+// Where the points do not determine a control point, second differences of control points are minimised, with a weight
+// far below that of the points and above rounding.
 constexpr Real smoothing = 1e-12;
 
 Index bandwidth(Index degree) noexcept { return 2 * larger(degree, Index(2)) + 1; }  // 2: the second differences
@@ -93,7 +94,8 @@ void step_to_feet(LeastSquares const& fit) noexcept {
 // decrease, and the mean is the same from either end.
 void put_in_order(LeastSquares const& fit) noexcept {
     Index const n = fit.points.count();
-    for (Index k = 0; k < n; ++k) fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1], fit.u[k]);
+    for (Index k = 0; k < n; ++k) fit.largest_so_far[k] = k == 0 ? fit.u[0] : larger(fit.largest_so_far[k - 1],
+                                                                                     fit.u[k]);
     Real smallest = fit.u[n - 1];
     for (Index k = n - 1; k >= 0; --k) {
         smallest = smaller(smallest, fit.u[k]);

@@ -122,7 +122,8 @@ void ChainWork::lay_out(Arena& arena, Index n) noexcept {
     arena.take(ordered, n);
 }
 
-Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work, Span<Real> u) noexcept {
+Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work,
+                   Span<Real> u) noexcept {
     Index const n = points.count();
     if (n == 0) return 0;
     Chain const chain{curve, points, work, u};

@@ -12,7 +12,8 @@ struct Candidate {
     }
 };
 
-// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control points, hence in their box.
+// A lower bound for a span's distance: its points lie in the convex hull of degree + 1 control points, hence in their
+// box.
 Real box_square_distance(Curve const& curve, Index span, Vec2 q) noexcept {
     Vec2 low = curve.point(span);
     Vec2 high = low;
@@ -78,11 +79,11 @@ void search_span(Curve const& curve, SpanSamples const& samples, Vec2 q, Candida
 
 }  // namespace
 
-void SpanSamples::take(Curve const& curve, Index its_span, Real its_low, Real its_high) noexcept {
-    if (span == its_span && low == its_low && high == its_high) return;
-    span = its_span;
-    low = its_low;
-    high = its_high;
+void SpanSamples::take(Curve const& curve, Index new_span, Real new_low, Real new_high) noexcept {
+    if (span == new_span && low == new_low && high == new_high) return;
+    span = new_span;
+    low = new_low;
+    high = new_high;
     Index const n = 4 * curve.degree;
     for (Index j = 0; j <= n; ++j) curve_point_in(curve, span, parameter(j, n), 0, &point[j]);
 }

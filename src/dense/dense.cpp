@@ -7,9 +7,10 @@ namespace harmorph::dense {
 namespace {
 
 constexpr Offset worth_threads = Offset{1} << 22;  // multiplications
-constexpr Index most_tile_rows = 8;                // of all kernels: a range of rows is cut into the same tiles as the whole
+// Of all kernels: a range of rows is cut into the same tiles as the whole, so that bits do not depend on threads.
+constexpr Index most_tile_rows = 8;
 
-// A kernel's call, without what is too small to count.
+// Calls a kernel with denormal numbers flushed to 0.
 template <class Number, class Result, class... Parameters, class... Arguments>
 Result flushed(Result (*kernel)(Parameters...) noexcept, Arguments&&... arguments) noexcept {
     Flush<Number> const flush;
@@ -25,11 +26,11 @@ struct Front {
     Slabs<Number> own = panel.own(), border = panel.of_border();
 
     Index end_of(Index first) const noexcept { return smaller(panel.pivots, first + strip); }
-    // Multiplications of real numbers in `n` of the panel's.
+    // Multiplications of real numbers in `n` multiplications of numbers of the panel.
     Offset cost(Offset n) const noexcept { return Offset{planes} * planes * n; }
     Number* border_rows(Number* y, Index row) const noexcept { return y + Offset{planes} * row * panel.pivots; }
 
-    // The pivots' sums take what stands in the diagonal's place.
+    // Adds the row sums that are stored in place of the diagonal to the sums of the pivots' rows.
     void add_diagonal(Index first, Number* sums) const noexcept {
         for (Index k = first; k < end_of(first); ++k) {
             for (Index p = 0; p < planes; ++p) sums[p * panel.sums_plane() + k] += own.at(k, k)[p * slab];
@@ -58,7 +59,8 @@ void spread(Executor const& executor, Offset multiplications, Index n, Body cons
 
 // body(from, to) for ranges of whole tiles that together are begin .. end-1.
 template <class Body>
-void spread_rows(Executor const& executor, Index begin, Index end, Offset multiplications_per_row, Body const& body) noexcept {
+void spread_rows(Executor const& executor, Index begin, Index end, Offset multiplications_per_row,
+                 Body const& body) noexcept {
     Index const tiles = pieces(end - begin, most_tile_rows);
     bool const alone = executor.is_serial() || multiplications_per_row * (end - begin) < worth_threads;
     Index const ranges = alone ? smaller(tiles, Index{1}) : smaller(executor.n_threads, tiles);
@@ -66,9 +68,10 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
-// body(columns, from, to, sums) for chunks of the columns behind a strip's own, those of the border last.
+// body(columns, from, to, sums) for chunks of the columns behind those of a strip, the border last.
 template <class Front, class Number, class Body>
-void spread_columns(Executor const& executor, Front const& front, Index end, Offset multiplications_per_column, Number* sums,
+void spread_columns(Executor const& executor, Front const& front, Index end, Offset multiplications_per_column,
+                    Number* sums,
                     Body const& body) noexcept {
     Index const own = pieces(front.panel.pivots - end, chunk), border = pieces(front.panel.border, chunk);
     spread(executor, multiplications_per_column * (front.panel.front() - end), own + border, [&](Index i) {
@@ -90,12 +93,13 @@ Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Nu
         for (Index first = 0; first < panel.pivots; first += strip) {
             Index const end = front.end_of(first);
             Offset const per_column = front.cost(end - first);
-            front.add_diagonal(first, sums);  // before anything is taken off it
+            front.add_diagonal(first, sums);  // before products are subtracted there
             if (first > 0) {
-                flushed<Number>(front.kernels.take_off_earlier, front.own, front.own, first, end, first, end);
+                flushed<Number>(front.kernels.subtract_earlier, front.own, front.own, first, end, first, end);
                 spread_columns(executor, front, end, per_column * first, sums,
                                [&](Slabs<Number> const& columns, Index from, Index to, Number*) {
-                                   flushed<Number>(front.kernels.take_off_earlier, front.own, columns, first, end, from, to);
+                                   flushed<Number>(front.kernels.subtract_earlier, front.own, columns, first, end, from,
+                                                   to);
                                });
             }
             TailSums<Number> tails;
@@ -135,10 +139,11 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
             Offset const per_row = front.cost(Offset{end - first} * row);
             flushed<Number>(front.kernels.solve_strip_forward, front.own, first, end, y, row);
             spread_rows(executor, end, panel.pivots, per_row, [&](Index from, Index to) {
-                flushed<Number>(front.kernels.take_off_forward, front.own, first, end, y, y, row, from, to);
+                flushed<Number>(front.kernels.subtract_forward, front.own, first, end, y, y, row, from, to);
             });
             spread_rows(executor, 0, panel.border, per_row, [&](Index from, Index to) {
-                flushed<Number>(front.kernels.take_off_forward, front.border, first, end, y, front.border_rows(y, row), row, from,
+                flushed<Number>(front.kernels.subtract_forward, front.border, first, end, y, front.border_rows(y, row),
+                                row, from,
                                 to);
             });
         }
@@ -146,13 +151,15 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
 }
 
 template <class Number>
-void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept {
+void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
+                    Executor const& executor) noexcept {
     with_front(kernel, panel, [&](auto const& front) {
         for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
             Index const end = front.end_of(first);
             spread_rows(executor, first, end, front.cost(Offset{panel.front() - end} * row), [&](Index from, Index to) {
-                flushed<Number>(front.kernels.take_off_backward, front.own, end, y, y, row, from, to);
-                flushed<Number>(front.kernels.take_off_backward, front.border, 0, y, front.border_rows(y, row), row, from, to);
+                flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y, row, from, to);
+                flushed<Number>(front.kernels.subtract_backward, front.border, 0, y, front.border_rows(y, row), row,
+                                from, to);
             });
             flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row);
         }
@@ -171,14 +178,16 @@ void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, 
 }
 
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
+            Index planes) noexcept {
     flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, nullptr, begin, n, y, row, planes);
 }
 
 template <class Number, class Value>
 void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
             Index planes) noexcept {
-    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, positions.data(), 0, positions.count(), y, row, planes);
+    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, positions.data(), 0, positions.count(), y, row,
+                    planes);
 }
 
 template <class Number, class Value>

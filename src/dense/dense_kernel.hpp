@@ -1,4 +1,5 @@
-// Factorisation and substitution of a front with the registers of one instruction set; compiled for each by dense_table.cpp.
+// Factorisation and substitution of a front with the registers of one instruction set; compiled for each by
+// dense_table.cpp.
 #include "dense_sums.hpp"
 
 namespace harmorph::dense::HARMORPH_SET {
@@ -26,7 +27,7 @@ struct BlockBesideUnit {
         }
     }
 
-    // row r -= conj(factor) * row k, where they differ from 0: from column r of A to column k of the unit matrix.
+    // row r -= conj(factor) * row k, from column r of A to column k of the unit matrix: other entries are 0.
     HARMORPH_INLINE void subtract(Index r, Index k, Number real, Number imaginary) noexcept {
         for (Index c = r / lanes<Number> * lanes<Number>; c <= block + k; c += lanes<Number>) {
             Vector<Number> const re = load(at[k][0] + c);
@@ -41,26 +42,27 @@ struct BlockBesideUnit {
     }
 };
 
-// Cholesky of a diagonal block of n <= slab pivots, whose place the inverse of U^H takes. `sum`: of its rows, with no more
-// than the block's own columns; their diagonals are not read. size: what those were summed of, without signs. Returns a
-// pivot of which no more than `floor` is left, or none.
+// Cholesky of a diagonal block of n <= slab pivots; the inverse of U^H replaces the block. sum: row sums within the
+// columns of the block; the diagonal entries are not read. size: the magnitudes of the terms, summed. Returns the first
+// pivot that is not larger than `floor` times the sum of magnitudes, or none.
 template <Index planes, class Number>
 Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number (&size)[slab],
                    Number floor, Number& least_left) noexcept {
     BlockBesideUnit<planes, Number> both(a, n);
     Number scale[slab];
     for (Index k = 0; k < n; ++k) {
-        Number pivot = sum[0][k], its_size = size[k];
+        Number pivot = sum[0][k], row_size = size[k];
         for (Index c = k + 1; c < n; ++c) {
             pivot -= both.at[k][0][c];
-            its_size += magnitude(both.at[k][0][c]);
+            row_size += magnitude(both.at[k][0][c]);
         }
-        if (!(pivot > floor * its_size)) return k;
-        if (pivot < least_left * its_size) least_left = pivot / its_size;
+        if (!(pivot > floor * row_size)) return k;
+        if (pivot < least_left * row_size) least_left = pivot / row_size;
         Number const inverse = 1 / pivot;
         scale[k] = 1 / square_root(pivot);
         for (Index r = k + 1; r < n; ++r) {
-            Number const real = both.at[k][0][r] * inverse, imaginary = planes == 2 ? both.at[k][planes - 1][r] * inverse : 0;
+            Number const real = both.at[k][0][r] * inverse;
+            Number const imaginary = planes == 2 ? both.at[k][planes - 1][r] * inverse : 0;
             both.subtract(r, k, real, imaginary);
             sum[0][r] -= real * sum[0][k];
             if constexpr (planes == 2) {
@@ -79,14 +81,14 @@ Index factor_block(Number* a, Index n, Number (&sum)[planes][slab], const Number
     return none;
 }
 
-// Right-hand sides from a row on.
+// The right-hand sides from `row` on.
 template <Index planes, class Number>
 HARMORPH_INLINE InRows<Number, planes> sides(Number* y, Index width, Index row) noexcept {
     return InRows<Number, planes>{y, width}.at(row, 0);
 }
 
 template <class Number, Index planes>
-void take_off_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
+void subtract_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
                       Index to) noexcept {
     bool const upper = own.data == columns.data;  // may begin on the diagonal
     for (Index k = 0; k < first; k += strip) {
@@ -95,7 +97,8 @@ void take_off_earlier(Slabs<Number> const& own, Slabs<Number> const& columns, In
 }
 
 template <class Number, Index planes>
-void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to, TailSums<Number>& tails) noexcept {
+void sum_tails(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
+               TailSums<Number>& tails) noexcept {
     Slabs<Number> const own = panel.own(), border = panel.of_border();
     sum_rows<planes>(own, {from, to}, {end, own.columns}, &border, [&](Index row, const Number* sum, Number size) {
         for (Index p = 0; p < planes; ++p) tails.sum[p][row - first] = sum[p];
@@ -117,9 +120,9 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
         if (k > first) subtract_product<planes>(own, own, own, {first, k}, {k, k + n}, {k, end});
         Number sum[planes][slab], size[slab];
         sum_rows<planes>(own, {k, k + n}, {k + n, end}, static_cast<Slabs<Number> const*>(nullptr),
-                         [&](Index row, const Number* rest, Number its_size) {
+                         [&](Index row, const Number* rest, Number row_size) {
             for (Index p = 0; p < planes; ++p) sum[p][row - k] = inner[p][row - first] - rest[p];
-            size[row - k] = magnitude(sums[row]) + tails.size[row - first] + its_size;
+            size[row - k] = magnitude(sums[row]) + tails.size[row - first] + row_size;
         });
         Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, least_left);
         if (bad != none) return k + bad;
@@ -131,29 +134,32 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
 }
 
 template <class Number, Index planes>
-void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from, Index to,
+void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
+                    Index to,
                     Number* sums, Number* column_sums) noexcept {
     Slabs<Number> const own = panel.own();
     for (Index c = from; c < to; c += tile_columns<Number>) {
-        Range const its{c, smaller(to, c + tile_columns<Number>)};
+        Range const tile{c, smaller(to, c + tile_columns<Number>)};
         for (Index k = first; k < end; k += slab) {
             Index const n = smaller(slab, end - k);
             if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers
                 if (n == slab) {
                     InSlabs<Number, 1> const above{columns, first, c}, block{columns, k, c};
-                    any_finish_tile(its.count(), own.at(first, k), above, k - first, own.at(k, k), block, sums + k, column_sums + c);
+                    any_finish_tile(tile.count(), own.at(first, k), above, k - first, own.at(k, k), block, sums + k,
+                                    column_sums + c);
                     continue;
                 }
             }
-            if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, its);
-            apply_inverse<planes>(n, its.count(), own.at(k, k), InSlabs<Number, planes>{columns, k, c});
-            subtract_sums<planes>(columns, k, n, its, sums + k, column_sums + c, panel.sums_plane());
+            if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, tile);
+            apply_inverse<planes>(n, tile.count(), own.at(k, k), InSlabs<Number, planes>{columns, k, c});
+            subtract_sums<planes>(columns, k, n, tile, sums + k, column_sums + c, panel.sums_plane());
         }
     }
 }
 
 template <class Number, Index planes>
-void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin, const Number* sums) noexcept {
+void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index begin,
+                 const Number* sums) noexcept {
     Slabs<Number> const border = panel.of_border(), d = update.all();
     Index const end = smaller(update.n, begin + strip);
     Number sum[planes][strip];
@@ -163,9 +169,10 @@ void update_band(Panel<Number> const& panel, UpdateMatrix<Number> const& update,
         }
     }
     for (Index c = begin; c < update.n; c += chunk) {
-        Range const its{c, smaller(update.n, c + chunk)};
+        Range const columns{c, smaller(update.n, c + chunk)};
         for (Index k = 0; k < panel.pivots; k += strip) {
-            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)}, {begin, end}, its, true);
+            subtract_product<planes>(border, border, d, {k, smaller(panel.pivots, k + strip)}, {begin, end}, columns,
+                                     true);
         }
     }
     for (Index r = begin; r < end; ++r) {
@@ -177,23 +184,26 @@ template <class Number, Index planes>
 void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
     for (Index k = first; k < end; k += slab) {
         Index const n = smaller(slab, end - k);
-        InRows<Number, planes> const its = sides<planes>(y, row, k);
-        if (k > first) subtract_from_rows<planes>(own, sides<planes>(y, row, first), its, {first, k}, {k, k + n});
-        apply_inverse<planes>(n, row, own.at(k, k), its);
+        InRows<Number, planes> const block = sides<planes>(y, row, k);
+        if (k > first) subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k}, {k, k + n});
+        apply_inverse<planes>(n, row, own.at(k, k), block);
     }
 }
 
 template <class Number, Index planes>
-void take_off_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row, Index from,
+void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
+                      Index from,
                       Index to) noexcept {
-    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from), {first, end}, {from, to});
+    subtract_from_rows<planes>(columns, sides<planes>(y, row, first), sides<planes>(rest, row, from), {first, end},
+                               {from, to});
 }
 
 template <class Number, Index planes>
-void take_off_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
+void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
                        Index to) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
-        subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to}, sides<planes>(rest, row, k),
+        subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to},
+                                sides<planes>(rest, row, k),
                                 sides<planes>(y, row, from));
     }
 }
@@ -202,17 +212,20 @@ template <class Number, Index planes>
 void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
     for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
         Index const n = smaller(slab, end - k);
-        InRows<Number, planes> const its = sides<planes>(y, row, k);
-        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, its.at(n, 0), its);
-        apply_inverse_transposed<planes>(n, own.at(k, k), its);
+        InRows<Number, planes> const block = sides<planes>(y, row, k);
+        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block);
+        apply_inverse_transposed<planes>(n, own.at(k, k), block);
     }
 }
 
 template <class Number, Index planes>
-constexpr FrontKernels<Number, planes> front_kernels{take_off_earlier<Number, planes>,     sum_tails<Number, planes>,
-                                                     factor_diagonal<Number, planes>,      finish_columns<Number, planes>,
-                                                     update_band<Number, planes>,          solve_strip_forward<Number, planes>,
-                                                     take_off_forward<Number, planes>,     take_off_backward<Number, planes>,
+constexpr FrontKernels<Number, planes> front_kernels{subtract_earlier<Number, planes>,     sum_tails<Number, planes>,
+                                                     factor_diagonal<Number, planes>,      finish_columns<Number,
+                                                                                                          planes>,
+                                                     update_band<Number, planes>,          solve_strip_forward<Number,
+                                                                                                               planes>,
+                                                     subtract_forward<Number, planes>,     subtract_backward<Number,
+                                                                                                             planes>,
                                                      solve_strip_backward<Number, planes>};
 
 }  // namespace
@@ -220,6 +233,7 @@ constexpr FrontKernels<Number, planes> front_kernels{take_off_earlier<Number, pl
 
 namespace harmorph::simd {
 template <class Number, Index planes>
-inline constexpr const dense::FrontKernels<Number, planes>* table<dense::FrontKernels<Number, planes>, Kernel::HARMORPH_SET> =
+inline constexpr const dense::FrontKernels<Number, planes>* table<dense::FrontKernels<Number, planes>,
+                                                                  Kernel::HARMORPH_SET> =
     &dense::HARMORPH_SET::front_kernels<Number, planes>;
 }  // namespace harmorph::simd

@@ -5,7 +5,8 @@
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-// Columns of a child that come to one vector of its parent's front lie next to each other, in one vector or two.
+// Columns of a child front that are added to one vector of the parent front. They are neighbours in the child, in one
+// vector or two.
 template <class Number>
 struct Source {
     Number* first;
@@ -14,12 +15,12 @@ struct Source {
 
     // Columns from <= j < to, whose targets are in the vector that begins at column `begin`.
     Source(Slabs<Number> const& child, Index from, Index to, const Index* target, Index begin) noexcept {
-        Index const its = from / lanes<Number> * lanes<Number>;
+        Index const column = from / lanes<Number> * lanes<Number>;
         Index picked[lanes<Number>];
         for (Index lane = 0; lane < lanes<Number>; ++lane) picked[lane] = none;
-        for (Index j = from; j < to; ++j) picked[target[j] - begin] = j - its;
-        first = child.at(0, its);
-        second = to > its + lanes<Number> ? child.at(0, its + lanes<Number>) : first;
+        for (Index j = from; j < to; ++j) picked[target[j] - begin] = j - column;
+        first = child.at(0, column);
+        second = to > column + lanes<Number> ? child.at(0, column + lanes<Number>) : first;
         picks = Registers<Number>::picks_of(picked);
     }
 };
@@ -32,20 +33,22 @@ HARMORPH_INLINE void add_column(Source<Number> const& from, const Index* target,
         Number* const to = into + target[i] * step<planes>;
         for (Index p = 0; p < planes; ++p) {
             Offset const plane = p * slab;
-            Vector<Number> const its =
+            Vector<Number> const added =
                 Registers<Number>::pick(load(from.first + at + plane), load(from.second + at + plane), from.picks);
-            store(to + plane, load(to + plane) + its);
+            store(to + plane, load(to + plane) + added);
         }
     }
 }
 
-// What is below the diagonal within a vector's columns is added, too, and never used.
+// Whole vectors are added: entries below the diagonal change, too, but are never used.
 template <Index planes, class Number>
-void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> const& panel, Slabs<Number> const& update) noexcept {
+void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> const& panel,
+               Slabs<Number> const& update) noexcept {
     Slabs<Number> const own = panel.own(), border = panel.of_border();
     Index j = 0;
     while (j < from.columns && target[j] < panel.pivots) {
-        Index const begin = target[j] / lanes<Number> * lanes<Number>, end = smaller(begin + lanes<Number>, panel.pivots);
+        Index const begin = target[j] / lanes<Number> * lanes<Number>, end = smaller(begin + lanes<Number>,
+                                                                                     panel.pivots);
         Index to = j + 1;
         while (to < from.columns && target[to] < end) ++to;
         add_column<planes>(Source<Number>(from, j, to, target, begin), target, {0, to}, own.at(0, begin));
@@ -56,14 +59,14 @@ void add_front(Slabs<Number> const& from, const Index* target, Panel<Number> con
         Index const begin = (target[j] - panel.pivots) / lanes<Number> * lanes<Number>;
         Index to = j + 1;
         while (to < from.columns && target[to] < panel.pivots + begin + lanes<Number>) ++to;
-        Source<Number> const its(from, j, to, target, panel.pivots + begin);
-        add_column<planes>(its, target, {0, pivots}, border.at(0, begin));
-        add_column<planes>(its, target, {pivots, to}, update.at(0, begin) - panel.pivots * step<planes>);
+        Source<Number> const columns(from, j, to, target, panel.pivots + begin);
+        add_column<planes>(columns, target, {0, pivots}, border.at(0, begin));
+        add_column<planes>(columns, target, {pivots, to}, update.at(0, begin) - panel.pivots * step<planes>);
         j = to;
     }
 }
 
-// to [n] = from, converted, as many at a time as doubles fill a register, then half as many.
+// to [n] = from, converted: as many at a time as doubles fill a register, the rest by halves of that.
 template <Index at_once = lanes<double>, class From, class To>
 HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
     typedef From Froms __attribute__((vector_size(at_once * sizeof(From)), aligned(sizeof(From)), may_alias));
@@ -75,7 +78,7 @@ HARMORPH_INLINE void convert_run(const From* from, Index n, To* to) noexcept {
     if constexpr (at_once > 1) convert_run<at_once / 2>(from + i, n - i, to + i);
 }
 
-// The numbers that may be padding. A constant number of them: else the compiler calls memset, for every row.
+// Clears the last `slab` numbers, which may be padding. A constant number: for a variable one compilers call memset.
 template <class Number>
 HARMORPH_INLINE void clear_last(Number* end) noexcept {
     for (Index i = 1; i <= slab; ++i) end[-i] = 0;
@@ -86,7 +89,7 @@ HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length, I
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
 
-constexpr Index rows_ahead = 4;  // rows of values lie anywhere: those are on their way while one is copied
+constexpr Index rows_ahead = 4;  // rows of values are read in no order of memory, so the next ones are prefetched
 
 template <class Value>
 HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {
@@ -117,19 +120,20 @@ void gather(harmorph::RowsOf<Value> const& from, const Index* positions, Index b
     Offset const numbers = (planes - 1) * from.plane + from.width;
     for (Index k = 0; k < n; ++k) {
         if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
-        const Value* its = values(k);
-        for (Index plane = 0; plane < planes; ++plane, its += from.plane, y += row) {
+        const Value* value = values(k);
+        for (Index plane = 0; plane < planes; ++plane, value += from.plane, y += row) {
             if (from.width < row) clear_last(y + row);
-            convert_run(its, from.width, y);
+            convert_run(value, from.width, y);
         }
     }
 }
 
 template <class Number, class Value>
-void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> const& to, Index begin, Index n) noexcept {
+void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> const& to, Index begin,
+             Index n) noexcept {
     for (Index k = 0; k < n; ++k) {
-        Value* its = row_at(to.data, to.row_of, to.row_length, begin + k);
-        for (Index plane = 0; plane < planes; ++plane, its += to.plane, y += row) convert_run(y, to.width, its);
+        Value* value = row_at(to.data, to.row_of, to.row_length, begin + k);
+        for (Index plane = 0; plane < planes; ++plane, value += to.plane, y += row) convert_run(y, to.width, value);
     }
 }
 
@@ -146,6 +150,7 @@ template <class Number>
 inline constexpr const dense::MoveKernels<Number>* table<dense::MoveKernels<Number>, Kernel::HARMORPH_SET> =
     &dense::HARMORPH_SET::move_kernels<Number>;
 template <class Number, class Value>
-inline constexpr const dense::CopyKernels<Number, Value>* table<dense::CopyKernels<Number, Value>, Kernel::HARMORPH_SET> =
+inline constexpr const dense::CopyKernels<Number, Value>* table<dense::CopyKernels<Number, Value>,
+                                                                Kernel::HARMORPH_SET> =
     &dense::HARMORPH_SET::copy_kernels<Number, Value>;
 }  // namespace harmorph::simd

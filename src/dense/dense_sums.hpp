@@ -6,7 +6,7 @@ namespace {
 
 template <class Number>
 HARMORPH_INLINE Number magnitude(Number x) noexcept { return x < 0 ? -x : x; }
-// Without the signs' bits.
+// Absolute values: the sign bits are cleared.
 template <class Number>
 HARMORPH_INLINE Vector<Number> magnitudes(Vector<Number> v) noexcept {
     using Words = typename Registers<Number>::Words;
@@ -27,7 +27,7 @@ HARMORPH_INLINE Number total(Vector<Number> v) noexcept {
     return sum[0] + sum[1];
 }
 
-// Sums of a few rows' numbers, and of their real parts without signs.
+// Sums of a few rows, and of the magnitudes of their real parts.
 template <Index planes, Index rows, class Number>
 struct RowSums {
     Vector<Number> sum[planes][rows] = {}, size[rows] = {};
@@ -35,15 +35,15 @@ struct RowSums {
     // Columns from a slab's first one on.
     HARMORPH_INLINE void add(Slabs<Number> const& u, Index row, Range columns) noexcept {
         for (Index c = columns.begin; c < columns.end; c += slab) {
-            const Number* const its = u.at(row, c);
+            const Number* const entries = u.at(row, c);
 #pragma GCC unroll 8
             for (Index r = 0; r < rows; ++r) {
 #pragma GCC unroll 8
                 for (Index v = 0; v < slab; v += lanes<Number>) {
-                    Vector<Number> const real = load(its + r * step<planes> + v);
+                    Vector<Number> const real = load(entries + r * step<planes> + v);
                     sum[0][r] += real;
                     size[r] += magnitudes<Number>(real);
-                    if constexpr (planes == 2) sum[1][r] += load(its + r * step<planes> + slab + v);
+                    if constexpr (planes == 2) sum[1][r] += load(entries + r * step<planes> + slab + v);
                 }
             }
         }
@@ -75,20 +75,21 @@ HARMORPH_INLINE void sum_rows(Slabs<Number> const& u, Range rows, Range own, Sla
     }
 }
 
-// sums [columns] -= U^H y: n rows of U from `row` on; columns from a slab's first one on. Sums and y are planes apart.
+// sums [columns] -= U^H y: n rows of U from `row` on; columns from the first of a slab on. `plane`: from the real parts
+// of sums and of y to the imaginary parts.
 template <Index planes, class Number>
 void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, const Number* y, Number* sums,
                    Offset plane) noexcept {
     for (Index c = columns.begin; c < columns.end; c += lanes<Number>) {
-        const Number* its = u.at(row, c);
+        const Number* entries = u.at(row, c);
         Number* const to = sums + (c - columns.begin);
         Vector<Number> sum[planes];
         for (Index p = 0; p < planes; ++p) sum[p] = load(to + p * plane);
-        for (Index r = 0; r < n; ++r, its += step<planes>) {
-            Vector<Number> const real = load(its);
+        for (Index r = 0; r < n; ++r, entries += step<planes>) {
+            Vector<Number> const real = load(entries);
             sum[0] -= y[r] * real;
             if constexpr (planes == 2) {
-                Vector<Number> const imaginary = load(its + slab);
+                Vector<Number> const imaginary = load(entries + slab);
                 sum[0] -= y[plane + r] * imaginary;
                 sum[1] -= y[plane + r] * real - y[r] * imaginary;
             }
@@ -97,7 +98,8 @@ void subtract_sums(Slabs<Number> const& u, Index row, Index n, Range columns, co
     }
 }
 
-// Forward elimination of the row sums of a diagonal block, in whose place the inverse stands, and of the columns behind it.
+// Forward elimination of the row sums: of a diagonal block, already replaced by its inverse, and of the columns behind
+// it.
 template <Index planes, class Number>
 void eliminate_sums(Slabs<Number> const& u, Index first, Index n, Index end, Number* sums, Offset plane) noexcept {
     const Number* const inverse = u.at(first, first);

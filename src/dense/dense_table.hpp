@@ -1,5 +1,5 @@
-// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1. `columns`: the panel's own
-// or its border's, of which from .. to-1 are wanted.
+// The dense kernels of one instruction set as function tables. A strip of pivots is first .. end-1. `columns`: the
+// panel's own or its border's, of which from .. to-1 are wanted.
 #pragma once
 
 #include "harmorph/dense/dense.hpp"
@@ -9,29 +9,30 @@ namespace harmorph::dense {
 // Factorisation and substitution of a panel of real (one plane) or complex numbers (two planes).
 template <class Number, Index planes>
 struct FrontKernels {
-    // The strip's rows, minus what earlier strips contribute.
-    void (*take_off_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
+    // Subtracts the products of earlier strips from the rows of the strip.
+    void (*subtract_earlier)(Slabs<Number> const& own, Slabs<Number> const& columns, Index first, Index end, Index from,
                              Index to) noexcept;
-    // Of the strip's rows from .. to-1: what is behind its own columns, summed; see TailSums.
+    // Sums rows from .. to-1 of the strip over the columns behind those of the strip; see TailSums.
     void (*sum_tails)(Panel<Number> const& panel, Index first, Index end, Index from, Index to,
                       TailSums<Number>& tails) noexcept;
-    // Factors the strip's own columns; sums: of the front's rows, of which the strip's become U^-H of them.
+    // Factors the columns of the strip. sums: of all rows of the front; those of the strip are multiplied by U^-H.
     Index (*factor_diagonal)(Panel<Number> const& panel, Index first, Index end, Number* sums, TailSums<Number>& tails,
                              Number floor, Number& least_left) noexcept;
-    // And then any others, taken off the sums of the rows that they will be: column_sums.
+    // Then finishes other columns, and subtracts their part from column_sums, the sums of the rows with the same
+    // numbers.
     void (*finish_columns)(Panel<Number> const& panel, Slabs<Number> const& columns, Index first, Index end, Index from,
                            Index to, Number* sums, Number* column_sums) noexcept;
-    // The band of the update matrix that begins at row `first`; sums: the border's.
+    // Updates the band of the update matrix that begins at row `first`. sums: row sums of the border.
     void (*update_band)(Panel<Number> const& panel, UpdateMatrix<Number> const& update, Index first,
                         const Number* sums) noexcept;
 
-    // Right-hand sides y: a strip's own pivots, and what they contribute to rows from .. to-1 of `rest`, which belong to
-    // `columns`.
+    // Right-hand sides y: solves for the pivots of a strip, then subtracts their products from rows from .. to-1 of
+    // `rest`, which belong to `columns`.
     void (*solve_strip_forward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
-    void (*take_off_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
+    void (*subtract_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
                              Index from, Index to) noexcept;
-    // And what pivots from .. to-1 receive from the columns' rows of `rest`, from `begin` on.
-    void (*take_off_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
+    // Subtracts from pivots from .. to-1 the products of the rows of `rest` that belong to `columns`, from `begin` on.
+    void (*subtract_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
                               Index to) noexcept;
     void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
 };

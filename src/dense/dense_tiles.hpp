@@ -1,10 +1,10 @@
-// Products of dense blocks with the registers of one instruction set; compiled for each by dense_table.cpp. Everything rests
-// on D -= op(A) B or D = op(A) B, a tile of D at a time in registers.
+// Products of dense blocks with the registers of one instruction set; compiled for each by dense_table.cpp. All of them
+// are D -= op(A) B or D = op(A) B, with a tile of D at a time in registers.
 
 namespace harmorph::dense::HARMORPH_SET {
 namespace {
 
-// Not the core's: a copy of that compiled here might be linked everywhere.
+// Not those of base/scalar.hpp: the linker might take the copy compiled here for all other code.
 HARMORPH_INLINE Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
 HARMORPH_INLINE Index larger(Index a, Index b) noexcept { return a < b ? b : a; }
 
@@ -15,7 +15,7 @@ using Vector = typename Registers<Number>::Vector;
 template <class Number>
 constexpr Index lanes = Registers<Number>::lanes;
 
-// The sums of a tile take three quarters of the processor's registers, and twice as many of a complex tile as of a real one.
+// The sums of a tile take three quarters of the processor's registers; a complex tile has two sums for each number.
 constexpr Index tile_vectors = 3;
 template <Index planes>
 constexpr Index tile_rows = Registers<double>::count / 4 / planes;
@@ -31,18 +31,18 @@ HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept { Registers<Nu
 template <class Number>
 HARMORPH_INLINE Vector<Number> all(Number x) noexcept { return Registers<Number>::all(x); }
 
-// From a slab's row to the next.
+// From one row of a slab to the next.
 template <Index planes>
 constexpr Offset step = planes * slab;
 
-// Vectors side by side, in rows that follow one another.
+// Vectors side by side; `row` numbers further on, the vectors of the next row.
 template <class Number, Index vectors>
 struct Vectors {
     Number* at[vectors];
     Offset row, plane;
 };
 
-// Where the vectors of a tile are: from an entry of a matrix in slabs on, or of right-hand sides.
+// Where the vectors of a tile are in memory: in a matrix in slabs, or in right-hand sides, from an entry on.
 template <class Number, Index planes>
 struct InSlabs {
     Slabs<Number> const& slabs;
@@ -51,9 +51,9 @@ struct InSlabs {
     HARMORPH_INLINE InSlabs at(Index down, Index right) const noexcept { return {slabs, row + down, column + right}; }
     template <Index vectors>
     HARMORPH_INLINE Vectors<Number, vectors> first() const noexcept {
-        Vectors<Number, vectors> its{{}, step<planes>, slab};
-        for (Index v = 0; v < vectors; ++v) its.at[v] = slabs.at(row, column + v * lanes<Number>);
-        return its;
+        Vectors<Number, vectors> out{{}, step<planes>, slab};
+        for (Index v = 0; v < vectors; ++v) out.at[v] = slabs.at(row, column + v * lanes<Number>);
+        return out;
     }
 };
 template <class Number, Index planes>
@@ -61,16 +61,19 @@ struct InRows {
     Number* entry;
     Offset width;
 
-    HARMORPH_INLINE InRows at(Index row, Index column) const noexcept { return {entry + planes * width * row + column, width}; }
+    HARMORPH_INLINE InRows at(Index row, Index column) const noexcept {
+        return {entry + planes * width * row + column, width};
+    }
     template <Index vectors>
     HARMORPH_INLINE Vectors<Number, vectors> first() const noexcept {
-        Vectors<Number, vectors> its{{}, planes * width, width};
-        for (Index v = 0; v < vectors; ++v) its.at[v] = entry + v * lanes<Number>;
-        return its;
+        Vectors<Number, vectors> out{{}, planes * width, width};
+        for (Index v = 0; v < vectors; ++v) out.at[v] = entry + v * lanes<Number>;
+        return out;
     }
 };
 
-// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A (r, k) within one slab.
+// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A (r, k) within one
+// slab.
 enum class Op { conjugate_transposed, plain };
 enum class Store { subtract, set };
 
@@ -86,7 +89,7 @@ struct Tile {
         for (Index k = 0; k < depth; ++k) {
             add_plane<op, 0>(a + k * next, b, k * b.row);
             if constexpr (planes == 2) {
-                asm volatile("" ::: "memory");  // or A's numbers stay in registers that the sums need
+                asm volatile("" ::: "memory");  // no numbers of A stay in registers: the sums need these
                 add_plane<op, 1>(a + k * next, b, k * b.row + b.plane);
             }
         }
@@ -107,7 +110,7 @@ struct Tile {
         }
     }
 
-    // A block's rows: those of d less the sums, times its inverse, go to d; and y^T times them is taken off column_sums.
+    // Finishes the rows of a diagonal block: d = inverse (d - sums), and column_sums -= y^T d.
     HARMORPH_INLINE void finish(const Number* inverse, Vectors<Number, vectors> const& d, const Number* y,
                                 Number* column_sums) const noexcept {
         static_assert(planes == 1, "real blocks fit into the registers");
@@ -125,7 +128,8 @@ struct Tile {
             for (Index k = 0; k < r; ++k) {
                 Vector<Number> const factor = all(inverse[r * slab + k]);
 #pragma GCC unroll 8
-                for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v], row[r][v]);
+                for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v],
+                                                                                                row[r][v]);
             }
 #pragma GCC unroll 8
             for (Index v = 0; v < vectors; ++v) {
@@ -156,29 +160,32 @@ private:
                 sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
             }
             if constexpr (planes == 2) {
-                constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);  // i * i = -1, the conjugate's sign
+                // i * i = -1, and the conjugate changes the sign once more.
+                constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);
                 Vector<Number> const imaginary = all(a[r * next_row + slab]);
 #pragma GCC unroll 8
                 for (Index v = 0; v < vectors; ++v) {
-                    if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v], sum[1 - plane][r][v]);
-                    else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v], sum[1 - plane][r][v]);
+                    if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v],
+                                                                                     sum[1 - plane][r][v]);
+                    else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v],
+                                                                                     sum[1 - plane][r][v]);
                 }
             }
         }
     }
 };
 
-template <Op op, Store how, Index planes, Index rows, Index vectors, class Number, class Place>
-void tile(const Number* a, Place const& b, Index depth, Place const& d) noexcept {
-    Tile<planes, rows, vectors, Number> its;
-    its.template add<op>(a, b.template first<vectors>(), depth);
-    its.template leave<how>(d.template first<vectors>());
+template <Op op, Store how, Index planes, Index rows, Index vectors, class Number, class Block>
+void tile(const Number* a, Block const& b, Index depth, Block const& d) noexcept {
+    Tile<planes, rows, vectors, Number> product;
+    product.template add<op>(a, b.template first<vectors>(), depth);
+    product.template leave<how>(d.template first<vectors>());
 }
 
 // D [rows x columns]; whole vectors are written.
-template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number, class Place>
-HARMORPH_INLINE void any_tile(Index rows, Index columns, const Number* a, Place const& b, Index depth,
-                              Place const& d) noexcept {
+template <Op op, Store how, Index planes, Index most_rows = tile_rows<planes>, class Number, class Block>
+HARMORPH_INLINE void any_tile(Index rows, Index columns, const Number* a, Block const& b, Index depth,
+                              Block const& d) noexcept {
     static_assert(tile_vectors == 3, "one case for each number of vectors");
     if constexpr (most_rows > 1) {
         if (rows < most_rows) return any_tile<op, how, planes, most_rows - 1>(rows, columns, a, b, depth, d);
@@ -189,11 +196,12 @@ HARMORPH_INLINE void any_tile(Index rows, Index columns, const Number* a, Place 
 }
 
 template <Index vectors, class Number>
-void finish_tile(const Number* a, InSlabs<Number, 1> const& b, Index depth, const Number* inverse, InSlabs<Number, 1> const& d,
+void finish_tile(const Number* a, InSlabs<Number, 1> const& b, Index depth, const Number* inverse,
+                 InSlabs<Number, 1> const& d,
                  const Number* y, Number* column_sums) noexcept {
-    Tile<1, slab, vectors, Number> its;
-    its.template add<Op::conjugate_transposed>(a, b.template first<vectors>(), depth);
-    its.finish(inverse, d.template first<vectors>(), y, column_sums);
+    Tile<1, slab, vectors, Number> product;
+    product.template add<Op::conjugate_transposed>(a, b.template first<vectors>(), depth);
+    product.finish(inverse, d.template first<vectors>(), y, column_sums);
 }
 template <class Number>
 HARMORPH_INLINE void any_finish_tile(Index columns, const Number* a, InSlabs<Number, 1> const& b, Index depth,
@@ -210,25 +218,28 @@ struct Range {
     Index count() const noexcept { return end - begin; }
 };
 
-// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: what is below the diagonal is not wanted.
+// Rows i and columns j of D -= A^H B, summed over rows k of A and B. upper: only the upper triangle of D is needed.
 template <Index planes, class Number>
 void subtract_product(Slabs<Number> const& a, Slabs<Number> const& b, Slabs<Number> const& d, Range k, Range i, Range j,
                       bool upper = false) noexcept {
-    using Place = InSlabs<Number, planes>;
+    using Block = InSlabs<Number, planes>;
     for (Index c = j.begin; c < j.end; c += tile_columns<Number>) {
         Index const end = smaller(j.end, c + tile_columns<Number>), last = upper ? smaller(i.end, end) : i.end;
         for (Index r = i.begin; r < last; r += tile_rows<planes>) {
             Index const from = upper ? larger(c, r / lanes<Number> * lanes<Number>) : c;
-            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(tile_rows<planes>, last - r), end - from,
-                                                                        a.at(k.begin, r), Place{b, k.begin, from}, k.count(),
-                                                                        Place{d, r, from});
+            any_tile<Op::conjugate_transposed, Store::subtract, planes>(smaller(tile_rows<planes>, last - r),
+                                                                        end - from,
+                                                                        a.at(k.begin, r), Block{b, k.begin,
+                                                                                                from}, k.count(),
+                                                                        Block{d, r, from});
         }
     }
 }
 
-// The same for right-hand sides: row 0 of d is D's row i.begin, row 0 of b is B's row k.begin.
+// The same for right-hand sides: row 0 of d is row i.begin of D, row 0 of b is row k.begin of B.
 template <Index planes, class Number>
-void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d, Range k, Range i) noexcept {
+void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows<Number, planes> d, Range k,
+                        Range i) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<Number>) {
             any_tile<Op::conjugate_transposed, Store::subtract, planes>(
@@ -239,8 +250,8 @@ void subtract_from_rows(Slabs<Number> const& a, InRows<Number, planes> b, InRows
 }
 
 // b [n x columns] = E b, E lower triangular: row r needs rows <= r, so the last rows go first.
-template <Index planes, class Number, class Place>
-HARMORPH_INLINE void apply_inverse(Index n, Index columns, const Number* inverse, Place const& b) noexcept {
+template <Index planes, class Number, class Block>
+HARMORPH_INLINE void apply_inverse(Index n, Index columns, const Number* inverse, Block const& b) noexcept {
     for (Index c = 0; c < columns; c += tile_columns<Number>) {
         for (Index r = (n - 1) / tile_rows<planes> * tile_rows<planes>; r >= 0; r -= tile_rows<planes>) {
             Index const rows = smaller(tile_rows<planes>, n - r);
@@ -262,14 +273,16 @@ void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, pla
     }
 }
 
-// Rows i of d, row 0 its row i.begin: minus A (i, k) times row k of b, row 0 its row k.begin, a slab's first.
+// d -= A (i, k) b for a tile of rows from i on. Row 0 of b is row k.begin, where a slab begins.
 template <Index planes, Index rows, Index vectors, class Number>
-void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b, InRows<Number, planes> d) noexcept {
-    Tile<planes, rows, vectors, Number> its;
+void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b,
+                 InRows<Number, planes> d) noexcept {
+    Tile<planes, rows, vectors, Number> product;
     for (Index c = k.begin; c < k.end; c += slab) {
-        its.template add<Op::plain>(a.at(i, c), b.at(c - k.begin, 0).template first<vectors>(), smaller(slab, k.end - c));
+        product.template add<Op::plain>(a.at(i, c), b.at(c - k.begin, 0).template first<vectors>(),
+                                        smaller(slab, k.end - c));
     }
-    its.template leave<Store::subtract>(d.template first<vectors>());
+    product.template leave<Store::subtract>(d.template first<vectors>());
 }
 template <Index planes, Index most_rows = tile_rows<planes>, class Number>
 HARMORPH_INLINE void any_tile_across(Index rows, Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b,
@@ -281,8 +294,10 @@ HARMORPH_INLINE void any_tile_across(Index rows, Slabs<Number> const& a, Range k
     if (columns > lanes<Number>) return tile_across<planes, most_rows, 2>(a, k, i, b, d);
     return tile_across<planes, most_rows, 1>(a, k, i, b, d);
 }
+// d -= A (i, k) b, all rows i. Row 0 of d is row i.begin.
 template <Index planes, class Number>
-void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b, InRows<Number, planes> d) noexcept {
+void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b,
+                     InRows<Number, planes> d) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<Number>) {
             any_tile_across<planes>(smaller(tile_rows<planes>, i.end - r), a, k, r, b.at(0, c), d.at(r - i.begin, c),

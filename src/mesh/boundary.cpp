@@ -11,7 +11,8 @@ constexpr Index marked_with(Index face) noexcept { return -2 - face; }
 Status refuse_unmarked(Edges const& edges, Fault& fault) noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         if (edges.second[edge] != Edges::unmarked || failed(fault.status)) return;
-        fault.refuse(Status::bad_mesh, "the edge between points # and @ has one cell and no marker: a marker or a cell is missing",
+        fault.refuse(Status::bad_mesh,
+                     "the edge between points # and @ has one cell and no marker: a marker or a cell is missing",
                      Counts::mesh, low, high);
     });
     return fault.status;

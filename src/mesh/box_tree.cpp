@@ -10,13 +10,13 @@ constexpr Index leaf_items = 4;
 Real along(BoxTree::Entry const& entry, bool vertical) noexcept { return vertical ? entry.centre.y : entry.centre.x; }
 
 void exchange(BoxTree::Entry& a, BoxTree::Entry& b) noexcept {
-    BoxTree::Entry const its = a;
+    BoxTree::Entry const old_a = a;
     a = b;
-    b = its;
+    b = old_a;
 }
 
-// Hoare's selection: none before place k is greater than it, none behind it is smaller. Ends with a sort where unlucky
-// pivots would cost more than one.
+// Hoare's selection: no entry before entry k is greater, none behind it is smaller. Sorts instead after 64 pivots,
+// where bad pivots would make the selection quadratic.
 void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
     Index low = 0, high = entries.count() - 1;
     for (Index pivots = 0; low < high; ++pivots) {
@@ -57,11 +57,11 @@ void BoxTree::halve() noexcept {
     for (Index level = 0; level < levels; ++level) {
         for (Index node = 0; node < Index{1} << level; ++node) {
             Index const first = begin(level, node), middle = begin(level + 1, 2 * node + 1);
-            Span<Entry> const its = entry.from(first, begin(level, node + 1) - first);
+            Span<Entry> const node_entries = entry.from(first, begin(level, node + 1) - first);
             Box centres;
-            for (Entry const& e : its) centres.include(e.centre);
+            for (Entry const& e : node_entries) centres.include(e.centre);
             Vec2 const extent = centres.high - centres.low;
-            select(its, middle - first, extent.y > extent.x);
+            select(node_entries, middle - first, extent.y > extent.x);
         }
     }
 }

@@ -21,7 +21,8 @@ void sort_few(Span<Edges::Side> sides) noexcept {
             key[i + 1] = high;
         }
     }
-    for (Size i = 0; i < n; ++i) sides[i] = {static_cast<Index>(key[i] >> 32), static_cast<Index>(key[i] & 0xFFFFFFFFu)};
+    for (Size i = 0; i < n; ++i) sides[i] = {static_cast<Index>(key[i] >> 32),
+                                             static_cast<Index>(key[i] & 0xFFFFFFFFu)};
 }
 
 // Most points begin up to four edges of two cells each.
@@ -40,7 +41,8 @@ void sort_sides(Span<Edges::Side> sides) noexcept {
     }
 }
 
-// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side of no length, or none.
+// visit(smaller point, side) for every side of every cell. Returns the first cell that has a side of no length, or
+// none.
 template <class PointOf, class Visit>
 Index visit_sides(Mesh const& mesh, PointOf point_of, Visit visit) noexcept {
     return mesh.find_cell([&](Index i, Cell const& cell) {
@@ -71,7 +73,8 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
     fill(start, Index{0});
     Index const bad_cell = for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
     if (bad_cell != none) {
-        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh, bad_cell);
+        return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh,
+                            bad_cell);
     }
     counts_to_starts(start);
     for_each_side(mesh, representative, [&](Index point, Side side) { first[start[point]++] = side; });

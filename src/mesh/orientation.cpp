@@ -67,7 +67,8 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         if (other < 0) continue;
         Index const same_direction = ((code ^ other) & 1) ^ 1;
         if (!agreement.unite(cell_of_side(code), cell_of_side(other), same_direction)) {
-            return fault.refuse(Status::bad_mesh, "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
+            return fault.refuse(Status::bad_mesh,
+                                "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
                                 Counts::mesh, cell_of_side(code), cell_of_side(other));
         }
     }
@@ -82,7 +83,8 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         bool const against_root = (root & 1) != 0;
         reversed[cell] = (work.balance[root >> 1] < 0) != against_root ? 1 : 0;
     }
-    inverted = mesh.find_cell([&](Index i, Cell const& cell) { return is_inverted({cell, mesh.points, reversed[i] != 0}); });
+    inverted = mesh.find_cell([&](Index i,
+                                  Cell const& cell) { return is_inverted({cell, mesh.points, reversed[i] != 0}); });
     return Status::ok;
 }
 

@@ -39,7 +39,7 @@ void order_by_layers(Topology const& topology, Span<const PointKind> kinds, Grap
         }
     }
     for (Index u = 0; u < graph.n; ++u) {
-        if (work.reached[u] == 0) order[filled++] = u;  // in no part that hangs on a boundary: never, after check_parts()
+        if (work.reached[u] == 0) order[filled++] = u;  // in a part without boundary: check_parts() has refused such meshes
     }
 }
 

@@ -19,38 +19,38 @@ constexpr Real long_separator = 1.12, long_large_separator = 1.15;
 Index Dissector::dissect(Index begin, Index end, AssemblyTree& tree) const noexcept {
     if (begin == end) return none;
     if (end - begin <= leaf_size) return tree.add(begin, end, none, none);
-    Division const its = divide(begin, end);
-    Index const first = dissect(begin, its.middle, tree);
-    Index const second = dissect(its.middle, its.pivots, tree);
-    return tree.add(its.pivots, end, first, second);
+    Division const division = divide(begin, end);
+    Index const first = dissect(begin, division.middle, tree);
+    Index const second = dissect(division.middle, division.pivots, tree);
+    return tree.add(division.pivots, end, first, second);
 }
 
 Division Dissector::divide(Index begin, Index end) const noexcept {
     Index const n = end - begin;
     Cut cut = search_.best(begin, end, directions);
-    Division its = partition(cut, begin, end);
-    Parts parts{its.middle - begin, its.pivots - its.middle, end - its.pivots};
-    // Not of the whole: a separator of one level in a wake runs along thin cells. Its pivots come last and keep so little of
-    // their diagonals that functions would have to be refined.
+    Division division = partition(cut, begin, end);
+    Parts parts{division.middle - begin, division.pivots - division.middle, end - division.pivots};
+    // Not of the whole graph: a separator of one level in a wake runs along thin cells. As the last separator, the
+    // pivots there are small against their diagonals, and solutions would have to be refined.
     if (n < graph_.n && parts.is_longer(n < Parts::large ? long_separator : long_large_separator)) {
-        parts.left_border = search_.border(begin, its.middle, n);
-        parts.right_border = search_.border(its.middle, its.pivots, n);
-        if (search_.find_level_cut(parts.cost(), begin, end, cut)) its = partition(cut, begin, end);
+        parts.left_border = search_.border(begin, division.middle, n);
+        parts.right_border = search_.border(division.middle, division.pivots, n);
+        if (search_.find_level_cut(parts.cost(), begin, end, cut)) division = partition(cut, begin, end);
     }
-    if (its.middle - begin < smallest_child) absorb(begin, its);
-    if (its.pivots - its.middle < smallest_child) its.pivots = its.middle;
-    close_off(its.pivots, end, n >= Parts::large);
-    sort_along(cut, its.pivots, end);
-    return its;
+    if (division.middle - begin < smallest_child) absorb(begin, division);
+    if (division.pivots - division.middle < smallest_child) division.pivots = division.middle;
+    close_off(division.pivots, end, n >= Parts::large);
+    sort_along(cut, division.pivots, end);
+    return division;
 }
 
-// Neither part will see the separator. Parts that may be large know what is next to it.
+// Takes the separator out of the graph for both parts. Large parts mark the unknowns next to the separator.
 void Dissector::close_off(Index begin, Index end, bool marks_border) const noexcept {
     Span<Side> const side = work_.cover.side;
     for (Index k = begin; k < end; ++k) side[order_[k]] = Side::elsewhere;
     for (Index k = begin; k < end && marks_border; ++k) {
         for (Index const v : graph_.of(order_[k])) {
-            if (side[v] == Side::inside) work_.where.place[v].at[border_lane] = 1;
+            if (side[v] == Side::inside) work_.coordinates.of[v].at[border_lane] = 1;
         }
     }
 }
@@ -59,13 +59,13 @@ void Dissector::find_across() const noexcept {
     Span<Side> const side = work_.cover.side;
     for (Index u = 0; u < graph_.n; ++u) order_[u] = u;
     Cut const cut = search_.best(0, graph_.n, straight_directions);
-    Division const its = partition(cut, 0, graph_.n);
-    if (cut.direction == none || its.pivots == graph_.n) return;
-    Span<const Index> const separator = order_.from(its.pivots, graph_.n - its.pivots);
+    Division const division = partition(cut, 0, graph_.n);
+    if (cut.direction == none || division.pivots == graph_.n) return;
+    Span<const Index> const separator = order_.from(division.pivots, graph_.n - division.pivots);
     for (Index const u : separator) side[u] = Side::separator;
-    work_.where.find_across(
+    work_.coordinates.find_across(
         graph_, separator[0], [&](Index u) { return side[u] == Side::separator; },
-        [&](Index u) { return work_.where.place[u].at[cut.direction] >= cut.level; });
+        [&](Index u) { return work_.coordinates.of[u].at[cut.direction] >= cut.level; });
     for (Index const u : separator) side[u] = Side::inside;
 }
 
@@ -80,11 +80,11 @@ void Dissector::absorb(Index begin, Division& division) const noexcept {
     middle = begin;
 }
 
-// Sorts the part: what is left of the cut to its beginning, what is right to `moved`, and what is near the cut to `queue`,
-// with its side set. Returns how many are near.
+// Sorts the part: unknowns left of the cut go to the beginning of the part, unknowns right of the cut to `moved`, and
+// those near the cut to `queue`, with `side` set. Returns how many are near.
 Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left, Index& n_right) const noexcept {
     Span<Index> const part = order_.from(begin, end - begin), moved = work_.moved.from(begin, end - begin);
-    Span<Index> const near = work_.where.queue.from(begin, end - begin);
+    Span<Index> const near = work_.coordinates.queue.from(begin, end - begin);
     Span<Side> const side = work_.cover.side;
     n_left = n_right = 0;
     if (cut.direction == none) {
@@ -94,12 +94,12 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
         }
         return part.count();
     }
-    Span<const Place> const place = work_.where.place;
+    Span<const CutPosition> const position = work_.coordinates.of;
     Index n_near = 0;
     for (Index k = 0; k < part.count(); ++k) {
-        if (k + places_ahead < part.count()) __builtin_prefetch(&place[part[k + places_ahead]]);
+        if (k + prefetch_ahead < part.count()) __builtin_prefetch(&position[part[k + prefetch_ahead]]);
         Index const u = part[k];
-        float const distance = place[u].at[cut.direction] - cut.level, reach = place[u].reach[cut.direction];
+        float const distance = position[u].at[cut.direction] - cut.level, reach = position[u].reach[cut.direction];
         Index const is_near = (distance <= reach) & (-distance <= reach), is_left = distance < 0;
         part[n_left] = u;
         moved[n_right] = u;
@@ -108,26 +108,28 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
         n_left += is_left & ~is_near;
         n_right += ~is_left & ~is_near & 1;
     }
-    for (Index const u : near.first(n_near)) side[u] = place[u].at[cut.direction] < cut.level ? Side::left : Side::right;
+    for (Index const u : near.first(n_near)) {
+        side[u] = position[u].at[cut.direction] < cut.level ? Side::left : Side::right;
+    }
     return n_near;
 }
 
-// Stable but for what is near the cut, so that memory is still passed through in its own direction.
+// Stable except near the cut, so that unknowns stay in the order in which they lie in memory.
 Division Dissector::partition(Cut const& cut, Index begin, Index end) const noexcept {
     Span<Index> const part = order_.from(begin, end - begin), moved = work_.moved.from(begin, end - begin);
-    Span<Index> const near = work_.where.queue.from(begin, end - begin);
+    Span<Index> const near = work_.coordinates.queue.from(begin, end - begin);
     Span<Side> const side = work_.cover.side;
     Index n_left, n_right, n_separator = 0;
     Index const n_near = set_sides(cut, begin, end, n_left, n_right);
-    // The places of what is left of the cut and near it are free.
+    // The n_near entries of `part` behind n_left are not in use yet: they serve as the queue.
     work_.cover.find(graph_, near.first(n_near), part.from(n_left, n_near));
     for (Index k = 0; k < n_near; ++k) {
         Index const u = near[k];
-        Side const its = side[u];
+        Side const side_of_u = side[u];
         side[u] = Side::inside;
-        if (its == Side::left) part[n_left++] = u;
-        if (its == Side::right) moved[n_right++] = u;
-        if (its == Side::separator) near[n_separator++] = u;
+        if (side_of_u == Side::left) part[n_left++] = u;
+        if (side_of_u == Side::right) moved[n_right++] = u;
+        if (side_of_u == Side::separator) near[n_separator++] = u;
     }
     copy(part.from(n_left, n_right), Span<const Index>(moved.first(n_right)));
     copy(part.from(n_left + n_right, n_separator), Span<const Index>(near.first(n_separator)));
@@ -139,20 +141,20 @@ void Dissector::sort_along(Cut const& cut, Index begin, Index end) const noexcep
     if (cut.direction == none) return;
     Span<Index> const cut_off = order_.from(begin, end - begin);
     Span<DissectionWork::Keyed> const keyed = work_.keyed.from(begin, end - begin);
-    Span<const Place> const place = work_.where.place;
+    Span<const CutPosition> const position = work_.coordinates.of;
     if (cut.direction != layer_direction) {
-        // x and y, the two diagonals; steps and levels are passed by layers
+        // x along a cut in y and the reverse; the same for the two diagonals; layers along steps and levels
         Index const perpendicular = cut.direction < straight_directions ? cut.direction ^ 1 : layer_direction;
-        for (Index k = 0; k < keyed.count(); ++k) keyed[k] = {place[cut_off[k]].at[perpendicular], cut_off[k]};
+        for (Index k = 0; k < keyed.count(); ++k) keyed[k] = {position[cut_off[k]].at[perpendicular], cut_off[k]};
     } else {
         float x = 0, y = 0;
         float const weight = 1.0f / static_cast<float>(cut_off.size() + 1);
         for (Index const u : cut_off) {
-            x += weight * place[u].at[0];
-            y += weight * place[u].at[1];
+            x += weight * position[u].at[0];
+            y += weight * position[u].at[1];
         }
-        auto const angle = [&](Index u) {  // round the unit square instead of the circle: -2 .. 2
-            float const dx = place[u].at[0] - x, dy = place[u].at[1] - y;
+        auto const angle = [&](Index u) {  // measured along the square |x| + |y| = 1 instead of the circle: -2 .. 2
+            float const dx = position[u].at[0] - x, dy = position[u].at[1] - y;
             float const size = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
             if (size == 0) return 0.0f;
             return dx >= 0 ? dy / size : dy >= 0 ? 2 - dy / size : -2 - dy / size;

@@ -1,4 +1,4 @@
-// Cuts parts of a graph in two, again and again.
+// Recursive bisection: cuts parts of a graph in two by separators.
 #pragma once
 
 #include "cut_search.hpp"
@@ -7,22 +7,23 @@
 
 namespace harmorph {
 
-// A part of the order, cut: its left part, its right one from `middle` on, its separator from `pivots` on.
+// A part of the order after a cut: the left part, then the right part from `middle` on, then the separator from
+// `pivots` on.
 struct Division {
     Index middle = 0, pivots = 0;
 };
 
-// Parts that do not overlap may be ordered at the same time: each keeps to its own places of the working arrays, and
-// separators that are done with stand between their unknowns.
+// Parts that do not overlap may be ordered at the same time: each uses only the range of the working arrays that is the
+// range of the part, and no unknowns of two parts are neighbours, as separators lie between them.
 class Dissector {
 public:
     static constexpr Index leaf_size = 24;      // parts up to this size are eliminated densely
     static constexpr Index smallest_child = 4;  // smaller parts join the separator; with it, nodes <= n / 2
 
     Dissector(Graph const& graph, DissectionWork const& work, Span<Index> order) noexcept
-        : graph_(graph), work_(work), order_(order), search_(graph, work.where, order) {}
+        : graph_(graph), work_(work), order_(order), search_(graph, work.coordinates, order) {}
 
-    // Makes the steps from a straight cut through everything a direction of their own.
+    // Cuts the whole graph straight once, and makes the steps from this cut one more coordinate.
     void find_across() const noexcept;
     // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
     Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept;

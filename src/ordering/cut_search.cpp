@@ -23,12 +23,13 @@ Real cost_to_cut(Real n, Real b) noexcept {
     return s * (of_unknowns * n + of_both * s * b + of_border * b * b);
 }
 
-// Of many unknowns some tell enough: separators have about the square root of their number.
+// The stride of samples of large parts: separators have about the square root of the number of unknowns, and a sample
+// with this stride contains twice separator_samples of these.
 Index stride_of(Index part, Real separator_samples) noexcept {
     return larger(Index{1}, static_cast<Index>(square_root(part) / (2 * separator_samples)));
 }
 
-// A number below `end` that seems to be drawn by chance (the last steps of A. Appleby's MurmurHash3).
+// A pseudo-random number below `end` (the final mixing of A. Appleby's MurmurHash3).
 Index scattered(Index from, Index end) noexcept {
     std::uint32_t bits = static_cast<std::uint32_t>(from);
     bits = (bits ^ bits >> 16) * 0x85ebca6bu;
@@ -38,15 +39,15 @@ Index scattered(Index from, Index end) noexcept {
 
 }  // namespace
 
-// Large parts: twice the multiplications. Small ones, whose fronts are small whatever is done: a large separator is a
-// large front, and so is what is left to cut on the larger side.
+// Large parts: twice the multiplications. Small parts have small fronts whatever the cut: the length of the separator,
+// more for uneven cuts.
 Real Parts::cost() const noexcept {
     Real const n = size(), s = separator, b = Real{1} * left_border + right_border;
     if (n < large) return s * (0.5 + larger(left, right) / n);
     return s * (s * s / 3 + s * b + b * b) + cost_to_cut(left, left_border + s) + cost_to_cut(right, right_border + s);
 }
 
-// Of cuts at `level` in all directions at once: left is what lies before it.
+// Counts for cuts at `level` in all directions at once; left: unknowns with a coordinate below the level.
 struct CutSearch::Counts {
     Four level[halves];
     Index n = 0, border = 0;
@@ -54,10 +55,10 @@ struct CutSearch::Counts {
     FourCounts near_left[halves] = {}, left_border[halves] = {};
 
     template <bool is_large>
-    void add(Place const& place) noexcept {
-        FourCounts const in_border = FourCounts{} + (is_large ? static_cast<Index>(place.at[border_lane]) : 0);
+    void add(CutPosition const& position) noexcept {
+        FourCounts const in_border = FourCounts{} + (is_large ? static_cast<Index>(position.at[border_lane]) : 0);
         for (Index half = 0; half < halves; ++half) {
-            Four const distance = four(place.at, half) - level[half], reach = four(place.reach, half);
+            Four const distance = four(position.at, half) - level[half], reach = four(position.reach, half);
             FourCounts const is_left = distance < 0, is_near = (distance <= reach) & (-distance <= reach);
             left[half] -= is_left;  // -1 where true
             near[half] -= is_near;
@@ -73,7 +74,7 @@ struct CutSearch::Counts {
     template <bool is_large>
     Parts parts(Index direction, Index part) const noexcept {
         auto const of = [&](const FourCounts* counts) { return counts[direction / 4][direction % 4]; };
-        // No smallest cover is larger than a side that it could consist of.
+        // All near unknowns of one side are a cover, so the smallest cover is not larger than either.
         Index const cover = is_large ? smaller(of(near_left), of(near) - of(near_left)) : of(near);
         Real const times = static_cast<Real>(part) / n;
         auto const all = [&](Index counted) { return static_cast<Index>(times * counted); };
@@ -94,11 +95,13 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
     for (Index half = 0; half < halves; ++half) counts.level[half] = four(medians, half);
     Index const stride = stride_of(end - begin, is_large ? 96 : 48);
     if (stride == 1) {
-        for (Index k = begin; k < end; ++k) counts.add<is_large>(where_.place[order_[k]]);
+        for (Index k = begin; k < end; ++k) counts.add<is_large>(coordinates_.of[order_[k]]);
     }
     for (Index k = begin; k < end && stride > 1; k += stride) {
-        if (k + places_ahead * stride < end) __builtin_prefetch(&where_.place[order_[k + places_ahead * stride]]);
-        counts.add<is_large>(where_.place[order_[k]]);
+        if (k + prefetch_ahead * stride < end) {
+            __builtin_prefetch(&coordinates_.of[order_[k + prefetch_ahead * stride]]);
+        }
+        counts.add<is_large>(coordinates_.of[order_[k]]);
         if (counts.n % 32 == 0) k += scattered(k, stride);  // rows of meshes may be as long as any number of steps
     }
     Cut best;
@@ -117,16 +120,16 @@ Cut CutSearch::best_of(Index begin, Index end, Index n_directions) const noexcep
 Index CutSearch::border(Index begin, Index end, Index size) const noexcept {
     Index n = 0;
     for (Index k = begin; k < end && size >= Parts::large; ++k) {
-        n += static_cast<Index>(where_.place[order_[k]].at[border_lane]);
+        n += static_cast<Index>(coordinates_.of[order_[k]].at[border_lane]);
     }
     return n;
 }
 
 bool CutSearch::find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept {
-    Index const n = end - begin, its_border = border(begin, end, n);
-    Span<Index> const by_level = where_.queue.from(begin, n);
-    where_.find_levels(graph_, order_.from(begin, n), by_level);
-    auto const at = [&](Index k, Index lane) { return where_.place[by_level[k]].at[lane]; };
+    Index const n = end - begin, whole_border = border(begin, end, n);
+    Span<Index> const by_level = coordinates_.queue.from(begin, n);
+    coordinates_.find_levels(graph_, order_.from(begin, n), by_level);
+    auto const at = [&](Index k, Index lane) { return coordinates_.of[by_level[k]].at[lane]; };
     bool found = false;
     for (Index first = 0, behind = 0, passed = 0; first < n - n / 4; first = behind) {
         Index const before = passed;
@@ -134,7 +137,7 @@ bool CutSearch::find_level_cut(Real least, Index begin, Index end, Cut& cut) con
             passed += static_cast<Index>(at(behind, border_lane));
         }
         if (first < n / 4 || n - behind < n / 4) continue;
-        Real const cost = Parts{first, n - behind, behind - first, before, its_border - passed}.cost();
+        Real const cost = Parts{first, n - behind, behind - first, before, whole_border - passed}.cost();
         if (cost >= least) continue;
         least = cost;
         cut = {level_direction, at(first, level_direction) + 0.5f};
@@ -143,14 +146,14 @@ bool CutSearch::find_level_cut(Real least, Index begin, Index end, Cut& cut) con
     return found;
 }
 
-// Levels close to the medians: medians of three medians of three, and so on (P. J. Rousseeuw, G. W. Bassett, J. Am. Stat.
-// Assoc. 85 (1990) 97), of samples.
+// Levels close to the medians: medians of three medians of three, and so on (P. J. Rousseeuw, G. W. Bassett, J. Am.
+// Stat. Assoc. 85 (1990) 97), of samples.
 void CutSearch::set_medians(Index begin, Index n, float* level) const noexcept {
     Index count = n < 1024 ? few_samples : most_samples;
     Four sample[most_samples][halves];
     for (Index k = 0; k < count; ++k) {
-        Place const& place = where_.place[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
-        for (Index half = 0; half < halves; ++half) sample[k][half] = four(place.at, half);
+        CutPosition const& position = coordinates_.of[order_[begin + static_cast<Index>(Offset{k} * n / count)]];
+        for (Index half = 0; half < halves; ++half) sample[k][half] = four(position.at, half);
     }
     while (count > 1) {
         count /= 3;

@@ -12,7 +12,8 @@ struct Cut {
 
 // What a cut makes of a part.
 struct Parts {
-    // Parts from this size on hold most of the multiplications: there it pays to look closely.
+    // Parts from this size on lead to most of the multiplications: there a more exact estimate of the cost is worth the
+    // time.
     static constexpr Index large = 1 << 16;
 
     Index left = 0, right = 0, separator = 0;
@@ -27,15 +28,17 @@ struct Parts {
 // Searches in parts of the order that do not overlap may run at the same time.
 class CutSearch {
 public:
-    CutSearch(Graph const& graph, Places const& where, Span<const Index> order) noexcept
-        : graph_(graph), where_(where), order_(order) {}
+    CutSearch(Graph const& graph, CutCoordinates const& coordinates, Span<const Index> order) noexcept
+        : graph_(graph), coordinates_(coordinates), order_(order) {}
 
     // The straight cut, in one of the directions 0 .. n_directions-1, that seems to cost least.
     Cut best(Index begin, Index end, Index n_directions) const noexcept;
-    // The cut behind the level that costs least, if that is less than `least`. Where cells are much stretched or curved,
-    // straight cuts run slantwise through thousands of them; steps from cell to cell do not see that.
+    // The cut behind the level that costs least, if the cost is less than `least`. In strongly stretched or curved
+    // cells straight cuts run obliquely through thousands of cells; steps from cell to cell do not depend on their
+    // shape.
     bool find_level_cut(Real least, Index begin, Index end, Cut& cut) const noexcept;
-    // Unknowns at places begin .. end-1 that are next to separators above; 0 where a part of this size is not large.
+    // How many unknowns of order [begin .. end-1] are next to separators above; 0 where a part of this size is not
+    // large.
     Index border(Index begin, Index end, Index size) const noexcept;
 
 private:
@@ -46,7 +49,7 @@ private:
     void set_medians(Index begin, Index n, float* level) const noexcept;
 
     Graph const& graph_;
-    Places const& where_;
+    CutCoordinates const& coordinates_;
     Span<const Index> order_;
 };
 

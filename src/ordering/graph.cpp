@@ -59,15 +59,18 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
     }
     for (Index k = 0; k < mesh.n_points; ++k) {
         if (representative[k] == k) continue;
-        for (Index c = 0; c < n_components; ++c) unknown[n_components * k + c] = unknown[n_components * representative[k] + c];
+        for (Index c = 0; c < n_components; ++c) {
+            unknown[n_components * k + c] = unknown[n_components * representative[k] + c];
+        }
     }
     Span<Offset> const starts = start.first(n + 1);
     fill(starts, Offset{0});
     fill(beside_curve, std::uint8_t{0});
     couplings = fixed = 0;
     Size known_begin = neighbour.size();  // two places are there for every pair
-    auto const couple = [&](Index u, Index its_line) {
-        Index const point = representative[its_line / n_components], other = n_components * point + its_line % n_components;
+    auto const couple = [&](Index u, Index wall_line) {
+        Index const point = representative[wall_line / n_components];
+        Index const other = n_components * point + wall_line % n_components;
         bool const on_wall = kinds[point] == PointKind::on_wall;
         if (on_wall) beside_curve[u] = 1;
         ++(on_wall ? couplings : fixed);

@@ -5,7 +5,8 @@
 namespace harmorph {
 namespace {
 
-// The top of the tree, cut level by level; then every part that is left is a task. The same tree for any number of levels.
+// The top of the tree, cut level by level; then every part that is left is one task. The tree is the same for any
+// number of levels.
 class TreeTop {
 public:
     TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept
@@ -29,45 +30,46 @@ private:
     struct Part {
         Index begin = 0, end = 0;
         bool is_cut = false;
-        Index pivots = 0;   // where it is cut, the parts 2 h and 2 h + 1 of part h before them
-        Index n_nodes = 0;  // where not
+        // Of a part h that is cut: where the separator begins; parts 2 h and 2 h + 1 come before.
+        Index pivots = 0;
+        Index n_nodes = 0;  // of a part that is not cut
         // No part of at least Dissector::smallest_child unknowns has more nodes than half of them.
         Index first_node() const noexcept { return (begin + 1) / 2; }
     };
 
     void divide(Index h) noexcept {
-        Part& its = part_[h];
-        if (its.end - its.begin <= Dissector::leaf_size) return;
-        Division const division = dissector_.divide(its.begin, its.end);
-        its.is_cut = true;
-        its.pivots = division.pivots;
-        part_[2 * h] = {its.begin, division.middle};
+        Part& part = part_[h];
+        if (part.end - part.begin <= Dissector::leaf_size) return;
+        Division const division = dissector_.divide(part.begin, part.end);
+        part.is_cut = true;
+        part.pivots = division.pivots;
+        part_[2 * h] = {part.begin, division.middle};
         part_[2 * h + 1] = {division.middle, division.pivots};
     }
 
-    void plant(Part& its) const noexcept {
-        if (its.is_cut || its.begin == its.end) return;
+    void plant(Part& part) const noexcept {
+        if (part.is_cut || part.begin == part.end) return;
         AssemblyTree own;
-        own.nodes = tree_.nodes.from(its.first_node(), tree_.nodes.count() - its.first_node());
-        dissector_.dissect(its.begin, its.end, own);
-        its.n_nodes = own.count;
+        own.nodes = tree_.nodes.from(part.first_node(), tree_.nodes.count() - part.first_node());
+        dissector_.dissect(part.begin, part.end, own);
+        part.n_nodes = own.count;
     }
 
-    // Moves nodes up to those that are there already. Returns the root.
+    // Moves the nodes of all parts together, children before parents. Returns the root.
     Index join(Index h) noexcept {
-        Part const& its = part_[h];
-        if (its.is_cut) {
+        Part const& part = part_[h];
+        if (part.is_cut) {
             Index const first = join(2 * h), second = join(2 * h + 1);
-            return tree_.add(its.pivots, its.end, first, second);
+            return tree_.add(part.pivots, part.end, first, second);
         }
         Index const shift = tree_.count;
-        for (Index k = 0; k < its.n_nodes; ++k) {
-            AssemblyTree::Node node = tree_.nodes[its.first_node() + k];
+        for (Index k = 0; k < part.n_nodes; ++k) {
+            AssemblyTree::Node node = tree_.nodes[part.first_node() + k];
             Index* const relatives[] = {&node.parent, &node.child, &node.sibling};
             for (Index* const other : relatives) *other += *other != none ? shift : 0;
             tree_.nodes[tree_.count++] = node;
         }
-        return its.n_nodes > 0 ? tree_.count - 1 : none;
+        return part.n_nodes > 0 ? tree_.count - 1 : none;
     }
 
     Dissector const& dissector_;
@@ -96,7 +98,7 @@ Index AssemblyTree::add(Index begin, Index end, Index first, Index second) noexc
 void AssemblyTree::lay_out(Arena& arena, Index max_unknowns) noexcept { arena.take(nodes, max_unknowns / 2 + 1); }
 
 void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
-    where.lay_out(arena, max_unknowns);
+    coordinates.lay_out(arena, max_unknowns);
     cover.lay_out(arena, max_unknowns);
     arena.take(moved, max_unknowns);
     arena.take(keyed, max_unknowns);
@@ -104,7 +106,7 @@ void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
 
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
              AssemblyTree& tree) noexcept {
-    work.where.find(graph, points, executor);
+    work.coordinates.find(graph, points, executor);
     fill(work.cover.side.first(graph.n), Side::inside);
     Dissector const dissector(graph, work, order);
     dissector.find_across();

@@ -7,19 +7,22 @@ namespace {
 
 class Costs {
 public:
-    Costs(AssemblyTree const& tree, Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
+    Costs(AssemblyTree const& tree,
+          Span<const Offset> border_start) noexcept : tree_(tree), border_start_(border_start) {}
 
-    Index border(Index node) const noexcept { return static_cast<Index>(border_start_[node + 1] - border_start_[node]); }
+    Index border(Index node) const noexcept {
+        return static_cast<Index>(border_start_[node + 1] - border_start_[node]);
+    }
     Index front(Index node) const noexcept { return tree_.nodes[node].pivots() + border(node); }
 
     Subtree subtree(Index root) const noexcept {
-        Subtree its;
-        its.first = its.root = root;
-        while (tree_.nodes[its.first].child != none) its.first = tree_.nodes[its.first].child;
-        for (Index node = its.first; node <= root; ++node) {
-            its.work += Offset{tree_.nodes[node].pivots()} * front(node) * front(node);
+        Subtree out;
+        out.first = out.root = root;
+        while (tree_.nodes[out.first].child != none) out.first = tree_.nodes[out.first].child;
+        for (Index node = out.first; node <= root; ++node) {
+            out.work += Offset{tree_.nodes[node].pivots()} * front(node) * front(node);
         }
-        return its;
+        return out;
     }
 
 private:
@@ -50,7 +53,7 @@ Index Subtrees::find(Index node) const noexcept {
 void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
     count = 0;
     if (lanes > 1) split(tree, border_start);
-    share_out();
+    balance();
 
     Costs const costs(tree, border_start);
     auto const update_of = [&](Index node) { return dense::update_entries(costs.border(node)); };
@@ -74,7 +77,7 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
                 (in_subtree ? inside : above) += update_of(up);
             }
         }
-        // A leaf that meets no subtree on its way up is itself above all of them.
+        // A leaf with no root of a subtree on the path upwards is itself above all subtrees.
         if (in_subtree) {
             above = inside;
             inside = 0;
@@ -85,7 +88,7 @@ void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start)
     }
 }
 
-// The largest subtree is cut into those of its children, until there are enough.
+// Replaces the subtree with the most work by the subtrees of the children, until there are enough.
 void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
     Costs const costs(tree, border_start);
     for (Index node = 0; node < tree.count && count < all.count(); ++node) {
@@ -97,7 +100,9 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
             if (all[i].work > all[largest].work) largest = i;
         }
         Index n_children = 0;
-        for (Index child = tree.nodes[all[largest].root].child; child != none; child = tree.nodes[child].sibling) ++n_children;
+        for (Index child = tree.nodes[all[largest].root].child; child != none; child = tree.nodes[child].sibling) {
+            ++n_children;
+        }
         if (n_children == 0 || count + n_children - 1 > all.count()) break;
         Index child = tree.nodes[all[largest].root].child;
         all[largest] = costs.subtree(child);
@@ -107,9 +112,10 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
     }
 }
 
-// Largest first, each to the lane that has least to do.
-void Subtrees::share_out() noexcept {
-    sort(all.first(count), [](Subtree const& a, Subtree const& b) { return a.work != b.work ? a.work > b.work : a.root < b.root; });
+// List scheduling: the largest first, each to the lane with the least work so far (R. L. Graham's LPT rule).
+void Subtrees::balance() noexcept {
+    sort(all.first(count),
+         [](Subtree const& a, Subtree const& b) { return a.work != b.work ? a.work > b.work : a.root < b.root; });
     Offset load[Executor::most_threads] = {};
     for (Subtree& subtree : all.first(count)) {
         for (Index lane = 1; lane < lanes; ++lane) {

@@ -9,8 +9,8 @@ struct Range {
     Index begin, end;  // positions
 };
 
-// Subtrees with a small share of the positions each, and what is between them. All nodes that positions of a subtree touch
-// are in it, too.
+// Subtrees, each with a small part of the positions, and the ranges between them. Borders that hold a position of a
+// subtree belong to nodes of the same subtree, so subtrees can be walked at the same time.
 struct Ranges {
     static constexpr Index most = 256;
     Index subtrees = 0;
@@ -25,9 +25,9 @@ struct Ranges {
     void for_each(Executor const& executor, Visit const& visit) const noexcept {
         executor.for_each(subtrees, [&](Index i) { visit(subtree[i]); });
         Index begin = 0;
-        for (Range const& its : Span<const Range>(subtree, static_cast<Size>(subtrees))) {
-            if (begin < its.begin) visit({begin, its.begin});
-            begin = its.end;
+        for (Range const& done : Span<const Range>(subtree, static_cast<Size>(subtrees))) {
+            if (begin < done.begin) visit({begin, done.begin});
+            begin = done.end;
         }
         if (begin < n) visit({begin, n});
     }
@@ -36,9 +36,9 @@ private:
     void add(AssemblyTree const& tree, Index root, Index largest) noexcept {
         Index first = root;
         while (tree.nodes[first].child != none) first = tree.nodes[first].child;
-        Range const its{tree.nodes[first].begin, tree.nodes[root].end};
-        if (its.end - its.begin <= largest && subtrees < most) {
-            subtree[subtrees++] = its;
+        Range const positions{tree.nodes[first].begin, tree.nodes[root].end};
+        if (positions.end - positions.begin <= largest && subtrees < most) {
+            subtree[subtrees++] = positions;
             return;
         }
         for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) {
@@ -47,9 +47,10 @@ private:
     }
 };
 
-// visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the position's
-// earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986) 127), and then
-// visit(none, position). To each node positions come in increasing order, so each border is filled in order.
+// visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the
+// position's earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986)
+// 127), and then visit(none, position). To each node positions come in increasing order, so each border is filled in
+// order.
 template <class Visit>
 void walk(Graph const& graph, Span<const Index> order, BorderWork const& work, Range range, Visit visit) noexcept {
     Span<const Index> const node_of = work.node;
@@ -70,7 +71,8 @@ void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
     for (Index t = 0; t < tree.count; ++t) work.step[t] = {tree.nodes[t].parent, none, 0};
 }
 
-// Nodes as a walk through a range passes them, from its first position's place on. Before them stands whether all did fit.
+// The nodes that a walk through a range passes, in BorderWork::passed from the range's part of the array on. The first
+// entry tells whether all nodes had room.
 class Track {
 public:
     Track(BorderWork const& work, Range range) noexcept

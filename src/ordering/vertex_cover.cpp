@@ -8,8 +8,8 @@ void BorderCover::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(from, max_unknowns);
 }
 
-// Matches one more left unknown, by exchanging the partners along a path to a free right one. Where there is none, all that
-// the search came to is out of question for later ones. Returns how many unknowns it came to.
+// Matches one more left unknown, by exchanging the partners along a path to a free right one. Where there is none, all
+// that the search came to is out of question for later ones. Returns how many unknowns it came to.
 Offset BorderCover::search(Graph const& graph, Index root, Span<Index> queue) const noexcept {
     Index filled = 0;
     queue[filled++] = root;

@@ -21,8 +21,8 @@ unsigned saved_registers() noexcept {
 
 }  // namespace
 
-// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID. Every question is a trap on a
-// virtual machine, so there are only two: all x86-64 processors have leaf 1, and all that have AVX have leaf 7.
+// Bit numbers: Intel 64 and IA-32 Architectures Software Developer's Manual, volume 2A, CPUID. Every question is a trap
+// on a virtual machine, so there are only two: all x86-64 processors have leaf 1, and all that have AVX have leaf 7.
 Kernel best_kernel() noexcept {
     unsigned a = 0, b = 0, c = 0, d = 0;
     __cpuid(1, a, b, c, d);

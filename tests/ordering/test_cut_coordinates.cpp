@@ -20,7 +20,7 @@ struct PlacedGraph {
     }
     ~PlacedGraph() { CHECK(block_->guards_intact()); }
 
-    harmorph::Places places;
+    harmorph::CutCoordinates places;
 
 private:
     std::unique_ptr<Guarded> block_;
@@ -31,22 +31,22 @@ private:
 TEST_CASE("neighbours lie within reach in every direction; layers grow by one") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         PlacedGraph its(graph);
-        harmorph::Places const& places = its.places;
+        harmorph::CutCoordinates const& places = its.places;
         Wrong outside, jumps;
         for (Index u = 0; u < graph.n(); ++u)
             for (Index const v : graph.near[static_cast<std::size_t>(u)]) {
                 for (Index d = 0; d < harmorph::directions; ++d) {
-                    float const step = places.place[v].at[d] - places.place[u].at[d];
-                    outside.add(std::fabs(step) > places.place[u].reach[d], u, step);
+                    float const step = places.of[v].at[d] - places.of[u].at[d];
+                    outside.add(std::fabs(step) > places.of[u].reach[d], u, step);
                 }
-                float const from = places.place[u].at[harmorph::layer_direction];
-                float const to = places.place[v].at[harmorph::layer_direction];
+                float const from = places.of[u].at[harmorph::layer_direction];
+                float const to = places.of[v].at[harmorph::layer_direction];
                 jumps.add(std::fabs(to - from) > 1, u, to - from);
             }
         CHECK(outside == 0);
         CHECK(jumps == 0);
         for (Index u = 0; u < graph.n(); ++u)
-            if (graph.view().beside_curve[u] != 0) CHECK(places.place[u].at[harmorph::layer_direction] == 0);
+            if (graph.view().beside_curve[u] != 0) CHECK(places.of[u].at[harmorph::layer_direction] == 0);
     }
 }
 
@@ -58,14 +58,14 @@ TEST_CASE("steps across: 1 on the piece, then on with its sign ahead of it and b
     // The piece is column 0; the columns behind it are those of the second half.
     its.places.find_across(
         ring.view(), 0, [&](Index u) { return u % around == 0; }, [&](Index u) { return u % around < around / 2; });
-    auto const step = [&](Index u) { return its.places.place[u].at[harmorph::across_direction]; };
+    auto const step = [&](Index u) { return its.places.of[u].at[harmorph::across_direction]; };
     for (Index u = 0; u < ring.n(); ++u) {
         int const column = u % around, back = around - column;
         CHECK(step(u) == (column == 0 ? 1 : column <= back ? column + 1 : -back));
         float farthest = 1;
         for (Index const v : ring.near[static_cast<std::size_t>(u)])
             farthest = std::fmax(farthest, std::fabs(step(v) - step(u)));
-        CHECK(its.places.place[u].reach[harmorph::across_direction] == farthest);
+        CHECK(its.places.of[u].reach[harmorph::across_direction] == farthest);
     }
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
     graphs.push_back(grid_graph(7, 3));
     for (HandMadeGraph& graph : graphs) {
         PlacedGraph its(graph);
-        auto const level = [&](Index u) { return its.places.place[u].at[harmorph::level_direction]; };
+        auto const level = [&](Index u) { return its.places.of[u].at[harmorph::level_direction]; };
         std::vector<Index> all(static_cast<std::size_t>(graph.n()));
         for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<Index>(k);
         its.places.find_levels(graph.view(), span(all), its.places.queue);
@@ -103,7 +103,7 @@ TEST_CASE("levels: steps from an end of the part, one at most between neighbours
     for (Index const u : half) {
         float const expected = static_cast<float>(std::abs(u % 9 - first % 9));
         CHECK((first % 9 == 5 || first % 9 == 8));
-        CHECK(its.places.place[u].at[harmorph::level_direction] >= expected);
-        CHECK(its.places.place[u].at[harmorph::level_direction] <= 3);
+        CHECK(its.places.of[u].at[harmorph::level_direction] >= expected);
+        CHECK(its.places.of[u].at[harmorph::level_direction] <= 3);
     }
 }

@@ -29,11 +29,11 @@ struct Searched {
     Index n() const { return static_cast<Index>(order.size()); }
     Index left_of(Cut const& cut) const {
         Index left = 0;
-        for (Index u = 0; u < n(); ++u) left += places.place[u].at[cut.direction] < cut.level;
+        for (Index u = 0; u < n(); ++u) left += places.of[u].at[cut.direction] < cut.level;
         return left;
     }
 
-    harmorph::Places places;
+    harmorph::CutCoordinates places;
     std::vector<Index> order;
     std::unique_ptr<harmorph::CutSearch> search;
 
@@ -73,7 +73,7 @@ TEST_CASE("a square with a border along one side is cut such that both halves sh
         Searched its(grid);
         for (Index u = 0; u < its.n(); ++u) {
             int const at = direction == 0 ? u / side : u % side;
-            if (at == 0) its.places.place[u].at[harmorph::border_lane] = 1;
+            if (at == 0) its.places.of[u].at[harmorph::border_lane] = 1;
         }
         CHECK(its.search->border(0, its.n(), its.n()) == side);
         CHECK(its.search->border(0, its.n(), Parts::large - 1) == 0);
@@ -117,7 +117,7 @@ TEST_CASE("levels: behind the one that costs least in the middle half, if that i
     REQUIRE(its.search->find_level_cut(harmorph::infinity, 0, its.n(), cut));
     CHECK(cut.direction == harmorph::level_direction);
     std::map<float, Index> size;
-    for (Index u = 0; u < its.n(); ++u) ++size[its.places.place[u].at[harmorph::level_direction]];
+    for (Index u = 0; u < its.n(); ++u) ++size[its.places.of[u].at[harmorph::level_direction]];
     double least = harmorph::infinity;
     float best = 0;
     Index before = 0;

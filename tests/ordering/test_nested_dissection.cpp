@@ -151,7 +151,7 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
         Index marked = 0;
         Dissected(grid, [&](auto const& work, auto order, auto&) {
             harmorph::Graph const& graph = grid.view();
-            work.where.find(graph, grid.points(), {});
+            work.coordinates.find(graph, grid.points(), {});
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
             harmorph::Division const its = harmorph::Dissector(graph, work, order).divide(0, graph.n);
@@ -160,7 +160,7 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
             for (Index k = its.pivots; k < graph.n; ++k)
                 for (Index const v : graph.of(order[k])) is_next[static_cast<std::size_t>(v)] = 1;
             for (Index k = 0; k < its.pivots; ++k) {
-                float const mark = work.where.place[order[k]].at[harmorph::border_lane];
+                float const mark = work.coordinates.of[order[k]].at[harmorph::border_lane];
                 marked += mark == 1;
                 wrong.compare(order[k], mark, is_large ? is_next[static_cast<std::size_t>(order[k])] : 0);
             }
@@ -179,14 +179,14 @@ TEST_CASE("large parts share what borders on separators above: fewer multiplicat
     for (bool const is_marked : {false, true}) {
         Dissected const cut(grid, [&](auto const& work, auto order, auto& tree) {
             harmorph::Graph const& graph = grid.view();
-            work.where.find(graph, grid.points(), {});
+            work.coordinates.find(graph, grid.points(), {});
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
             harmorph::Division const its = dissector.divide(0, graph.n);
             REQUIRE(its.middle >= harmorph::Parts::large);
             REQUIRE(its.pivots - its.middle >= harmorph::Parts::large);
-            for (Index u = 0; u < graph.n && !is_marked; ++u) work.where.place[u].at[harmorph::border_lane] = 0;
+            for (Index u = 0; u < graph.n && !is_marked; ++u) work.coordinates.of[u].at[harmorph::border_lane] = 0;
             tree.count = 0;
             Index const first = dissector.dissect(0, its.middle, tree);
             Index const second = dissector.dissect(its.middle, its.pivots, tree);

@@ -1,5 +1,5 @@
-// One block of the caller's memory, cut into arrays. The same lay_out() runs on a counting arena for a size query and on
-// a placing arena for the initialisation, so that the two cannot disagree.
+// One block of the caller's memory, cut into arrays. The same lay_out() runs on a counting arena for a size query and
+// on a placing arena for the initialisation, so that the two cannot disagree.
 //
 //   block:  |slack|array|pad|array|pad| ... |      slack: up to the first multiple of `alignment`; counted in full, so
 //                                                  that a block of the stated size suffices wherever it begins
@@ -23,7 +23,8 @@ public:
         base_ = static_cast<unsigned char*>(block) + (alignment - misplaced) % alignment;
     }
 
-    // A block whose beginning is the origin of all offsets, whatever its alignment: the same counts lay out the same block.
+    // A block whose beginning is the origin of all offsets, whatever its alignment: the same counts lay out the same
+    // block.
     static Arena at_origin(void* block, Size bytes) noexcept {
         Arena arena;
         arena.base_ = static_cast<unsigned char*>(block);
@@ -33,7 +34,8 @@ public:
 
     bool placing() const noexcept { return base_ != nullptr; }
 
-    // Cuts off an array of n elements; a counting arena gives an empty one. What does not fit is noticed by overflown().
+    // Cuts off an array of n elements; a counting arena gives an empty one. What does not fit is noticed by
+    // overflown().
     template <class T, class Count>
     void take(Span<T>& out, Count n) noexcept {
         static_assert(std::is_trivially_destructible<T>::value, "nobody will run destructors");
@@ -49,7 +51,8 @@ public:
         if (base_ != nullptr && used_ <= capacity_) out = {reinterpret_cast<T*>(base_ + start), count};
     }
 
-    // Room that is used again by what is taken after release(): marks nest like a stack.
+    // Arrays taken between mark() and release() share their memory with what is taken afterwards: marks nest like a
+    // stack.
     Size mark() const noexcept { return used_; }
     void release(Size mark) noexcept {
         if (used_ > peak_) peak_ = used_;
@@ -63,8 +66,10 @@ public:
 
     Status verify(Size given, Fault& fault) const noexcept {
         if (!overflown()) return Status::ok;
-        if (!placing()) return fault.refuse(Status::bad_argument, "the problem is too large for this machine's addresses");
-        return fault.refuse(Status::block_too_small, "the block is too small: ~ more bytes are needed", Counts::from_zero,
+        if (!placing()) return fault.refuse(Status::bad_argument,
+                                            "the problem is too large for this machine's addresses");
+        return fault.refuse(Status::block_too_small, "the block is too small: ~ more bytes are needed",
+                            Counts::from_zero,
                             none, none, static_cast<Real>(bytes() - given));
     }
 

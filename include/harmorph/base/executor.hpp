@@ -6,7 +6,8 @@
 namespace harmorph {
 
 struct Executor {
-    void (*run)(void* user, std::int32_t n_tasks, void (*task)(void* context, std::int32_t index), void* context) = nullptr;
+    void (*run)(void* user, std::int32_t n_tasks, void (*task)(void* context, std::int32_t index),
+                void* context) = nullptr;
     void* user = nullptr;
     Index n_threads = 1;
 

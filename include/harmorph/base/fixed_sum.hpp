@@ -2,10 +2,10 @@
 // threads give the same bits: numbers are rounded to multiples of fixed powers of two, one by one, and then added as
 // integers. (Rounding to a common grid before adding: J. Demmel, H. D. Nguyen, IEEE Trans. Comput. 64 (2015) 2060.)
 //
-// A number t with |t| < 2^63 becomes the integer nearest to it, at a tie the even one: t alone decides, whatever
+// A number t with |t| < 2^63 becomes the integer nearest to t, at a tie the even one: t alone decides, whatever
 // was added before. Where no instruction does that, two integers do: coarse, of the multiple of 2^31 nearest to t, and
-// fine, nearest to what is left. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
-// multiple. A sum of up to 2^30 numbers cannot overflow; its error is at most 1/2 for each of them.
+// fine, nearest to the remainder. Adding 1.5 * 2^52 units to t does the rounding: the lowest bits of that sum are the
+// multiple. A sum of up to 2^30 numbers cannot overflow; the error is at most 1/2 for each of them.
 #pragma once
 
 #include "harmorph/base/scalar.hpp"
@@ -64,11 +64,11 @@ struct BinaryScale {
     }
     // Of products of numbers up to a and b: at most 2 a b, where these are not tiny.
     static BinaryScale of_products(Real a, Real b) noexcept {
-        BinaryScale const its_a{exponent_above(a)}, its_b{exponent_above(b)};
-        if (!its_a.finite() || !its_b.finite() || its_a.exponent + its_b.exponent > most) return {not_finite};
-        return {its_a.exponent + its_b.exponent - (its_a.down(a) * its_b.down(b) < 0.5 ? 1 : 0)};
+        BinaryScale const scale_a{exponent_above(a)}, scale_b{exponent_above(b)};
+        if (!scale_a.finite() || !scale_b.finite() || scale_a.exponent + scale_b.exponent > most) return {not_finite};
+        return {scale_a.exponent + scale_b.exponent - (scale_a.down(a) * scale_b.down(b) < 0.5 ? 1 : 0)};
     }
-    // The one with which down() gives numbers of FixedSum: its products are below 2^63.
+    // The scale with which down() turns these products into numbers below 2^63, as FixedSum takes them.
     BinaryScale units() const noexcept { return {exponent - 63}; }
     bool finite() const noexcept { return exponent != not_finite; }
     bool valid() const noexcept { return !finite() || (exponent >= 2 * least - 1 && exponent <= most); }

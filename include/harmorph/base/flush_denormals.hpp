@@ -1,11 +1,11 @@
-// Numbers below the normal range (1e-38 in single precision), as far from the wall of thin layers they come up in masses,
-// cost processors a hundred times the work of others. As summands they are nothing.
+// Denormal numbers (below 1e-38 in single precision) cost processors about a hundred times the work of others, and
+// functions have many of them far from the wall. To the sums that they are added to they do not matter.
 #pragma once
 
 namespace harmorph {
 
-// As long as one of these lives, arithmetic of its thread takes them as 0, where the processor is told so here: x86-64.
-// Double precision has none to speak of.
+// While a Flush exists, arithmetic of the thread that made it takes denormal numbers as 0; on x86-64 only. In double
+// precision (denormal below 1e-308) functions have hardly any.
 template <class Number>
 class Flush {};
 

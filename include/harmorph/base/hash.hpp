@@ -22,15 +22,15 @@ private:
 // Four interleaved hashes keep up with memory; `bytes` must be a multiple of 8.
 inline std::uint64_t hash_of_block(const void* block, Size bytes) noexcept {
     const unsigned char* const data = static_cast<const unsigned char*>(block);
-    Hash lane[4];
+    Hash interleaved[4];
     Size const words = bytes / 8;
     for (Size i = 0; i < words; ++i) {
         std::uint64_t word;
         std::memcpy(&word, data + 8 * i, sizeof word);
-        lane[i % 4].add(word);
+        interleaved[i % 4].add(word);
     }
     Hash all;
-    for (Hash const& one : lane) all.add(one.value());
+    for (Hash const& one : interleaved) all.add(one.value());
     all.add(words);
     return all.value();
 }

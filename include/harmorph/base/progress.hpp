@@ -5,7 +5,15 @@
 
 namespace harmorph {
 
-enum class Phase : std::int32_t { structure = 0, ordering = 1, symbolic = 2, assembly = 3, factor = 4, solve = 5, residual = 6 };
+enum class Phase : std::int32_t {
+    structure = 0,
+    ordering = 1,
+    symbolic = 2,
+    assembly = 3,
+    factor = 4,
+    solve = 5,
+    residual = 6
+};
 
 struct Progress {
     std::int32_t (*call)(void* user, std::int32_t phase, double fraction) = nullptr;

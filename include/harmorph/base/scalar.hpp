@@ -24,7 +24,7 @@ constexpr T clamp(T x, T low, T high) noexcept { return x < low ? low : high < x
 // Neither infinite nor NaN.
 inline bool is_finite(Real x) noexcept { return absolute(x) <= 1.7976931348623157e308; }
 
-// Larger than the largest so far? NaN is larger than all numbers, and no other comes after it.
+// Larger than the largest so far? NaN counts as larger than all numbers, so that a NaN once found is kept.
 constexpr bool exceeds(Real found, Real largest) noexcept { return !(found <= largest) && largest == largest; }
 
 inline std::uint64_t bits_of(Real x) noexcept {

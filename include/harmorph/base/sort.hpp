@@ -1,11 +1,12 @@
-// Counting, summing, filling: the idiom of every sparse build here; and a heap sort for the few things without keys to count.
+// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a heap sort for the
+// few items without integer keys.
 #pragma once
 
 #include "harmorph/base/span.hpp"
 
 namespace harmorph {
 
-// starts [n + 1] holds counts in its first n places; afterwards the places where they start, and the total at the end.
+// starts [n + 1]: in, n counts; out, the exclusive prefix sums, and the total as the last element.
 template <class T>
 T counts_to_starts(Span<T> starts) noexcept {
     T sum = 0;
@@ -17,7 +18,7 @@ T counts_to_starts(Span<T> starts) noexcept {
     return sum;
 }
 
-// Filling advances each start to its end, which is the next one's start: this puts them back.
+// Filling a row advances the start to the end of that row, which is where the next row starts: this shifts them back.
 template <class T>
 void rewind_starts(Span<T> starts) noexcept {
     for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];

@@ -1,4 +1,8 @@
-// The words everything else is written in: index and number types, status, and the fault that explains a refusal.
+// base: what every other folder is written with: types here; memory (arena), spans and sorts; scalars, 2-D vectors and
+// exact predicates; sums with the same bits for any grouping; the caller's threads and progress callback. Nothing here
+// knows meshes or curves, and nothing keeps state between calls. Sources are given where a method has one.
+//
+// This file: index and number types, status, and the fault that explains a refusal.
 #pragma once
 
 #include <cstddef>
@@ -51,7 +55,8 @@ struct Fault {
     const char* sentence = "";
     const char* argument = "";
 
-    Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none, Index second = none,
+    Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none,
+                  Index second = none,
                   Real found = 0) noexcept {
         *this = {why, base, first, second, found, text, ""};
         return why;

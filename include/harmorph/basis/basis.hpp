@@ -11,7 +11,7 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
-    Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or the share of one process
+    Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or those of one process
     ValueKind kind = ValueKind::real;
     Precision storage = Precision::in_double;  // of the values; see single_precision.hpp
 
@@ -37,9 +37,9 @@ struct BoundaryFunctions {
     Vec2 moved(const Real* move) const noexcept;
 };
 
-// Fingerprints of what a mesh is made of, wherever its points are.
+// Fingerprints of cells and markers of a mesh; coordinates do not enter.
 struct MeshFingerprint {
-    std::uint64_t cells = 0;    // each one's points, in order
+    std::uint64_t cells = 0;    // the points of each cell, in order
     std::uint64_t markers = 0;  // which points are on which marker; in what order and layout faces are given does not matter
 };
 
@@ -84,7 +84,7 @@ struct Basis {
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
     Span<Vec2> wall_offset;
-    Span<Index> joined_point, joined_slot;  // [joined] other points at the place of a slot of the wall: a cut's other side
+    Span<Index> joined_point, joined_slot;  // [joined] points joined to that of a slot of the wall: the other side of a cut
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
     Span<std::uint8_t> reversed;   // [cells]
@@ -105,9 +105,9 @@ struct Basis {
     // Of values in double precision: of a point, or in single storage of a slot of the wall.
     Real* row(Index point) const noexcept { return value.data() + Offset{point} * row_length(); }
     float* single_row(Index point) const noexcept { return single.data() + Offset{point} * row_length(); }
-    // Number `place` of the rows of all points.
-    void column(Index place, Real* out) const noexcept;
-    // What writes values, or makes others of them, needs them in double precision.
+    // Column `number` of the matrix whose rows are row(point), for all points.
+    void column(Index number, Real* out) const noexcept;
+    // Refuses single storage: for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
@@ -125,9 +125,9 @@ std::uint64_t checksum_of(BasisHeader const& header) noexcept;
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 
-// Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates differ.
-// Whatever is in a block that is accepted, nothing outside it is ever read. Of a truncated one fault.value are the bytes
-// that are missing.
+// Is the block a solved basis, whole, undamaged, and of this mesh (null: any)? Status::moved if only coordinates
+// differ. Whatever is in a block that is accepted, nothing outside it is ever read. Of a truncated one fault.value are
+// the bytes that are missing.
 Status check_basis(const void* block, Size bytes, const Mesh* mesh, Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -16,7 +16,8 @@ struct BoundaryError {
 // What the points of the wall moved against what the B-spline did.
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept;
 
-// Values on the curves against boundary functions evaluated anew; their sum against 1; the points' distances from the curves.
+// Values on the curves against boundary functions evaluated anew; their sum against 1; the points' distances from the
+// curves.
 struct BasisMeasures {
     BoundaryError value;
     BoundaryError distance;

@@ -1,4 +1,4 @@
-// How the functions are to be solved, and what that makes of values and equations.
+// The options of the solution: operator, scheme, engine, precision; and the kind of values that they lead to.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
@@ -15,8 +15,8 @@ enum class Engine : std::int32_t { direct = 0, multigrid = 1, fas = 2 };
 
 // What an analysis and a refinement must know of an engine: a row for each. The engines themselves: plan/engine.hpp.
 struct EngineTraits {
-    // It factors the matrix: unknowns are in the order of a nested dissection, and solutions are refined. Otherwise they are
-    // in the order of an advancing front, and the engine itself iterates to a tolerance.
+    // It factors the matrix: unknowns are in the order of a nested dissection, and solutions are refined. Otherwise
+    // they are in the order of an advancing front, and the engine itself iterates to a tolerance.
     bool factors;
 };
 inline constexpr EngineTraits engine_traits[] = {
@@ -34,12 +34,14 @@ struct Method {
     std::int32_t offset_correction = 0;  // 1: a wall off its curve turns with it
     Real tolerance = 1e-10;
     Precision precision = Precision::in_double;  // of the factor
-    std::int32_t reserved = 0;                   // so that no byte is left to chance
+    std::int32_t reserved = 0;                   // fills the padding: the block is written and compared as bytes
 
     EngineTraits const& traits() const noexcept { return engine_traits[static_cast<std::int32_t>(engine)]; }
     bool conformal() const noexcept { return operator_kind == Operator::conformal; }
     bool bounded() const noexcept { return scheme == Scheme::bounded; }
-    bool nodal_gradients() const noexcept { return scheme == Scheme::nodal_gradient || scheme == Scheme::nodal_gradient_plain; }
+    bool nodal_gradients() const noexcept {
+        return scheme == Scheme::nodal_gradient || scheme == Scheme::nodal_gradient_plain;
+    }
 
     // The same functions but for rounding?
     bool agrees_with(Method const& other) const noexcept {

@@ -1,4 +1,4 @@
-// Rows on their way from the process that solved a share of the functions to one that has some of the points.
+// Parcels of rows that a process with some of the functions solved sends to a process with some of the points.
 #pragma once
 
 #include "harmorph/basis/point_subset.hpp"

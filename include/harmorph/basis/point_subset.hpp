@@ -32,7 +32,7 @@ struct Extract {
     static void count(Arena& arena, Basis const& whole, Index n_points) noexcept;
     // Finds the list's points of the wall, then lays out exactly. On overflow of the arena nothing is to be used.
     void lay_out(Arena& arena, Basis const& whole, PointList const& list) noexcept;
-    // Everything but the values. The result holds all functions, also where `whole` has only a share of them.
+    // Everything but the values. The result has all functions, also where `whole` stores only some of them.
     void init(Basis const& whole, PointList const& list) const noexcept;
     // Of a whole basis, values and all; seals it.
     void copy_rows(Basis const& whole, PointList const& list) const noexcept;
@@ -41,7 +41,8 @@ private:
     void take_work(Arena& arena, Basis const& whole) noexcept;
     void find_wall_points(Basis const& whole, PointList const& list) const noexcept;
     Index slot_of(Index point) const noexcept;
-    // body(k, slot of the whole) for entries of the list at a place where another one, of the wall, stands before.
+    // body(k, slot of the whole) for entries of the list that are joined to a wall point, or equal to one, earlier in
+    // the list.
     template <class Body>
     void for_each_joined(PointList const& list, Body const& body) const noexcept;
 };

@@ -1,6 +1,7 @@
-// A basis with its functions in single precision: a morph and its transpose read half as much. Points of the wall, and
-// what is joined to them, keep their rows in double precision; they move by the bits that they move by with the original.
-// Elsewhere each number is the nearest one of single precision: off by 2^-24 of itself at most, or, below 2^-126, 2^-150.
+// A basis with functions in single precision: a morph and its transpose read half as many bytes. Points of the wall,
+// and points joined to them, keep rows in double precision; their movements are bitwise those of the original basis.
+// Elsewhere each number is rounded to single precision: relative error at most 2^-24, or below 2^-126 absolute error at
+// most 2^-150.
 #pragma once
 
 #include "harmorph/basis/basis.hpp"

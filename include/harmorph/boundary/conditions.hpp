@@ -1,4 +1,5 @@
-// What is asked of the boundary: every point is on a curve, fixed, free, inside, or used by no cell.
+// Boundary conditions: every point is on a wall (a curve or a rigid body), fixed, slipping, free, inside, or used by no
+// cell.
 #pragma once
 
 #include "harmorph/mesh/boundary.hpp"
@@ -20,13 +21,14 @@ struct Condition {
     }
 };
 
-// In the order of precedence: of several conditions at a point the first holds. Points of a periodic pair are inside.
+// In the order of precedence: of several conditions at a point the first one counts. Points of a periodic pair are
+// inside.
 enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
 constexpr bool is_unknown(PointKind kind) noexcept {
     return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
 }
 
-// What the conditions together ask for; known before anything is laid out.
+// What the conditions together require; known before memory is laid out.
 struct Demands {
     Index bodies = 0;       // rigid ones
     bool slip = false, free = false, periodic = false;
@@ -35,7 +37,8 @@ struct Demands {
 };
 
 // Kinds, curves, bodies, markers that no face has, markers named twice.
-Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary, Fault& fault) noexcept;
+Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
+                        Fault& fault) noexcept;
 
 // The condition of a marker; null means fixed.
 const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept;

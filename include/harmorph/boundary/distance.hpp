@@ -9,25 +9,25 @@
 
 namespace harmorph {
 
-// A tree of eights over the faces in the order of their loops, in which faces that follow each other lie close together
-// (where they do not, it is slower, not wrong):
+// A tree with eight children for each node, over the faces in the order of their loops, in which faces that follow each
+// other lie close together (where they do not, searches are slower, not wrong):
 //
 //   height 0   groups of eight faces
-//   height 1   nodes of eight chords: each lies along a group, and the group within a radius of it
-//   height 2+  nodes of eight boxes: each is round the groups below a node of the next lower height; up to one root
+//   height 1   nodes of eight chords: each is a segment along a group, with a radius that contains the group
+//   height 2+  nodes of eight boxes: each bounds the groups below a node of the next lower height; up to one root
 //
-// Boxes and radii are wide enough for rounding, so that distances depend on the faces alone, to the last bit.
+// Boxes and radii include a margin for rounding, so that distances depend on the faces alone, to the last bit.
 struct FaceDistance {
     static constexpr Index lanes = 8, most_heights = 12;
-    static constexpr Real far_away = 1e100;  // in units: beyond every place, and its square does not overflow
+    static constexpr Real far_away = 1e100;  // in units: beyond every point, and the square does not overflow
     static constexpr Real slack = 1e-12;     // relative; more than rounding leaves of any comparison here
 
     struct Face {
         Index point[2];
     };
     struct Segments {
-        Real x[lanes], y[lanes];              // where they begin
-        Real along_x[lanes], along_y[lanes];  // from there to the end
+        Real x[lanes], y[lanes];              // of the first end
+        Real along_x[lanes], along_y[lanes];  // from there to the other end
         Real inverse[lanes];                  // 1 / length^2, or 0
 
         void set(Index lane, Vec2 from, Vec2 to) noexcept;
@@ -36,24 +36,24 @@ struct FaceDistance {
         Segments axis;
         Real radius[lanes];
 
-        void clear(Index lane) noexcept;  // nothing is near it
-        void copy(Index lane, Chords const& other, Index its_lane) noexcept;
+        void clear(Index lane) noexcept;  // far away from every point
+        void copy(Index lane, Chords const& other, Index other_lane) noexcept;
     };
     struct Boxes {
         Real low_x[lanes], low_y[lanes], high_x[lanes], high_y[lanes];
 
         void clear(Index lane) noexcept;
-        void copy(Index lane, Boxes const& other, Index its_lane) noexcept;
+        void copy(Index lane, Boxes const& other, Index other_lane) noexcept;
     };
 
     Kernel kernel = Kernel::baseline;  // any gives the same bits
     Index count = 0;
     Span<Face> faces;       // [max_faces], of which `count` are used
-    Real extent = 0;        // the larger of their width and height
-    Vec2 middle, half_size;  // of the box round them, in units; half_size a little wider
+    Real extent = 0;        // the larger of the width and height of all faces
+    Vec2 middle, half_size;  // of the bounding box, in units; half_size a little larger
     Real unit = 0;          // largest power of two within the extent; 0: no extent
-    Real inverse_unit = 1;  // coordinates are multiplied with it before they come here
-    Translations translations;  // of a periodic mesh; weights, not distances, know of the faces' images under them
+    Real inverse_unit = 1;  // the tree is in units: coordinates times inverse_unit
+    Translations translations;  // of a periodic mesh; weights, not distances, take translated images of the faces into account
     Index n_shifts = 0;
     Vec2 shift[Translations::most_shifts];  // in units
     Index root_height = 0;
@@ -72,8 +72,8 @@ struct FaceDistance {
 
     // No face: infinity. Rounding leaves a few units in the last place of the distance and of the faces' lengths.
     Real distance(Vec2 from) const noexcept;
-    // The place on the faces that is nearest; none without faces. `group` is where it is tried first, and then where it
-    // was: neighbouring points have neighbouring feet.
+    // The nearest point of the faces; none without faces. group: in, the group that is tried first; out, that of the
+    // foot: neighbouring points have neighbouring feet.
     struct Foot {
         Index face = none;
         Real t = 0;  // (1 - t) point[0] + t point[1]
@@ -88,15 +88,15 @@ private:
 };
 
 // k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
-// d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. No faces, or all of them
-// at one place: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at most: then k does
-// not depend on where the mesh is cut.
-// Fastest where, of some hundreds of cells that follow each other, each has neighbours.
+// d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. Without faces, or with
+// all of them in one point: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at
+// most: then k does not depend on where the mesh is cut.
+// Fastest where cells with neighbouring numbers are neighbours in the mesh: blocks of 512 cells are searched together.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 
-// k [n_edges] likewise, from the edges' midpoints. Faces themselves are edges as well, d being 0 there: no equation has
-// them.
+// k [n_edges] likewise, from the midpoints of the edges. Faces are edges as well, where d is 0: such k enter no
+// equation.
 void weigh_edges(FaceDistance const& faces, Span<const DelaunayEdge> edges, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;
 

@@ -1,4 +1,5 @@
-// The first layer of the mesh on its walls: which edge leaves each wall point, and what became of its angle and height.
+// The first layer of the mesh at the walls: which edge leaves each wall point, and how a deformation changes the angle
+// and the height of this edge.
 #pragma once
 
 #include "harmorph/boundary/distance.hpp"
@@ -9,8 +10,8 @@ namespace harmorph {
 struct WallPoints {
     Index count = 0;
     Span<Index> point;           // [most], of which `count` are used: mesh points
-    Span<Index> previous, next;  // [most] its neighbours on the wall as mesh points, or none where the wall ends
-    Span<Index> slot;            // [n_points] place of a mesh point in these lists, or none
+    Span<Index> previous, next;  // [most] the neighbours of each on the wall as mesh points, or none where the wall ends
+    Span<Index> slot;            // [n_points] number of a mesh point in these lists, or none
 
     static Size most(Index n_points, Size max_faces) noexcept {
         return smaller(2 * max_faces, static_cast<Size>(n_points));
@@ -18,11 +19,11 @@ struct WallPoints {
     void lay_out(Arena& arena, Index n_points, Size max_faces) noexcept;
     void find(Index n_points, FaceDistance const& walls) noexcept;
 
-    // Along the wall, of no particular length: of the parabola through the point and its neighbours.
-    Vec2 tangent(Index its_slot, Points points) const noexcept;
-    // By what the wall has turned between two states of the mesh: cosine and sine, of its faces and not of the tangent, so
-    // that sharp edges are as good as smooth walls.
-    Vec2 turn(Index its_slot, Points before, Points after) const noexcept;
+    // Tangent at the point of a slot, not normalised: of the parabola through the point and both neighbours.
+    Vec2 tangent(Index at_slot, Points points) const noexcept;
+    // The rotation of the wall between two states of the mesh, as cosine and sine: the mean over the adjacent faces,
+    // not the rotation of the tangent, so that sharp edges are treated as well as smooth walls.
+    Vec2 turn(Index at_slot, Points before, Points after) const noexcept;
 };
 
 struct FirstLayer {
@@ -34,10 +35,10 @@ struct FirstLayer {
     void find(Mesh const& mesh, Points points, Span<const Index> representative, FaceDistance const& walls) noexcept;
 };
 
-// Angles: what an edge turned more than its wall did. Heights: of an edge's end above the wall, along the normal that
-// turns with the wall; after, as a fraction of before.
+// Angles: the rotation of an edge relative to the wall. Heights: of the outer end of an edge above the wall, along the
+// normal that turns with the wall; the ratio of after to before.
 struct FirstLayerChange {
-    Index points = 0;  // that have such an edge
+    Index points = 0;  // wall points that have such an edge
     Real mean_angle = 0, largest_angle = 0;  // [degrees], without sign
     Real mean_ratio = 0, min_ratio = infinity, max_ratio = -infinity;
     Index largest_angle_point = none, min_ratio_point = none, max_ratio_point = none;

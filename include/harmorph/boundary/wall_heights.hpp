@@ -6,18 +6,19 @@
 
 namespace harmorph {
 
-// Every point near a wall knows its foot there: the nearest place. A deformation that keeps angles (the conformal basis)
-// still scales its height above the moved foot with the stretch of the wall. Along the normal n that turns with the wall,
-// the point moves by
+// Every point near a wall has a foot: the nearest point of the wall. A deformation that preserves angles (the conformal
+// basis) still scales the height above the moved foot with the stretch of the wall. So the point moves along the normal
+// n, which turns with the wall, by
 //
 //   n (d - h) fade(d / reach),   d, h: heights before and after;   fade(x) = 1 - 3 x + 2 x sqrt(x) up to x = 1, then 0.
 //
 // fade and its derivative vanish at the reach, and the corrected heights above one foot keep their order as long as the
-// wall is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion is left alone; none, to the last bit.
+// wall is stretched by more than 0.22 (d/dx (x fade) >= -0.28). Rigid motion is not changed beyond rounding; a mesh
+// that has not moved is not changed at all.
 //
-// The reach belongs to the wall: the radius of its curvature or a quarter of its extent, where that is less; 0 where it
-// ends; never across a place where the nearest wall is another one (a gap, a concave corner). Along the wall it grows by at
-// most half the way.
+// The reach is a function along the wall: the radius of curvature, or a quarter of the extent of all walls where that
+// is less; 0 where a wall ends; never beyond points from which another part of the wall is as near (a gap, a concave
+// corner). Along the wall the reach grows by at most half of the distance.
 struct WallHeights {
     WallPoints wall;
     Span<FaceDistance::Foot> foot;  // [n_points] none: far from walls, or not to be moved
@@ -28,8 +29,9 @@ struct WallHeights {
     // kinds, representative [n_points]: only points inside move, points that are joined to others with these.
     void find(Mesh const& mesh, Points before, Span<const PointKind> kinds, Span<const Index> representative,
               FaceDistance const& walls, Executor const& executor) noexcept;
-    // `points` are where the deformation has put the mesh; points on boundaries stay there. amount 1: entirely, 0: not at
-    // all. Cells may be inverted afterwards, where they were close to it or the stretch varies violently: to be checked.
+    // points: in, the deformed mesh; out, with heights restored; points on boundaries stay. amount 1: entirely, 0: not
+    // at all. Cells may be inverted afterwards, where they nearly were before or where the stretch varies strongly:
+    // check them.
     void restore(FaceDistance const& walls, Points before, MutablePoints points, Span<const Index> representative,
                  Real amount, Executor const& executor) const noexcept;
 
@@ -39,7 +41,7 @@ private:
                         FaceDistance const& walls) noexcept;
     void grade(FaceDistance const& walls, Points before) noexcept;
     Real height(FaceDistance const& walls, Index point, Points before) const noexcept;
-    Real reach_at(FaceDistance const& walls, FaceDistance::Foot const& its) const noexcept;
+    Real reach_at(FaceDistance const& walls, FaceDistance::Foot const& at) const noexcept;
 };
 
 }  // namespace harmorph

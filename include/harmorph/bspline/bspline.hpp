@@ -1,5 +1,12 @@
-// One B-spline curve, rational where there are weights: B-spline basis functions, points, derivatives.
-// Piegl & Tiller, The NURBS Book, 2nd ed.: algorithm A2.1, equations 2.5 (basis), 2.7 (derivatives), 4.8 (rational).
+// bspline: B-spline curves; parameters of points on them; curves fitted to points.
+//
+// In: curves as views of the caller's arrays (degree, knots, control points, weights), or points in order. Out: basis
+// functions and derivatives (bspline), nearest parameters and monotone parameters along a chain of points (projection),
+// a fitted curve (fit, with knots, least_squares, envelope_cholesky; corners and curve_ends find corners, blunt bases
+// and where a closed curve begins). Sources: Piegl & Tiller, below; least squares and knots in the files.
+//
+// This file: one curve, rational where there are weights: B-spline basis functions, points, derivatives. Piegl &
+// Tiller, The NURBS Book, 2nd ed.: algorithm A2.1, equations 2.5 (basis), 2.7 (derivatives), 4.8 (rational).
 #pragma once
 
 #include "harmorph/base/span.hpp"
@@ -25,24 +32,25 @@ struct Curve {
     Real end() const noexcept { return knots[n_indices]; }
 };
 
-// The functions that are not 0 at one parameter: value[d][k] is the d-th derivative of the function of control[k].
-// A control point that the curve repeats within one span appears twice; its values add up.
+// The basis functions that are not 0 at one parameter: value[d][k] is the d-th derivative of that of control point
+// control[k]. A control point that the curve repeats within one span appears twice; both values count.
 struct CurveBasis {
     Index order = 0;  // degree + 1
     Index control[max_order] = {};
     Real value[max_order][max_order] = {};
 };
 
-// Degree, knots, indices, weights and control points; `number` names the curve in the fault (as its `other`).
+// Checks degree, knots, indices, weights and control points; `number` is that of the curve in the fault (Fault::other).
 Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept;
 
-// The i with knots[i] <= u < knots[i + 1]; at the curve's end the last span that is not empty.
+// The i with knots[i] <= u < knots[i + 1]; at the end of the curve the last span that is not empty.
 Index knot_span(Curve const& curve, Real u) noexcept;
 
 // 0 <= n_derivatives <= max_degree; u outside the curve's range counts as the nearer end.
 CurveBasis curve_basis(Curve const& curve, Real u, Index n_derivatives) noexcept;
 
-// The polynomials of one span, which must not be empty: at a knot, they tell its left side from its right side.
+// The polynomials of one span, which must not be empty: at a knot, the span selects the value from the left or the
+// right.
 CurveBasis curve_basis_in(Curve const& curve, Index span, Real u, Index n_derivatives) noexcept;
 
 // C(u) and its derivatives: out [n_derivatives + 1].

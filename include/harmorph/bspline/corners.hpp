@@ -24,11 +24,11 @@ struct Outline {
     Index behind(Index point, Real reach) const noexcept;
 };
 
-// The points where the direction jumps, in order: corner [n]; returns how many. Rounded noses and edges that have only few
-// points turn as sharply from point to point, but not at one or two points alone: they are no corners.
+// The points where the direction jumps, in order: corner [n]; returns how many. Rounded noses and edges with few points
+// turn as sharply from point to point, but over more than two points: they are not corners.
 Index find_corners(Outline const& outline, Span<Index> corner) noexcept;
 
-// Do the points from corner `from` on to corner `to` lie on a straight line that is short against the body?
+// Do the points from corner `from` to corner `to` lie on a straight line that is short compared with the body?
 bool is_short_side(Outline const& outline, Index from, Index to) noexcept;
 
 }  // namespace harmorph

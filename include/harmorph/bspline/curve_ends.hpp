@@ -1,4 +1,4 @@
-// How a fitted curve closes: where it begins, which way it runs round the body, and which corners it has on its way.
+// How a fitted curve closes: where the curve begins, which way it runs round the body, and which corners are on it.
 #pragma once
 
 #include "harmorph/bspline/corners.hpp"
@@ -10,8 +10,8 @@ enum class Closure : std::int32_t { automatic = 0, open = 1, tied = 2, periodic 
 // Why a curve closes as it does.
 enum class ClosureReason : std::int32_t { wish = 0, no_loop = 1, no_corner = 2, corner = 3, base = 4 };
 
-// The curve's positions 0 .. n_positions - 1 are the points first, first + 1, ... (mod n). A tied or periodic curve has the
-// first point at both ends.
+// The curve's positions 0 .. n_positions - 1 are the points first, first + 1, ... (mod n). A tied or periodic curve has
+// the first point at both ends.
 struct Course {
     Closure closure = Closure::open;
     ClosureReason reason = ClosureReason::no_loop;
@@ -22,18 +22,18 @@ struct Course {
     bool closes() const noexcept { return closure == Closure::tied || closure == Closure::periodic; }
 };
 
-// Automatic, for a loop: no corner: periodic; a blunt base: open, the long way from one of its corners to the other; else
-// tied at the sharpest corner. Tied or periodic at the caller's wish: begins at the sharpest corner; without corners, at the
-// point where the outline turns most. Open: from the first point to the last.
+// Automatic, for a loop: without corners periodic; with a blunt base open, the long way from one corner of the base to
+// the other; else tied at the sharpest corner. Tied or periodic as the caller chooses: begins at the sharpest corner,
+// or without corners at the point where the outline turns most. Open: from the first point to the last.
 //
-// A base is a straight piece from a corner to the next one, at that end of the section which is farthest from the nose, where
-// the outline comes back: what goes into one corner and what comes out of the other run nearly against each other. Facets of
-// a nose or of a rounded edge with few points are none, as the outline turns by less over them. Nor are the two ends of a
+// A base is a straight piece from a corner to the next one, at the end of the section farthest from the nose, where the
+// outline reverses: the directions before the first corner and behind the second are nearly opposite. Facets of a nose
+// or of a rounded edge with few points are no bases, as the outline turns less there. Neither are the two ends of a
 // plate, which has no nose.
 Course choose_course(Outline const& outline, Span<const Index> corner, Closure wanted) noexcept;
 
-// Takes away both corners of a straight short piece that bends less than 60 degrees at either: a facet of something round.
-// Returns how many corners are left. Not the corners of a base.
+// Removes both corners of a short straight piece with less than 60 degrees of turning at either: a facet of a round
+// edge. The corners of a base stay. Returns how many corners are left.
 Index drop_facets(Outline const& outline, Span<Index> corner, Index n) noexcept;
 
 // Turns corners (points) into those inside the course (positions, ascending), the sharpest `most` of them; a periodic

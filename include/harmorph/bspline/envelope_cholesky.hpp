@@ -7,7 +7,7 @@
 
 namespace harmorph {
 
-// Row i keeps the entries from its first column up to the diagonal: a band, and full last rows where the band closes to
+// Row i keeps the entries from first_column(i) to the diagonal: a band, and full last rows where the band closes to
 // a ring (periodic splines):   x
 //                              x x
 //                                x x
@@ -30,7 +30,7 @@ public:
 private:
     Index n_ = 0, bandwidth_ = 0;
     bool closes_ = false;
-    Span<Offset> last_;  // [n] where each row's diagonal is
+    Span<Offset> last_;  // [n] where the diagonal entry of each row is
     Span<Real> entries_;
 };
 

@@ -9,7 +9,7 @@
 namespace harmorph {
 
 struct LeastSquares {
-    Curve curve;                // its control points are `control`
+    Curve curve;                // with the control points `control`
     Span<const Vec2> points;    // [n] in the order of the curve
     Span<Real> u;               // [n] their parameters, growing
     Span<Real> weight;          // [n]
@@ -23,11 +23,12 @@ struct LeastSquares {
     void lay_out(Arena& arena, Index n_points, Index n_control, Index degree) noexcept;
     void set_up(Curve const& shape, Span<const Vec2> through) noexcept;  // the arrays in the sizes of this problem
     void start() noexcept;  // after new parameters: forgets the tangents
-    // along: what an error along the curve counts against one across it, 0 to 1. The correction of the parameters undoes the
-    // former anyway: counted in full, the iteration creeps; not at all, it converges quadratically or diverges.
+    // along: weight of errors along the curve relative to errors normal to it, 0 to 1. The correction of the parameters
+    // removes errors along the curve anyway: with weight 1 the iteration converges slowly; with 0, quadratically or not
+    // at all.
     void solve(Real along) noexcept;
-    // Two Newton steps from each point's parameter towards its foot; the first and the last stay, and the order is kept.
-    // Measures the errors in between; returns the largest.
+    // Two Newton steps for the parameter of each point towards the nearest point of the curve; the first and the last
+    // parameter stay, and the order is kept. Measures the errors between the two steps; returns the largest.
     Real correct_parameters() noexcept;
 };
 

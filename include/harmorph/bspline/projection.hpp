@@ -11,9 +11,10 @@ struct Projection {
     Real distance = 0;
 };
 
-// Nearest point of the part low <= u <= high: nearest sample (samples per knot span), then Newton kept inside its bracket.
-// Where two parts are equally near, low or else the first found from low on wins. A point that coincides with the curve's
-// beginning or end within rounding gets exactly begin() or end(); on a closed curve begin(), if it is within the part.
+// Nearest point of the part low <= u <= high: nearest sample (samples per knot span), then Newton inside a bracket.
+// Where two parts are equally near, low or else the first found from low on wins. A point that coincides with the
+// curve's beginning or end within rounding gets exactly begin() or end(); on a closed curve begin(), if it is within
+// the part.
 Projection project(Curve const& curve, Vec2 point, Real low, Real high) noexcept;
 inline Projection project(Curve const& curve, Vec2 point) noexcept {
     return project(curve, point, curve.begin(), curve.end());
@@ -28,11 +29,13 @@ struct SpanSamples {
     Vec2 point[most];
 
     SpanSamples() noexcept : low(0), high(0) {}
-    Real parameter(Index j, Index n) const noexcept { return j == n ? high : low + (high - low) * static_cast<Real>(j) / n; }
-    void take(Curve const& curve, Index its_span, Real its_low, Real its_high) noexcept;
+    Real parameter(Index j, Index n) const noexcept {
+        return j == n ? high : low + (high - low) * static_cast<Real>(j) / n;
+    }
+    void take(Curve const& curve, Index new_span, Real new_low, Real new_high) noexcept;
 };
 
-// The same for many points of one curve: it remembers the samples of the spans it has searched.
+// The same for many points of one curve: keeps the samples of the spans searched last.
 class Projector {
 public:
     explicit Projector(Curve const& curve) noexcept;
@@ -60,9 +63,10 @@ struct ChainWork {
 // Parameters u [n] of points that follow each other along the curve, in either direction, made monotone: every point is
 // projected for itself, the longest monotone run is trusted, and the others are projected again between their trusted
 // neighbours (thin trailing edges: the nearest point may lie on the other side). A loop of points on a closed curve
-// may begin anywhere: monotone but for one step from end() to begin(), where the points pass the curve's seam. On a tied
-// curve the point of a loop that is nearest to the tied ends gets exactly begin(). Points of one open piece of a closed
-// curve may pass the seam once, too. Returns the sum of the squared distances.
-Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work, Span<Real> u) noexcept;
+// may begin anywhere: monotone but for one step from end() to begin(), where the points pass the curve's seam. On a
+// tied curve the point of a loop that is nearest to the tied ends gets exactly begin(). Points of one open piece of a
+// closed curve may pass the seam once, too. Returns the sum of the squared distances.
+Real project_chain(Curve const& curve, Span<const Vec2> points, bool is_loop, ChainWork const& work,
+                   Span<Real> u) noexcept;
 
 }  // namespace harmorph

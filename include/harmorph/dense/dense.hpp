@@ -1,24 +1,31 @@
-// Dense kernels of the direct engine. Matrices lie in slabs: eight columns side by side, row after row, so that whatever the
-// kernels read is aligned and follows on, and nothing is ever packed. A slab that meets the diagonal ends below its diagonal
-// block. The last columns are filled up with zeros.
+// dense: partial Cholesky factorisation of the dense fronts of the direct engine, and substitution with the factor.
+//
+// In: panels and update matrices (below), right-hand sides. Out: the panel factored, the update matrix for the parent
+// front, solutions. dense.cpp divides the work among threads; src/dense/dense_tiles (products), dense_sums (row sums),
+// dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are compiled for each
+// instruction set.
+//
+// Matrices are stored in slabs: eight columns side by side, row after row, so that kernels read memory aligned and in
+// order, and nothing has to be packed. A slab that meets the diagonal ends below the diagonal block. The last slab is
+// padded with zero columns.
 //
 //            pivots          border
 //           0   1   2     0    1    2
 //         +---+---+---+ +----+----+----+
-//         | I |   |   | |    |    |    |    The panel of a front: its pivots' rows. Factored, it is the upper factor U
-//         +---+---+---+ |    |    |    |    (A = U^H U), with each diagonal block replaced by the inverse of its conjugate
+//         | I |   |   | |    |    |    |    The panel of a front: the rows of the pivots. Factored: the upper factor U
+//         +---+---+---+ |    |    |    |    (A = U^H U), each diagonal block replaced by the inverse of the conjugate
 //             | I |   | |    |    |    |    transpose, so that solves are products. I: inverses (lower triangles, zeros
 //             +---+---+ |    |    |    |    above).
 //                 | I | |    |    |    |
 //                 +---+ +----+----+----+
 //
-// Diagonals are never stored: in their places stand the sums of whole rows, A 1. A diagonal is what its row's other entries
-// leave of the sum. Where those are negative and sums are not, as for conductances, nothing cancels, and the factor is
-// exact to rounding in every entry however uneven the matrix is. Source: W. K. Grassmann, M. I. Taksar, D. P. Heyman, Oper.
-// Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
+// Diagonal entries are not stored; in their place is the row sum, A 1. A diagonal entry is the row sum minus the other
+// entries of the row. For an M-matrix (off-diagonal entries not positive, row sums not negative) nothing cancels, and
+// every entry of the factor has a small relative error however widely the coefficients vary. Source: W. K. Grassmann,
+// M. I. Taksar, D. P. Heyman, Oper. Res. 33 (1985) 1107; A. S. Alfa, J. Xue, Q. Ye, Math. Comp. 71 (2002) 217.
 //
-// Numbers are double or float, real (one plane) or complex (two planes): a slab's row is its real parts, then its imaginary
-// parts; a row of right-hand sides likewise. Entries count numbers of one plane.
+// Numbers are double or float, real (one plane) or complex (two planes): a row of a slab is the real parts, then the
+// imaginary parts; a row of right-hand sides likewise. Entries count numbers of one plane.
 #pragma once
 
 #include "harmorph/base/executor.hpp"
@@ -45,7 +52,7 @@ constexpr Offset panel_entries(Index pivots, Index border) noexcept {
 }
 // Entries in the row sums of a front: the pivots', then the border's.
 constexpr Offset sum_entries(Index pivots, Index border) noexcept { return padded(pivots) + padded(border); }
-// Rows, and columns, that are worked on at a time, so that what they are multiplied by stays in the caches. Whole tiles.
+// Rows (strip) and columns (chunk) of one block of the products, so that the operands stay in the caches. Whole tiles.
 inline constexpr Index strip = 128;
 inline constexpr Index chunk = 192;
 
@@ -57,7 +64,7 @@ struct Slabs {
     Index shorter = 0;
     Index planes = 1;
 
-    // The entry's real part; its imaginary part is a slab's width further on.
+    // The real part of an entry; the imaginary part is `slab` numbers further on.
     Number* at(Index row, Index column) const noexcept {
         Index const number = column / slab;
         Offset const start = slab_start(rows, shorter, number) + Offset{slab} * row;
@@ -82,17 +89,17 @@ struct Panel {
         return {data + planes * triangle_entries(pivots), pivots, border, 0, planes};
     }
     Index front() const noexcept { return pivots + border; }
-    // From the front's row sums to their imaginary parts.
+    // From the real parts of the front's row sums to the imaginary parts.
     Offset sums_plane() const noexcept { return sum_entries(pivots, border); }
-    Index border_sums() const noexcept { return padded(pivots); }  // where the border's begin
-    // Column of the front: its pivots, then its border.
+    Index border_sums() const noexcept { return padded(pivots); }  // where the row sums of the border begin
+    // Columns of the front: the pivots, then the border.
     Number* at(Index pivot, Index column) const noexcept {
         return column < pivots ? own().at(pivot, column) : of_border().at(pivot, column - pivots);
     }
 };
 
-// The Hermitian matrix that a front leaves to its parent: the upper triangle; in its diagonal's place the row sums, this
-// front's and its children's parts of them.
+// The Hermitian matrix that a front leaves to the parent front: the upper triangle, with the row sums in place of the
+// diagonal. The row sums are the parts that this front and the fronts below contribute.
 template <class Number>
 struct UpdateMatrix {
     Number* data = nullptr;
@@ -103,8 +110,8 @@ struct UpdateMatrix {
     Number* at(Index row, Index column) const noexcept { return all().at(row, column); }
 };
 
-// The caller's threads, planes * sum_entries() numbers for row sums, and the least part that was left of what a pivot is
-// summed of: 1 where nothing cancelled.
+// The caller's threads, planes * sum_entries() numbers for row sums, and the smallest ratio so far of a pivot to the
+// magnitudes of the terms it is the sum of: 1 where nothing cancelled.
 template <class Number>
 struct Workers {
     Executor executor;
@@ -112,42 +119,43 @@ struct Workers {
     Number* least_left = nullptr;
 };
 
-// Of a strip's rows, what is behind the strip's own columns: [plane][row] summed, and summed without signs.
+// The rows of a strip, summed over the columns behind those of the strip: sum [plane][row]; size: magnitudes summed.
 template <class Number>
 struct TailSums {
     Number sum[2][strip], size[strip];
 };
 
-// What follows is there for double and float.
+// The functions below are instantiated for double and float.
 
-// Factors in place. Returns the first pivot of which no more than `floor` is left, or none. Lowers *workers.least_left, and
-// leaves in workers.sums what update_border() needs.
+// Factors in place. Returns the first pivot whose ratio (see Workers) is not above `floor`, or none. Lowers
+// *workers.least_left, and leaves in workers.sums the row sums that update_border() needs.
 template <class Number>
 Index factor(Kernel kernel, Panel<Number> const& panel, Number floor, Workers<Number> const& workers) noexcept;
 
-// Takes U^H U of the border's columns off the update matrix.
+// Subtracts U^H U, of the columns of the border, from the update matrix.
 template <class Number>
 void update_border(Kernel kernel, Panel<Number> const& panel, UpdateMatrix<Number> const& update,
                    Workers<Number> const& workers) noexcept;
 
-// Adds a child's update matrix to its parent's panel and update matrix. targets [from.n]: its rows' places in the parent's
-// front, increasing.
+// Adds the update matrix of a child to the panel and the update matrix of the parent. targets [from.n]: the row in the
+// parent front of each row of the update matrix, increasing.
 template <class Number>
 void extend_add(Kernel kernel, UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
                 UpdateMatrix<Number> const& update) noexcept;
 
-// y [front x planes x row], row a multiple of slab: solves U^H y = y for the pivots and takes them off the border's
-// rows.
+// y [front x planes x row], row a multiple of slab: solves U^H y = y for the pivots, and subtracts their products from
+// the rows of the border.
 template <class Number>
 void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
-// Solves U y = y for the pivots, the border's rows known.
+// Solves U y = y for the pivots; the rows of the border are known.
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
 
-// Rows of y, with zeros in the padding, from the given positions: begin .. begin+n-1, or those of a list. `row` as above.
-// Values are doubles, or floats where numbers are.
+// Copies the rows at positions begin .. begin+n-1, or those of a list, to rows of y, with zeros in the padding. `row`
+// as above. Values are doubles, or floats where the numbers are floats.
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
+            Index planes) noexcept;
 template <class Number, class Value>
 void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
             Index planes) noexcept;

@@ -9,7 +9,7 @@ namespace harmorph {
 struct Boundary {
     Index count = 0;          // faces
     Index n_loops = 0;
-    Span<Index> point;        // [count] where each face begins; it ends where the next of its loop does
+    Span<Index> point;        // [count] where each face begins; the end is the beginning of the next face of the loop
     Span<Index> marker;       // [count]
     Span<Index> loop_start;   // [n_loops + 1]
 
@@ -21,7 +21,8 @@ struct Boundary {
     static Size max_faces(Mesh const& mesh) noexcept;
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 
-    // Finds the edge of every face and list segment and notes the marker there (edges.second). Cells need no orientation yet.
+    // Finds the edge of every face and list segment and notes the marker there (edges.second). Cells need no
+    // orientation yet.
     Status mark(Topology& topology, Fault& fault) noexcept;
     // Refuses a boundary edge without a marker, and puts the faces in order.
     Status order(Topology const& topology, Fault& fault) noexcept;
@@ -31,8 +32,10 @@ struct Boundary {
     template <class IsOn, class Visit, class Close>
     Index for_each_piece(IsOn is_on, Visit visit, Close close) const noexcept;
 
-    // The face after this one on its loop.
-    Index after(Index face, Index loop) const noexcept { return face + 1 == loop_start[loop + 1] ? loop_start[loop] : face + 1; }
+    // The next face of the same loop.
+    Index after(Index face, Index loop) const noexcept {
+        return face + 1 == loop_start[loop + 1] ? loop_start[loop] : face + 1;
+    }
 };
 
 template <class IsOn, class Visit, class Close>

@@ -27,11 +27,11 @@ struct Box {
 
 struct Nearest {
     Index item = none;
-    Real squared = infinity;  // of its distance
+    Real squared = infinity;  // the squared distance
 };
 
-// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of level l holds the items at
-// places n j / 2^l .. n (j + 1) / 2^l - 1, so counts alone tell the structure, and there are no pointers.
+// A complete binary tree: node 1 is the root, node k has the children 2k and 2k + 1. Node j of level l contains the
+// entries n j / 2^l .. n (j + 1) / 2^l - 1, so the structure follows from n alone, without pointers.
 struct BoxTree {
     static constexpr Index most_levels = 31;
 
@@ -53,9 +53,10 @@ struct BoxTree {
         halve();
         Index const leaves = Index{1} << levels;
         for (Index leaf = 0; leaf < leaves; ++leaf) {
-            Box& its = box[leaves + leaf];
-            its = {};
-            for (Index k = begin(levels, leaf); k < begin(levels, leaf + 1); ++k) its.include(box_of(entry[k].item));
+            Box& leaf_box = box[leaves + leaf];
+            leaf_box = {};
+            for (Index k = begin(levels, leaf); k < begin(levels,
+                                                          leaf + 1); ++k) leaf_box.include(box_of(entry[k].item));
         }
         unite();
     }
@@ -88,9 +89,9 @@ Nearest BoxTree::nearest(Vec2 point, Nearest best, SquaredDistance const& square
             Waiting near{2 * node, box[2 * node].squared_distance(point)};
             Waiting far{2 * node + 1, box[2 * node + 1].squared_distance(point)};
             if (far.squared < near.squared) {
-                Waiting const its = near;
+                Waiting const exchanged = near;
                 near = far;
-                far = its;
+                far = exchanged;
             }
             if (far.squared < best.squared) waiting[n_waiting++] = far;
             if (!(near.squared < best.squared)) break;

@@ -1,4 +1,4 @@
-// One cell's corners, sides and areas, gathered once for everything that is asked of them.
+// The corners, sides and areas of one cell, gathered once.
 #pragma once
 
 #include "harmorph/mesh/mesh.hpp"
@@ -16,8 +16,8 @@ struct CellShape {
     }
 };
 
-// Sides from each corner to the next, and twice the signed area of each corner: the cross product of its two sides. A
-// triangle has one area for all corners.
+// Sides from each corner to the next, and twice the signed area of each corner: the cross product of the two sides
+// there. A triangle has one area for all corners.
 struct CellCorners {
     Vec2 side[4];
     Real twice_area[4];

@@ -10,9 +10,10 @@ struct ControlVolumes {
     Span<Real> shortest_edge;  // [n] of the mesh edges at the point
 
     void lay_out(Arena& arena, Index n) noexcept;
-    // place [n_points]: position of each point's unknown, or below 0. A cell's part of a corner is bounded by the midpoints of
-    // the edges there and the barycentre of the cell's corners. All corners have positive areas.
-    void measure(OrientedMesh const& cells, Points points, Span<const Index> place) noexcept;
+    // unknown [n_points]: position of the unknown of each point, or below 0. The part of a cell that belongs to a
+    // corner is bounded by the midpoints of the two edges there and the mean of the cell's corners. All corners have
+    // positive areas.
+    void measure(OrientedMesh const& cells, Points points, Span<const Index> unknown) noexcept;
 };
 
 }  // namespace harmorph

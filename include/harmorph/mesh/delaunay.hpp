@@ -1,4 +1,4 @@
-// The constrained Delaunay triangulation of the mesh's own points: quads are split, then edges flipped.
+// The constrained Delaunay triangulation of the points of the mesh: quads are split, then edges flipped.
 #pragma once
 
 #include "harmorph/base/arena.hpp"
@@ -14,11 +14,12 @@ struct DelaunayEdge {
 
 // Lawson flips (Software for C1 surface interpolation, in: Mathematical Software III, 1977): an inner edge whose
 // opposite point lies strictly inside the circle through its other triangle is replaced by the other diagonal of the
-// two. Boundary edges stay, so the domain does. No flip can fail: such two triangles form a strictly convex quad. It
-// ends: each flip lowers the surface of (x, y, x^2 + y^2) over the mesh, so that no triangulation comes twice, and
-// there are finitely many; all that needs decisions that are exact, see predicates.hpp. Points joined by a cut are one.
-// Edges of a periodic pair are boundary: across it a flip would have to decide about translated points, which rounding moves.
-// Its cells are triangles, all counter-clockwise, over the representatives of the mesh's points, without boundary faces.
+// two. Boundary edges stay, so the domain does. No flip can fail: such two triangles form a strictly convex quad. The
+// algorithm ends: each flip lowers the surface of (x, y, x^2 + y^2) over the mesh, so no triangulation occurs twice,
+// and there are finitely many; this needs exact decisions, see predicates.hpp. Points joined by a cut are one point.
+// Edges of a periodic pair are boundary: a flip across would be decided with translated coordinates, which carry
+// rounding errors. The cells are triangles, all counter-clockwise, over the representatives of the points, without
+// boundary faces.
 struct Triangulation : Topology {
     Index flips = 0;
 
@@ -59,7 +60,8 @@ template <class Visit>
 void Triangulation::for_each_edge(Visit visit) const noexcept {
     edges.for_each([&](Index edge, Index low, Index high) {
         Index const first = edges.first[edge].code, second = edges.second[edge];
-        Index const apex = apex_of(mesh, low, high, first), other = second < 0 ? none : apex_of(mesh, low, high, second);
+        Index const apex = apex_of(mesh, low, high, first), other = second < 0 ? none : apex_of(mesh, low, high,
+                                                                                                second);
         visit(runs_backwards(first) ? DelaunayEdge{high, low, apex, other} : DelaunayEdge{low, high, apex, other});
     });
 }

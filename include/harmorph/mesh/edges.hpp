@@ -1,4 +1,4 @@
-// The edges of the mesh, each with the cells at its two sides.
+// The edges of the mesh, each with the cells on both sides.
 #pragma once
 
 #include "harmorph/base/arena.hpp"
@@ -6,10 +6,10 @@
 
 namespace harmorph {
 
-// Edges are kept with their smaller point, sorted by their larger one. A side is 2 * cell, + 1 if the cell runs along the
-// edge from the larger point to the smaller.
+// Edges are kept with their smaller point, sorted by their larger one. A side is 2 * cell, + 1 if the cell runs along
+// the edge from the larger point to the smaller.
 struct Edges {
-    static constexpr Index unmarked = -1;  // in `second`: boundary edge, no face known; below: -2 - number of its face
+    static constexpr Index unmarked = -1;  // in `second`: boundary edge, no face known; below: -2 - number of the face
 
     struct Side {
         Index end;   // larger point

@@ -1,4 +1,4 @@
-// Where in a mesh is a point? Its cell, or the nearest one, and its weights there.
+// The cell of a mesh that contains a point, or the nearest cell, and the interpolation weights of the corners.
 #pragma once
 
 #include "harmorph/mesh/box_tree.hpp"
@@ -7,9 +7,9 @@
 
 namespace harmorph {
 
-// A linear field's value at the point is sum_k weight_k times its value at point_k, inside the cell and outside (there it is
-// extrapolated). The weights add up to 1; at a point of the mesh the weight of that point is exactly 1. A quad's are the mean of those of
-// the two splits into triangles, as in the equations.
+// A linear field has the value sum_k weight_k f(point_k) at the point, interpolated inside the cell and extrapolated
+// outside. The weights add up to 1; at a point of the mesh the weight of that point is exactly 1. In a quad they are
+// the mean over the two splits into triangles, as in the equations.
 struct CellWeights {
     Index n = 0;
     Index point[4] = {};

@@ -1,4 +1,4 @@
-// Which cells run clockwise: settled by neighbours, who must traverse their common edge in opposite directions.
+// Which cells run clockwise: neighbours with the same orientation traverse their common edge in opposite directions.
 #pragma once
 
 #include "harmorph/base/arena.hpp"
@@ -16,8 +16,9 @@ struct OrientationWork {
 enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
 Sense common_sense(Mesh const& mesh) noexcept;
 
-// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the larger total area is the right one, so that few inverted
-// cells do not turn the others. inverted: the first cell that has a corner of no positive area then, or none.
+// Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the larger total area is
+// the right one, so that few inverted cells do not turn the others. inverted: the first cell that has a corner of no
+// positive area then, or none.
 Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept;
 
 }  // namespace harmorph

@@ -1,13 +1,13 @@
-// Translations under which a mesh with periodic pairs goes on: what is near one side is near the other's neighbour.
+// The translations of a periodic mesh: they map one boundary of each periodic pair to the other.
 #pragma once
 
 #include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
 
-// Each is known by a point and its image, so that it is there at any coordinates.
+// Each translation is stored as a point and the image of this point, so that it follows the coordinates of the mesh.
 struct Translations {
-    static constexpr Index most = 3;  // of a plane's lattice; more are sums of these
+    static constexpr Index most = 3;  // a lattice of the plane has two generators, a third may be their sum or difference
     static constexpr Index most_shifts = 2 * most + 2 * most * (most - 1);
 
     Index n = 0;
@@ -16,16 +16,16 @@ struct Translations {
     Vec2 of(Index k, Points points) const noexcept { return points[image[k]] - points[point[k]]; }
 
     // Several pairs of markers may have the same one. False: too many.
-    bool add(Index its_point, Index its_image, Points points) noexcept {
-        constexpr Real same_within = 1e-5;  // of its length: what files with few digits keep
-        Vec2 const shift = points[its_image] - points[its_point];
+    bool add(Index new_point, Index new_image, Points points) noexcept {
+        constexpr Real same_within = 1e-5;  // of the length: the precision of coordinates in files with few digits
+        Vec2 const shift = points[new_image] - points[new_point];
         for (Index k = 0; k < n; ++k) {
             Vec2 const known = of(k, points);
             if (smaller(length(shift - known), length(shift + known)) <= same_within * length(known)) return true;
         }
         if (n == most) return false;
-        point[n] = its_point;
-        image[n++] = its_image;
+        point[n] = new_point;
+        image[n++] = new_image;
         return true;
     }
 

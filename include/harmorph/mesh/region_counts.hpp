@@ -1,4 +1,4 @@
-// How many points and cells a mesh has, and how many neighbours its points: what a part of it takes at most.
+// Counts of points, cells and pairs of neighbours of a mesh: bounds for any part of the mesh.
 #pragma once
 
 #include "harmorph/mesh/topology.hpp"

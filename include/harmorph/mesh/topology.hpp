@@ -1,4 +1,4 @@
-// How the cells of a mesh hang together: which way each one runs, which points are one point, and the edges between cells.
+// How the cells of a mesh are connected: the orientation of each, which points are joined, and the edges between cells.
 #pragma once
 
 #include "harmorph/mesh/edges.hpp"
@@ -19,8 +19,8 @@ struct OrientedMesh {
 
 // Made by Analysis::run() in this order: points that a cut joins have one representative, edges are those between
 // representatives, cells are oriented by their common edges. Periodic pairs are joined last: their points have one
-// representative then, but each side keeps edges of its own. Coordinates play no part, but those of the mesh as it was
-// analysed are at hand.
+// representative then, but each side keeps separate edges. Nothing here depends on coordinates; `mesh` still points to
+// those the mesh was analysed with.
 struct Topology : OrientedMesh {
     Edges edges;
     Span<Index> representative;  // [n_points] of points that are joined: the smallest

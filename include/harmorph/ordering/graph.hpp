@@ -1,6 +1,6 @@
 // The unknowns and which of them share a cell: the pattern of the matrix, and what the dissection cuts.
-// A point has one unknown (a real or a complex number), or, where movements along x and y are coupled by slip lines, two:
-// lines 2 * point and 2 * point + 1 of function values. One that slips has only the first, along its tangent.
+// A point has one unknown (a real or a complex number), or, where movements along x and y are coupled by slip lines,
+// two: lines 2 * point and 2 * point + 1 of function values. One that slips has only the first, along its tangent.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
@@ -8,8 +8,8 @@
 
 namespace harmorph {
 
-// Two points of one cell: an edge, or the diagonal of a quad. visit(a, b) for each edge once and for each cell's diagonals.
-// A periodic pair may show the same two points twice.
+// Two points of one cell: an edge, or the diagonal of a quad. visit(a, b) for each edge once and for each cell's
+// diagonals. A periodic pair may show the same two points twice.
 template <class Visit>
 void for_each_pair(Topology const& topology, Visit visit) noexcept {
     Span<const Index> const representative = topology.representative;
@@ -36,8 +36,8 @@ struct Graph {
 
     void lay_out(Arena& arena, Mesh const& mesh, Index n_components) noexcept;
     void build(Topology const& topology, Span<const PointKind> kinds) noexcept;
-    // First mesh point of a part that is next to no known value, where constants would be solutions too; or none. Only free
-    // boundaries leave such parts. queue, reached [n]: working space.
+    // First mesh point of a part that is next to no known value, where constants would be solutions too; or none. Only
+    // free boundaries leave such parts. queue, reached [n]: working space.
     Index first_floating(Topology const& topology, Span<const PointKind> kinds, Span<Index> queue,
                          Span<std::uint8_t> reached) const noexcept;
     // visit(unknown, line) for every coupling and every fixed pair.
@@ -48,8 +48,8 @@ struct Graph {
         for (Size k = 0; k < n_known; ++k) visit(pairs[2 * k], pairs[2 * k + 1]);
     }
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
-    // Searches wait for memory more than for anything else: asks for the neighbours of those that come next in a queue.
-    // Inlined, as gcc takes calls that only ask for memory for calls without effect.
+    // Searches wait mostly for memory: prefetches the neighbours of the unknowns that come next in a queue. Inlined,
+    // because gcc removes calls of functions that only prefetch, as if they had no effect.
     __attribute__((always_inline)) void expect(Span<const Index> queue, Index read, Index filled) const noexcept {
         constexpr Index ahead = 8;
         if (read + 2 * ahead < filled) __builtin_prefetch(&start[queue[read + 2 * ahead]]);

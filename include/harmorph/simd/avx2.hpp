@@ -5,7 +5,7 @@
 
 namespace harmorph::simd::avx2 {
 
-// Lanes of two vectors, in words of 32 bits: which word, whether of the second vector, whether of any.
+// The same picks for words of 32 bits, as masks: which word, whether of the second vector, whether of any.
 template <Index words>
 struct LanePicks {
     __m256i from, second, present;
@@ -54,24 +54,32 @@ struct Registers<double> : Register<double, 4> {
     static HARMORPH_INLINE Vector square_root(Vector v) noexcept { return _mm256_sqrt_pd(v); }
     static constexpr bool rounds = false;
 
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_pd(a, b, c); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fmadd_pd(a, b, c);
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fnmadd_pd(a, b, c);
+    }
 
     using Picks = LanePicks<2>;
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        return _mm256_castps_pd(its.pick(_mm256_castpd_ps(a), _mm256_castpd_ps(b)));
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return _mm256_castps_pd(picks.pick(_mm256_castpd_ps(a), _mm256_castpd_ps(b)));
     }
 };
 
 template <>
 struct Registers<float> : Register<float, 8> {
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fmadd_ps(a, b, c);
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fnmadd_ps(a, b, c);
+    }
 
     using Picks = LanePicks<1>;
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept { return its.pick(a, b); }
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept { return picks.pick(a, b); }
 };
 
 }  // namespace harmorph::simd::avx2

@@ -1,5 +1,5 @@
-// AVX-512: F, DQ, VL. See baseline.hpp for the manual. Where there are two forms of an intrinsic, that with a mask of zeros is
-// taken: the other one reads a register that nobody has set, of which compilers warn.
+// AVX-512: F, DQ, VL. See baseline.hpp for the manual. Where an intrinsic has a zero-masked form, that form is taken:
+// gcc warns that the plain form reads an uninitialised register.
 #define HARMORPH_SET avx512
 #define HARMORPH_TARGET "avx512f,avx512dq,avx512vl,avx2,fma"
 #include "harmorph/simd/begin.hpp"
@@ -29,19 +29,24 @@ struct Registers<double> : Register<double, 8> {
     static constexpr bool rounds = true;
     static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(_mm512_maskz_cvtpd_epi64(every, v)); }
 
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm512_fmadd_pd(a, b, c); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm512_fnmadd_pd(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return _mm512_fmadd_pd(a, b, c);
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return _mm512_fnmadd_pd(a, b, c);
+    }
 
     struct Picks {
         __m512i from;
         __mmask8 present;
     };
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
-        __m512i const all = _mm512_maskz_cvtepi32_epi64(every, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(picked)));
+        __m512i const all = _mm512_maskz_cvtepi32_epi64(every,
+                                                        _mm256_loadu_si256(reinterpret_cast<const __m256i*>(picked)));
         return {all, _mm512_cmpge_epi64_mask(all, _mm512_setzero_si512())};
     }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        return _mm512_maskz_permutex2var_pd(its.present, a, its.from, b);
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return _mm512_maskz_permutex2var_pd(picks.present, a, picks.from, b);
     }
 
 private:
@@ -49,11 +54,15 @@ private:
     static HARMORPH_INLINE __mmask8 first(Index n) noexcept { return static_cast<__mmask8>((1 << n) - 1); }
 };
 
-// As many as a slab of the dense kernels is wide: half a register, and twice as many registers as AVX2 has.
+// 8 numbers, as wide as a slab of the dense kernels: half of an AVX-512 register, but 32 registers where AVX2 has 16.
 template <>
 struct Registers<float> : Register<float, 8> {
-    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return _mm256_fmadd_ps(a, b, c); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return _mm256_fnmadd_ps(a, b, c); }
+    static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fmadd_ps(a, b, c);
+    }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return _mm256_fnmadd_ps(a, b, c);
+    }
 
     struct Picks {
         __m256i from;
@@ -63,8 +72,8 @@ struct Registers<float> : Register<float, 8> {
         __m256i const all = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(picked));
         return {all, _mm256_cmpge_epi32_mask(all, _mm256_setzero_si256())};
     }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        return _mm256_maskz_permutex2var_ps(its.present, a, its.from, b);
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return _mm256_maskz_permutex2var_ps(picks.present, a, picks.from, b);
     }
 };
 

@@ -4,8 +4,8 @@
 
 namespace harmorph::simd::baseline {
 
-// What one register holds, and what the instruction set does with it; see Register in begin.hpp for the rest. + - * / are
-// the compiler's, and are never contracted.
+// One register of numbers and the operations of the instruction set; see Register in begin.hpp for the rest. + - * /
+// are the compiler's vector operators, which are never contracted to fused operations.
 template <class Of>
 struct Registers;
 
@@ -16,12 +16,14 @@ struct Registers<double> : Register<double, 2> {
     // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros. No others are read.
     using Register::load;
     static HARMORPH_INLINE Vector load(const float* from) noexcept { return load_converted<lanes>(from); }
-    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept { return Vector{n > 0 ? *from : 0, 0}; }
+    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
+        return Vector{n > 0 ? *from : 0, 0};
+    }
     static HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
         return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
     }
 
-    // Of each lane's numbers; b where one is NaN.
+    // Lane by lane; b where one of the two is NaN.
     static HARMORPH_INLINE Vector larger(Vector a, Vector b) noexcept {
 #if defined(__SSE2__)
         return Vector(_mm_max_pd(a, b));
@@ -52,23 +54,23 @@ struct Registers<double> : Register<double, 2> {
 #endif
     }
 
-    // Whether there is round(v): to the nearest integers, in two's complement.
+    // Whether the set has round(v): to the nearest integers, in two's complement.
     static constexpr bool rounds = false;
 
-    // c + a b and c - a b, contracted where there are instructions for that.
+    // c + a b and c - a b, with one rounding where the set has fused instructions.
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return c + a * b; }
     static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return c - a * b; }
 
-    // Numbers picked from two registers: in each lane that of lane `picked` of the first, or, counted on, of the second, or 0
-    // where that is none.
+    // Numbers picked from two registers: lane k of the result is lane picked[k] of the first register, or lane
+    // picked[k] - lanes of the second, or 0 where picked[k] is none.
     struct Picks {
         Index from[lanes];
     };
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return {{picked[0], picked[1]}}; }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         Vector v = {};
         for (Index lane = 0; lane < lanes; ++lane) {
-            Index const from = its.from[lane];
+            Index const from = picks.from[lane];
             if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
         }
         return v;
@@ -86,10 +88,10 @@ struct Registers<float> : Register<float, 4> {
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept {
         return {{picked[0], picked[1], picked[2], picked[3]}};
     }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
         Vector v = {};
         for (Index lane = 0; lane < lanes; ++lane) {
-            Index const from = its.from[lane];
+            Index const from = picks.from[lane];
             if (from != none) v[lane] = from < lanes ? a[from] : b[from - lanes];
         }
         return v;

@@ -1,7 +1,8 @@
-// Opens the code of one instruction set. The header of the set has defined HARMORPH_SET, its name in enum Kernel, and
-// HARMORPH_TARGET, what the compiler may use beside the plain architecture, if that is anything. From here to end.hpp all
-// functions are compiled for the set, and what they are made of stands in a namespace of that name: a name outside of it
-// could be linked where the processor is another one. For the same reason all shared headers come before.
+// Opens the code of one instruction set. The header of the set has defined HARMORPH_SET, the name in enum Kernel, and
+// HARMORPH_TARGET, the compiler's target options, if the set needs any. From here to end.hpp all functions are compiled
+// for the set. They are in a namespace of the same name: the linker keeps one copy of an inline function, and if it
+// took the copy compiled here, a processor without the set would run it. For the same reason all shared headers come
+// before.
 #define HARMORPH_INLINE inline __attribute__((always_inline))
 
 #if defined(HARMORPH_TARGET)
@@ -17,18 +18,20 @@ HARMORPH_PRAGMA(GCC target(HARMORPH_TARGET))
 
 namespace harmorph::simd::HARMORPH_SET {
 
-// What every register of `n` numbers has. In memory, numbers may begin anywhere.
+// What every register of `n` numbers has. Addresses in memory need no alignment.
 template <class Of, Index n>
 struct Register {
     static constexpr Index lanes = n;
     typedef Of Vector __attribute__((vector_size(n * sizeof(Of))));
-    // The bits of its numbers.
+    // Unsigned integers as wide as the numbers, for their bits.
     using Word = typename std::conditional<sizeof(Of) == 8, std::uint64_t, std::uint32_t>::type;
     typedef Word Words __attribute__((vector_size(n * sizeof(Of))));
 
     static HARMORPH_INLINE Vector load(const Of* from) noexcept { return *reinterpret_cast<const Stored*>(from); }
     static HARMORPH_INLINE void store(Of* to, Vector v) noexcept { *reinterpret_cast<Stored*>(to) = v; }
-    static HARMORPH_INLINE Words load_words(const Word* from) noexcept { return *reinterpret_cast<const StoredWords*>(from); }
+    static HARMORPH_INLINE Words load_words(const Word* from) noexcept {
+        return *reinterpret_cast<const StoredWords*>(from);
+    }
     static HARMORPH_INLINE void store_words(Word* to, Words v) noexcept { *reinterpret_cast<StoredWords*>(to) = v; }
     static HARMORPH_INLINE Vector all(Of x) noexcept { return x - Vector{}; }  // the bits of x: -0.0 - 0.0 is -0.0
 
@@ -37,7 +40,7 @@ private:
     typedef Word StoredWords __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
 };
 
-// Numbers in single precision become double ones on their way into registers.
+// Loads numbers in single precision and converts them to double precision.
 template <Index n>
 HARMORPH_INLINE typename Register<double, n>::Vector load_converted(const float* from) noexcept {
     typedef float Stored __attribute__((vector_size(4 * n), aligned(4), may_alias));

@@ -1,11 +1,11 @@
-// NEON, which every 64-bit ARM processor has: nothing is asked of the processor, nothing told to the compiler. See
+// NEON. Every 64-bit ARM processor has it, so neither a test of the processor nor a compiler option is needed. See
 // baseline.hpp for the manual.
 #define HARMORPH_SET neon
 #include "harmorph/simd/begin.hpp"
 
 namespace harmorph::simd::neon {
 
-// Bytes of two registers, counted on; 255: a zero.
+// Picks for bytes: 0 .. 15 of the first register, 16 .. 31 of the second, 255: a zero.
 template <Index lanes>
 struct BytePicks {
     uint8x16_t from;
@@ -32,7 +32,9 @@ struct Registers<double> : Register<double, 2> {
 
     using Register::load;
     static HARMORPH_INLINE Vector load(const float* from) noexcept { return vcvt_f64_f32(vld1_f32(from)); }
-    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept { return Vector{n > 0 ? *from : 0, 0}; }
+    static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
+        return Vector{n > 0 ? *from : 0, 0};
+    }
     static HARMORPH_INLINE Vector load_part(const float* from, Index n) noexcept {
         return Vector{n > 0 ? static_cast<double>(*from) : 0, 0};
     }
@@ -49,24 +51,28 @@ struct Registers<double> : Register<double, 2> {
     static HARMORPH_INLINE Words round(Vector v) noexcept { return Words(vcvtnq_s64_f64(v)); }
 
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return vfmaq_f64(c, a, b); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return vfmsq_f64(c, a, b); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return vfmsq_f64(c, a, b);
+    }
 
     using Picks = BytePicks<lanes>;
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        return vreinterpretq_f64_u8(its.pick(vreinterpretq_u8_f64(a), vreinterpretq_u8_f64(b)));
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return vreinterpretq_f64_u8(picks.pick(vreinterpretq_u8_f64(a), vreinterpretq_u8_f64(b)));
     }
 };
 
 template <>
 struct Registers<float> : Register<float, 4> {
     static HARMORPH_INLINE Vector multiply_add(Vector a, Vector b, Vector c) noexcept { return vfmaq_f32(c, a, b); }
-    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept { return vfmsq_f32(c, a, b); }
+    static HARMORPH_INLINE Vector multiply_subtract(Vector a, Vector b, Vector c) noexcept {
+        return vfmsq_f32(c, a, b);
+    }
 
     using Picks = BytePicks<lanes>;
     static HARMORPH_INLINE Picks picks_of(const Index (&picked)[lanes]) noexcept { return Picks(picked); }
-    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& its) noexcept {
-        return vreinterpretq_f32_u8(its.pick(vreinterpretq_u8_f32(a), vreinterpretq_u8_f32(b)));
+    static HARMORPH_INLINE Vector pick(Vector a, Vector b, Picks const& picks) noexcept {
+        return vreinterpretq_f32_u8(picks.pick(vreinterpretq_u8_f32(a), vreinterpretq_u8_f32(b)));
     }
 };
 
