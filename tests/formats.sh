@@ -40,7 +40,7 @@ alike() { # alike TOLERANCE A B: all numbers of two files are the same to this t
 }
 body_of() { # the markers of the ring's inner circle, with commas
     "$harmorph" check "$@" --json 2>/dev/null | grep -o '"name": "[^"]*"' | sed 's/.*: "//; s/"//' |
-        grep -E '^(body|1|boundary1|[0-9]:[jk]min)$' | paste -s -d , -
+        grep -E '^(body|zone:16|1|boundary1|[0-9]:[jk]min)$' | paste -s -d , -
 }
 
 check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
@@ -67,7 +67,7 @@ for kind in plain.su2 $("$make_mesh" list | grep -v plain.su2); do
     check "$kind: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved" $zone
     check "$kind: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
     [ $kind = zones.su2 ] || check "$kind: the format is forced" "$harmorph" check "$mesh" --format \
-        "$(case $kind in *.su2) echo su2 ;; *.msh) echo gmsh ;; *.ugrid) echo ugrid ;; *.vtk) echo vtk ;; *) echo plot3d ;; esac)"
+        "$(case $kind in *.su2) echo su2 ;; fluent*) echo fluent ;; *.msh) echo gmsh ;; *.ugrid) echo ugrid ;; *.vtk) echo vtk ;; *.vtu) echo vtu ;; *) echo plot3d ;; esac)"
     check "$kind: convert the morphed" "$harmorph" convert "$moved" "$after" $zone
     # Points of two blocks have another order.
     case $kind in two-*)
@@ -115,7 +115,7 @@ says "an unknown format" "unknown format 'cgnz'"
 sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: another version" 'bad.msh:2: expected version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
 sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
-refuses "gmsh: three dimensions" 'bad.msh:50: expected nodes in one plane' "$harmorph" check "$tmp/bad.msh"
+refuses "gmsh: three dimensions" 'bad.msh:50: expected points in one plane' "$harmorph" check "$tmp/bad.msh"
 sed 's/^100 3 2 3 7 \(.*\)/100 5 2 3 7 \1 \1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
 refuses "gmsh: hexahedra" 'element type 5: a mesh of three dimensions' "$harmorph" check "$tmp/bad.msh"
 sed '/^\$EndNodes/,$d' "$tmp/text-4.msh" >"$tmp/bad.msh"
@@ -192,6 +192,67 @@ check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
 says "vtk: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
 
+# VTK XML
+change() { sed "$1" "$tmp/text.vtu" >"$tmp/bad.vtu"; }
+change 's/9 9 9/12 9 9/'
+refuses "vtu: three dimensions in earnest" 'cell 0 is of type 12 with 4 points' "$harmorph" check "$tmp/bad.vtu"
+change 's/type="UnstructuredGrid"/type="PolyData"/'
+refuses "vtu: another kind of data" "bad.vtu:3: expected a file of type UnstructuredGrid, found 'PolyData'" \
+    "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfPoints="168"/NumberOfPoints="169"/'
+refuses "vtu: too few points" "expected a point's x, found the end of the numbers" "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfPoints="168"/NumberOfPoints="167"/'
+refuses "vtu: too many points" 'the array Points has more numbers than 167 points' "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfCells="144"/NumberOfCells="143"/'
+refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' "$harmorph" check "$tmp/bad.vtu"
+change 's/format="ascii"/format="binary"/'
+refuses "vtu: base64" "this one has 'binary'" "$harmorph" check "$tmp/bad.vtu"
+change 's/Name="offsets"/Name="starts"/'
+refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
+head -c 5000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: cut off before an array" "found '8832'" "$harmorph" check "$tmp/bad.vtu"
+head -c 10000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: cut off in an array" 'the array offsets has 1152 bytes, 8 for each number, but only' \
+    "$harmorph" check "$tmp/bad.vtu"
+sed 's/header_type="UInt64"/& compressor="vtkLZ4DataCompressor"/' "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: compressed" 'the array is compressed: save the file without compression' "$harmorph" check "$tmp/bad.vtu"
+check "vtu: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtu"
+check "vtu: what convert writes" "$harmorph" check "$tmp/ring.vtu" --json
+says "vtu: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
+check "vtu: what convert writes: the same points" "$harmorph" convert "$tmp/ring.vtu" "$tmp/again.su2"
+sed -n '/^NPOIN/,/^NMARK/p' "$tmp/ring.su2" | awk '{ print $1, $2 }' >"$tmp/points-before"
+sed -n '/^NPOIN/,/^NMARK/p' "$tmp/again.su2" | awk '{ print $1, $2 }' >"$tmp/points-after"
+check "vtu: what convert writes: the same coordinates" alike 0 "$tmp/points-before" "$tmp/points-after"
+
+# Fluent
+"$harmorph" check "$tmp/fluent.msh" --json >"$tmp/out" 2>"$tmp/err"
+says "fluent: zones are markers" '"body", "faces": 24}, {"name": "far", "faces": 24}]'
+change() { sed "$1" "$tmp/fluent.msh" >"$tmp/bad.msh"; }
+change 's/^(2 2)/(2 3)/'
+refuses "fluent: three dimensions" "bad.msh:2: expected 2: meshes of two dimensions are read, found '3'" \
+    "$harmorph" check "$tmp/bad.msh"
+change 's/^(10 (1 1 a8/(10 (1 1 a9/'
+refuses "fluent: too few nodes" "expected a node's x, found the end of the numbers" "$harmorph" check "$tmp/bad.msh"
+change 's/^(10 (1 1 a8/(10 (1 1 a7/'
+refuses "fluent: too many nodes" 'the section has more numbers than x and y of 167 nodes' "$harmorph" check "$tmp/bad.msh"
+change 's/^(10 (1 1 a8/(10 (1 2 a9/'
+refuses "fluent: a node is missing" 'bad.msh:8: expected node 1, found node 2' "$harmorph" check "$tmp/bad.msh"
+change 's/^(10 (1 /(3010 (1 /'
+refuses "fluent: binary" 'bad.msh:6: the section 3010 is binary' "$harmorph" check "$tmp/bad.msh"
+change 's/^(64 /(58 /'
+refuses "fluent: hanging nodes" 'the mesh has hanging nodes' "$harmorph" check "$tmp/bad.msh"
+change 's/^2 2 1 1 0/2 2 9 1 0/'
+refuses "fluent: a cell that is not closed" 'the faces of cell 1 (4 faces) do not form a triangle or a quadrilateral' \
+    "$harmorph" check "$tmp/bad.msh"
+change 's/^2 2 1 1 0/3 2 1 9 1 0/'
+refuses "fluent: a face of three nodes" 'expected 2 nodes of a face between 2 and 2, found 3' "$harmorph" check "$tmp/bad.msh"
+change 's/^2 2 1 1 0/2 2 1 2 0/'
+refuses "fluent: a cell of five faces" 'cell 2 has more than 4 faces' "$harmorph" check "$tmp/bad.msh"
+change 's/^2 2 1 1 0/2 1 2 1 0/'
+check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
+head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
+refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" check "$tmp/bad.msh"
+
 # ---- Other programs ---------------------------------------------------------------------------------------------------
 
 if command -v gmsh >/dev/null 2>&1; then
@@ -227,7 +288,8 @@ fi
 
 # ---- Broken files -----------------------------------------------------------------------------------------------------
 
-program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp"
+program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp \
+    c_api/cli/vtu.cpp"
 sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all"
 if echo 'int main() {}' | $CXX $sanitize -x c++ - -o "$tmp/empty" 2>/dev/null && "$tmp/empty" 2>/dev/null; then :; else
     echo "the compiler has no sanitizers: broken files are read without"

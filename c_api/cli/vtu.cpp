@@ -50,17 +50,24 @@ void write_point_data(std::ostream& out, const PointData& data) {
     out << "</DataArray>\n</PointData>\n";
 }
 
-} // namespace
-
-void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
-               const PointData& data) {
+void write_grid(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
+                const PointData* data) {
     out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
         << "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" << mesh.points() << "\" NumberOfCells=\"" << mesh.cells()
         << "\">\n";
     write_points(out, x, y);
     write_cells(out, mesh);
-    write_point_data(out, data);
+    if (data) write_point_data(out, *data);
     out << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+} // namespace
+
+void write_vtu(std::ostream& out, const Mesh& mesh) { write_grid(out, mesh, mesh.x, mesh.y, nullptr); }
+
+void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
+               const PointData& data) {
+    write_grid(out, mesh, x, y, &data);
 }
 
 } // namespace cli

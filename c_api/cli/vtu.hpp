@@ -15,7 +15,9 @@ struct PointData {
     std::vector<double> values; // [points * components]
 };
 
-// The cells of the mesh over points at x, y.
+void write_vtu(std::ostream& out, const Mesh& mesh);
+
+// The cells of the mesh over points at x, y, with values at the points.
 void write_vtu(std::ostream& out, const Mesh& mesh, const std::vector<double>& x, const std::vector<double>& y,
                const PointData& data);
 

@@ -485,6 +485,136 @@ std::string vtk(bool text, const char* real_type, bool new_cells) {
     return out.text + "\nCELL_DATA 1\nanything\n";
 }
 
+// ---- VTK XML ----
+
+// header_bytes: of the length before each array, 0: all is text.
+std::string vtu(int header_bytes, bool swapped, bool is_single) {
+    std::string arrays;
+    Bytes appended{swapped};
+    std::size_t after_mark = 0;
+    const auto array = [&](const char* type, const char* attributes, int count, int bytes,
+                           const std::function<void(int, Bytes&)>& put, const std::function<std::string(int)>& text) {
+        arrays += std::string("<DataArray type=\"") + type + "\" " + attributes;
+        if (header_bytes == 0) {
+            arrays += " format=\"ascii\">";
+            for (int k = 0; k < count; ++k) arrays += (k > 0 ? " " : "") + text(k);
+            arrays += "</DataArray>\n";
+            return;
+        }
+        arrays += " format='appended'  offset=\"" + std::to_string(after_mark) + "\"/>\n";
+        const int length = count * bytes;
+        header_bytes == 8 ? appended.put(std::uint64_t(length)) : appended.put(std::uint32_t(length));
+        for (int k = 0; k < count; ++k) put(k, appended);
+        after_mark = appended.text.size();
+    };
+    const auto wholes = [&](const char* type, const char* attributes, int count, int bytes,
+                            const std::function<int(int)>& value) {
+        array(type, attributes, count, bytes, [&](int k, Bytes& out) {
+            if (bytes == 8) out.put(std::int64_t{value(k)});
+            else if (bytes == 4) out.put(std::int32_t{value(k)});
+            else out.put(std::uint8_t(value(k)));
+        }, [&](int k) { return std::to_string(value(k)); });
+    };
+    const auto coordinate = [](int k) {
+        const auto p = std::size_t(k / 3);
+        return k % 3 == 0 ? x[p] : k % 3 == 1 ? y[p] : 0;
+    };
+    const int n = around * outwards, size = header_bytes == 8 ? 8 : 4;
+    const char* const type = size == 8 ? "Int64" : "Int32";
+    arrays += "<PointData>\n"; // an array of the same name elsewhere
+    wholes("UInt8", "Name=\"types\"", 168, 1, [](int) { return 60; }); // the character <
+    arrays += "</PointData>\n<Points>\n";
+    array(is_single ? "Float32" : "Float64", "Name=\"xyz\" NumberOfComponents=\"3\"", 3 * 168, is_single ? 4 : 8,
+          [&](int k, Bytes& out) { is_single ? out.put(float(coordinate(k))) : out.put(coordinate(k)); },
+          [&](int k) { return print("%.16g", coordinate(k)); });
+    arrays += "</Points>\n<Cells>\n";
+    wholes(type, "Name=\"connectivity\"", 4 * n, size, [](int k) {
+        const int i = k / 4 % around, j = k / 4 / around;
+        return point(i + (k % 4 == 1 || k % 4 == 2), j + (k % 4 >= 2));
+    });
+    wholes(type, "Name=\"offsets\"", n, size, [](int k) { return 4 * k + 4; });
+    wholes("UInt8", "Name=\"types\"", n, 1, [](int) { return 9; });
+    // VTK names a compressor in text, too.
+    const std::string more = header_bytes == 0   ? " compressor=\"vtkZLibDataCompressor\""
+                             : header_bytes == 8 ? " header_type=\"UInt64\""
+                                                 : "";
+    std::string text = "<?xml version=\"1.0\"?>\n<!-- a <comment> -->\n";
+    text += "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"";
+    text += std::string(" byte_order=\"") + (swapped ? "Big" : "Little") + "Endian\"" + more;
+    text += ">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"168\" NumberOfCells=\"" + std::to_string(n) + "\">\n";
+    text += arrays + "</Cells>\n</Piece>\n</UnstructuredGrid>\n";
+    if (header_bytes > 0) text += "<AppendedData encoding=\"raw\">\n _" + appended.text + "\n</AppendedData>\n";
+    return text + "</VTKFile>\n";
+}
+
+// ---- Fluent: faces with the cells beside them, numbers in hexadecimal, ends of lines CR LF ----
+
+std::string hexadecimal(int value) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%x", static_cast<unsigned>(value));
+    return text;
+}
+
+// Tight: no blanks and ends of lines but those that separate numbers; the nodes in two sections, the second first; no
+// names of zones.
+std::string fluent(bool tight) {
+    const std::string line = tight ? "" : "\r\n", n_faces = hexadecimal(around * (2 * outwards + 1));
+    const int n = around * outwards;
+    const auto head = [](std::initializer_list<int> values) {
+        std::string text = "(";
+        for (const int value : values) text += (text.size() > 1 ? " " : "") + hexadecimal(value);
+        return text + ")";
+    };
+    std::string out = "(0 \"a comment (with one bracket\")\r\n(2 2)\r\n";
+    if (!tight) {
+        out += "(10 (0 1 a8 0 2))\r\n(12 (0 1 " + hexadecimal(n) + " 0))\r\n(13 (0 1 " + n_faces + " 0))\r\n";
+    }
+    const auto nodes = [&](int first, int last) { // from 0, without the last
+        out += "(10 " + head({1, first + 1, last, 1, 2}) + line + "(" + line;
+        for (int k = first; k < last; ++k) {
+            out += print("%.16e", x[std::size_t(k)]) + " " + print("%.16e", y[std::size_t(k)]);
+            if (!tight || k + 1 < last) out += "\r\n";
+        }
+        out += "))\r\n";
+    };
+    if (tight) nodes(100, 168);
+    nodes(0, tight ? 100 : 168);
+    if (!tight) out += "(12 (2 1 " + hexadecimal(n) + " 1 0)(3 3 3))\r\n";
+    const auto cell = [&](int i, int j) { return j < 0 || j >= outwards ? 0 : j * around + (i + around) % around + 1; };
+    int face = 0;
+    // A face goes from a to b; the cell on its right is the first. `mixed`: the number of points before each face.
+    using Face = std::function<void(int, int, int, int)>; // a, b, right cell, left cell
+    const auto faces = [&](int zone, int type, bool mixed, const std::function<void(const Face&)>& each) {
+        std::string body;
+        int count = 0;
+        each([&](int a, int b, int right, int left) {
+            if (count > 0 || !tight) body += "\r\n";
+            body += mixed ? "2 " : "";
+            body += hexadecimal(a + 1) + " " + hexadecimal(b + 1) + " " + hexadecimal(right) + " " + hexadecimal(left);
+            ++count;
+        });
+        out += "(13 " + head({zone, face + 1, face + count, type, mixed ? 0 : 2}) + "(" + body + line + "))\r\n";
+        face += count;
+    };
+    faces(3, 2, false, [&](const auto& face_of) { // between cells
+        for (int j = 1; j < outwards; ++j) {
+            for (int i = 0; i < around; ++i) face_of(point(i + 1, j), point(i, j), cell(i, j), cell(i, j - 1));
+        }
+        for (int j = 0; j < outwards; ++j) {
+            for (int i = 0; i < around; ++i) face_of(point(i, j), point(i, j + 1), cell(i, j), cell(i - 1, j));
+        }
+    });
+    faces(16, 3, true, [&](const auto& face_of) {
+        for (int i = 0; i < around; ++i) face_of(point(i + 1, 0), point(i, 0), cell(i, 0), 0);
+    });
+    faces(4, 9, false, [&](const auto& face_of) {
+        for (int i = 0; i < around; ++i) face_of(point(i, outwards), point(i + 1, outwards), cell(i, outwards - 1), 0);
+    });
+    if (tight) return out;
+    return out + "(45 (2 fluid air)())\r\n(45 (3 interior int_air)())\r\n(39 (16 wall body 1)())\r\n"
+                 "(45 (4 pressure-far-field far)(\r\n(gauge-pressure . 0) (text . \")\")))\r\n(64 (anything ()))\r\n";
+}
+
 const std::map<std::string, std::function<std::string()>>& kinds() {
     static const std::map<std::string, std::function<std::string()>> all = {
         {"plain.su2", [] { return su2_zone(); }},
@@ -513,6 +643,13 @@ const std::map<std::string, std::function<std::string()>>& kinds() {
         {"text-5.vtk", [] { return vtk(true, "double", true); }},
         {"binary.vtk", [] { return vtk(false, "double", true); }},
         {"binary-single.vtk", [] { return vtk(false, "float", false); }},
+        {"text.vtu", [] { return vtu(0, false, false); }},
+        {"appended-32.vtu", [] { return vtu(4, false, false); }},
+        {"appended-64.vtu", [] { return vtu(8, false, false); }},
+        {"appended-single.vtu", [] { return vtu(4, false, true); }},
+        {"appended-swapped.vtu", [] { return vtu(8, true, false); }},
+        {"fluent.msh", [] { return fluent(false); }},
+        {"fluent-tight.msh", [] { return fluent(true); }},
         {"text.ugrid", [] { return ugrid(true, false, 8, false); }},
         {"prisms.lb8.ugrid", [] { return ugrid(false, false, 8, true); }},
         {"hexahedra.b8.ugrid", [] { return ugrid(false, true, 8, false); }},

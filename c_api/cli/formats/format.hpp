@@ -23,7 +23,7 @@ struct Format {
     void (*create)(std::ostream& out, const Mesh& mesh);   // a new file with points, cells, markers; NULL: not written
 };
 
-extern const Format gmsh_format, plot3d_format, su2_format, ugrid_format, vtk_format;
+extern const Format fluent_format, gmsh_format, plot3d_format, su2_format, ugrid_format, vtk_format, vtk_xml_format;
 
 // Refuses, with the file's line or byte, what is none of the formats or not a mesh that can be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);

@@ -9,7 +9,8 @@ namespace cli {
 namespace {
 
 // Probed in this order: formats with a signature first.
-const Format* const formats[] = {&gmsh_format, &vtk_format, &su2_format, &ugrid_format, &plot3d_format};
+const Format* const formats[] = {&gmsh_format, &fluent_format, &vtk_format,   &vtk_xml_format,
+                                 &su2_format,  &ugrid_format, &plot3d_format};
 
 std::string format_names() {
     std::string names;

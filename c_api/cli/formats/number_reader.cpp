@@ -16,15 +16,15 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',';
 // Commas separate numbers in what Fortran's list-directed output and C programs write.
 std::string_view NumberReader::word() {
     const std::string& text = file_.text();
-    while (at_ < text.size() && is_blank(text[at_])) ++at_;
+    while (at_ < end_ && is_blank(text[at_])) ++at_;
     number_ = at_;
-    while (at_ < text.size() && !is_blank(text[at_])) ++at_;
+    while (at_ < end_ && !is_blank(text[at_])) ++at_;
     word_ = std::string_view(text).substr(number_, at_ - number_);
     return word_;
 }
 
 std::string_view NumberReader::next_line() {
-    const std::string_view text = file_.text();
+    const std::string_view text = std::string_view(file_.text()).substr(0, end_);
     while (at_ < text.size()) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at_), text.size());
         const std::string_view line = trimmed(text.substr(at_, end - at_));
@@ -36,14 +36,15 @@ std::string_view NumberReader::next_line() {
     return word_ = text.substr(text.size());
 }
 
+const char* NumberReader::found_end() const {
+    return end_ == file_.text().size() ? "the end of the file" : "the end of the numbers";
+}
+
 const char* NumberReader::take(std::size_t bytes, const char* what) {
-    const std::string& text = file_.text();
-    if (bytes > text.size() - at_) {
-        file_.fail(text.size(), std::string("expected ") + what + ", found the end of the file");
-    }
+    if (at_ > end_ || bytes > end_ - at_) file_.fail(end_, std::string("expected ") + what + ", found " + found_end());
     number_ = at_;
     at_ += bytes;
-    return text.data() + number_;
+    return file_.text().data() + number_;
 }
 
 void NumberReader::skip_bytes(std::size_t n, const char* what) { take(n, what); }
@@ -55,7 +56,7 @@ bool NumberReader::at_end() {
         at_ = here;
         return end;
     }
-    return at_ == file_.text().size();
+    return at_ >= end_;
 }
 
 std::int64_t NumberReader::whole(const char* what, int bytes) {
@@ -90,7 +91,7 @@ double NumberReader::real(const char* what, int bytes) {
 }
 
 void NumberReader::expected(const std::string& what) const {
-    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? "the end of the file" : quoted(word_)));
+    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? found_end() : quoted(word_)));
 }
 
 } // namespace cli

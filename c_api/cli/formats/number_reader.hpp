@@ -10,7 +10,7 @@ namespace cli {
 
 class NumberReader {
 public:
-    explicit NumberReader(const TextFile& file) : file_(file) {}
+    explicit NumberReader(const TextFile& file) : file_(file), end_(file.text().size()) {}
 
     bool is_binary = false; // what whole() and real() read
     bool swapped = false;   // binary: not in this machine's byte order
@@ -19,7 +19,7 @@ public:
     double real(const char* what, int bytes = 8);        // finite; number_offset() tells where
     std::int64_t count(const char* what, int bytes = 4); // not negative, at most 2^31 - 1
 
-    std::string_view word();                 // the next, empty at the end of the file
+    std::string_view word();                 // the next, empty at the end
     std::string_view next_line(); // the next that is not empty, trimmed; what is left of the present one counts
     void skip_bytes(std::size_t n, const char* what);
     bool at_end();                           // nothing but blanks follows (text), nothing (binary)
@@ -27,15 +27,18 @@ public:
     std::size_t offset() const { return at_; }
     std::size_t number_offset() const { return number_; }
     void jump(std::size_t offset) { at_ = offset; }
+    void stop_at(std::size_t offset) { end_ = offset; } // nothing from there on is read: as if the file ended there
     const TextFile& file() const { return file_; }
-    [[noreturn]] void expected(const std::string& what) const; // at the last number or word, or the file's end
+    [[noreturn]] void expected(const std::string& what) const; // at the last number or word, or at the end
     [[noreturn]] void fail(const std::string& message) const { file_.fail(number_, message); }
 
 private:
     const char* take(std::size_t bytes, const char* what);
 
+    const char* found_end() const;
+
     const TextFile& file_;
-    std::size_t at_ = 0, number_ = 0;
+    std::size_t at_ = 0, number_ = 0, end_;
     std::string_view word_;
 };
 

@@ -1,22 +1,18 @@
 // VTK's legacy files (https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html), unstructured grids of
 // versions 1 to 5.1, in text and binary, with triangles and quadrilaterals in one plane z = constant.
-//
-// VTK knows no boundaries: each loop of boundary edges is a marker, boundary1, boundary2, ... by the least point in it.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
 #include "formats/number_reader.hpp"
-#include "formats/tidy.hpp"
+#include "formats/one_plane.hpp"
+#include "formats/vtk_cells.hpp"
 #include "numbers.hpp"
 
-#include <cmath>
 #include <ostream>
 
 namespace cli {
 
 namespace {
-
-enum CellType { vertex = 1, poly_vertex, line, poly_line, triangle, strip, polygon, pixel, quad, tetrahedron };
 
 class VtkReader {
 public:
@@ -32,15 +28,13 @@ private:
     void read_array(const char* name, std::int64_t n, std::vector<std::int64_t>& values);
     void read_types();
     void pass_over();
-    void build();
     void begin_numbers(); // behind the end of the line
     std::int64_t text_count(const char* what);
 
     Mesh& mesh_;
     NumberReader numbers_;
     bool binary_ = false;
-    std::vector<std::int64_t> starts_, points_, types_;
-    std::vector<std::size_t> offsets_;
+    VtkCells cells_;
     bool points_read_ = false, cells_read_ = false, types_read_ = false;
 };
 
@@ -56,7 +50,11 @@ void VtkReader::read() {
         }
         read_section(name);
     }
-    build();
+    if (cells_.starts.size() != cells_.types.size() + 1) {
+        numbers_.fail("CELLS has " + plural(static_cast<std::int64_t>(cells_.starts.size()) - 1, "cell") +
+                      ", CELL_TYPES " + std::to_string(cells_.types.size()));
+    }
+    add_vtk_cells(mesh_, cells_);
 }
 
 void VtkReader::read_head() {
@@ -117,18 +115,13 @@ void VtkReader::read_points() {
     const int bytes = type == "float" ? 4 : 8;
     if (binary_) mesh_.in_file.kind = bytes == 4 ? NumberKind::real32 : NumberKind::real64;
     begin_numbers();
-    double z_of_all = 0;
+    OnePlane plane;
     for (std::int64_t i = 0; i < n; ++i) {
         const double x = numbers_.real("a point's x", bytes);
         const std::size_t x_offset = numbers_.number_offset();
         const double y = numbers_.real("a point's y", bytes);
         const std::size_t y_offset = numbers_.number_offset();
-        const double z = numbers_.real("a point's z", bytes);
-        if (i == 0) z_of_all = z;
-        if (std::fabs(z - z_of_all) > 1e-9 * (1 + std::fabs(z_of_all))) {
-            numbers_.fail("expected points in one plane z = " + brief(z_of_all) + ", found " + brief(z) +
-                          ": the mesh has three dimensions");
-        }
+        plane.check(numbers_.real("a point's z", bytes), numbers_);
         mesh_.add_point(x, y, x_offset, y_offset);
     }
     points_read_ = true;
@@ -140,8 +133,8 @@ void VtkReader::read_cells() {
     const std::size_t here = numbers_.offset();
     if (numbers_.word() == "OFFSETS") {
         numbers_.jump(here);
-        read_array("OFFSETS", n, starts_);
-        read_array("CONNECTIVITY", size, points_);
+        read_array("OFFSETS", n, cells_.starts);
+        read_array("CONNECTIVITY", size, cells_.points);
     } else {
         numbers_.jump(here);
         read_old_cells(n, size);
@@ -155,69 +148,35 @@ void VtkReader::read_array(const char* name, std::int64_t n, std::vector<std::in
     const std::string type(numbers_.word());
     if (type != "vtktypeint64" && type != "vtktypeint32") numbers_.expected("vtktypeint64 or vtktypeint32");
     begin_numbers();
+    if (&values == &cells_.starts) cells_.starts_offset = numbers_.offset();
     for (std::int64_t i = 0; i < n; ++i) {
         values.push_back(numbers_.whole("a number of the cells", type == "vtktypeint64" ? 8 : 4));
-        if (&values == &points_) offsets_.push_back(numbers_.number_offset());
+        if (&values == &cells_.points) cells_.offsets.push_back(numbers_.number_offset());
     }
 }
 
 void VtkReader::read_old_cells(std::int64_t n, std::int64_t size) {
     begin_numbers();
-    starts_.push_back(0);
+    cells_.starts.push_back(0);
     for (std::int64_t cell = 0; cell < n; ++cell) {
         const std::int64_t corners = numbers_.count("the number of a cell's points");
         for (std::int64_t k = 0; k < corners; ++k) {
-            points_.push_back(numbers_.whole("a point of a cell"));
-            offsets_.push_back(numbers_.number_offset());
+            cells_.points.push_back(numbers_.whole("a point of a cell"));
+            cells_.offsets.push_back(numbers_.number_offset());
         }
-        starts_.push_back(static_cast<std::int64_t>(points_.size()));
+        cells_.starts.push_back(static_cast<std::int64_t>(cells_.points.size()));
     }
-    if (n + static_cast<std::int64_t>(points_.size()) != size) {
+    if (n + static_cast<std::int64_t>(cells_.points.size()) != size) {
         numbers_.fail("CELLS announces " + plural(size, "whole number") + ", but its cells have " +
-                      std::to_string(n + static_cast<std::int64_t>(points_.size())));
+                      std::to_string(n + static_cast<std::int64_t>(cells_.points.size())));
     }
 }
 
 void VtkReader::read_types() {
     const std::int64_t n = text_count("the number of cells");
     begin_numbers();
-    for (std::int64_t i = 0; i < n; ++i) types_.push_back(numbers_.whole("a cell's type"));
+    for (std::int64_t i = 0; i < n; ++i) cells_.types.push_back(numbers_.whole("a cell's type"));
     types_read_ = true;
-}
-
-void VtkReader::build() {
-    if (starts_.size() != types_.size() + 1) {
-        numbers_.fail("CELLS has " + plural(static_cast<std::int64_t>(starts_.size()) - 1, "cell") + ", CELL_TYPES " +
-                      std::to_string(types_.size()));
-    }
-    const auto total = static_cast<std::int64_t>(points_.size());
-    std::vector<std::int32_t> cell;
-    for (std::size_t i = 0; i < types_.size(); ++i) {
-        const std::int64_t type = types_[i], begin = starts_[i], n = starts_[i + 1] - begin;
-        if (begin < 0 || n < 1 || begin > total - n)
-            numbers_.fail("OFFSETS of cell " + std::to_string(i) + " are out of range");
-        const std::size_t offset = offsets_[static_cast<std::size_t>(begin)];
-        if (type >= vertex && type <= poly_line) continue; // no part of the mesh
-        const bool is_read = (type == triangle && n == 3) || ((type == quad || type == pixel) && n == 4) ||
-                             (type == polygon && (n == 3 || n == 4));
-        if (!is_read) {
-            mesh_.file.fail(offset, "cell " + std::to_string(i) + " is of type " + std::to_string(type) + " with " +
-                                        plural(n, "point") + ": triangles and quadrilaterals are read" +
-                                        (type >= tetrahedron && type <= 14 ? "; the mesh has three dimensions" : ""));
-        }
-        cell.clear();
-        for (std::int64_t k = 0; k < n; ++k) {
-            const std::int64_t at = type == pixel && k >= 2 ? begin + 5 - k : begin + k; // a pixel goes line by line
-            const std::int64_t point = points_[static_cast<std::size_t>(at)];
-            if (point < 0 || point >= mesh_.points()) {
-                mesh_.file.fail(offset, "expected points between 0 and " + std::to_string(mesh_.points() - 1) +
-                                            ", found " + std::to_string(point));
-            }
-            cell.push_back(static_cast<std::int32_t>(point));
-        }
-        mesh_.add_cell(cell, offset);
-    }
-    name_open_boundary(mesh_, "boundary");
 }
 
 bool probe(const TextFile& file) { return file.text().compare(0, 22, "# vtk DataFile Version") == 0; }
@@ -238,7 +197,7 @@ void create(std::ostream& out, const Mesh& mesh) {
     }
     out << "CELL_TYPES " << mesh.cells() << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        out << (mesh.cell_start[cell + 1] - mesh.cell_start[cell] == 3 ? triangle : quad) << '\n';
+        out << (mesh.cell_start[cell + 1] - mesh.cell_start[cell] == 3 ? vtk_triangle : vtk_quad) << '\n';
     }
 }
 

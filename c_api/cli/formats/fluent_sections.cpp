@@ -1,0 +1,57 @@
+#include "formats/fluent_sections.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace cli {
+
+void FluentSections::over_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+
+// Behind the bracket that closes the list which begins here. Brackets in quotation marks do not count.
+std::size_t FluentSections::end_of_list(std::size_t begin) const {
+    int depth = 0;
+    for (std::size_t at = begin; (at = text_.find_first_of("()\"", at)) != text_.npos; ++at) {
+        if (text_[at] == '"') {
+            at = text_.find('"', at + 1);
+            if (at == text_.npos) break;
+        } else {
+            depth += text_[at] == '(' ? 1 : -1;
+            if (depth == 0) return at + 1;
+        }
+    }
+    file_.fail(begin, "this bracket is not closed before the end of the file");
+}
+
+bool FluentSections::next() {
+    over_blanks();
+    if (at_ == text_.size()) return false;
+    section_ = {};
+    section_.begin = at_;
+    if (text_[at_] != '(') {
+        file_.fail(at_, "expected a section such as (10 ...), found " + quoted(text_.substr(at_, 16)));
+    }
+    const std::size_t end = end_of_list(at_);
+    ++at_;
+    over_blanks();
+    const char* const from = text_.data() + at_;
+    const auto [after, error] = std::from_chars(from, text_.data() + end, section_.number);
+    if (error != std::errc()) file_.fail(at_, "expected the number of a section");
+    at_ += static_cast<std::size_t>(after - from);
+    over_blanks();
+    section_.head = at_;
+    section_.head_end = end - 1;
+    if (text_[at_] == '(') {
+        section_.head = at_ + 1;
+        at_ = end_of_list(at_);
+        section_.head_end = at_ - 1;
+        over_blanks();
+        if (text_[at_] == '(') {
+            section_.body = at_ + 1;
+            section_.body_end = end_of_list(at_) - 1;
+        }
+    }
+    at_ = end;
+    return true;
+}
+
+} // namespace cli

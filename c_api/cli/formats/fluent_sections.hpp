@@ -1,0 +1,34 @@
+// The sections (NUMBER (HEAD) (BODY)) or (NUMBER HEAD) of a Fluent mesh file, one after another.
+#pragma once
+
+#include "text_file.hpp"
+
+#include <cstdint>
+
+namespace cli {
+
+struct FluentSection {
+    std::int64_t number = 0;
+    std::size_t begin = 0;               // all are places in the file; of the section's first bracket
+    std::size_t head = 0, head_end = 0;  // without the brackets
+    std::size_t body = 0, body_end = 0;  // without the brackets; 0: there is none
+};
+
+class FluentSections {
+public:
+    explicit FluentSections(const TextFile& file) : file_(file), text_(file.text()) {}
+
+    bool next(); // false: the end of the file
+    const FluentSection& section() const { return section_; }
+
+private:
+    void over_blanks();
+    std::size_t end_of_list(std::size_t begin) const;
+
+    const TextFile& file_;
+    std::string_view text_;
+    std::size_t at_ = 0; // behind the section
+    FluentSection section_;
+};
+
+} // namespace cli

@@ -1,0 +1,275 @@
+// Reads SU2 files.
+//
+// Files from outside vary: sections in any order, tabs, carriage returns, "KEY=value" and "KEY= value", two counts
+// after NPOIN, 2 to 4 numbers per point, elements with or without their number, periodic blocks and FFD boxes between
+// or after. Of several zones (NZONE, IZONE) one is read; lines of the others are passed over, and stay.
+#include "formats/su2.hpp"
+
+#include "failure.hpp"
+#include "numbers.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace cli {
+
+namespace {
+
+struct Heading { // a line KEY= value
+    std::string key;
+    std::string_view value;
+};
+
+// MARKERTAG, MARKER TAG: what else it could be would be passed over, with all of the marker's faces.
+bool nearly_marker_tag(const std::string& key) {
+    std::string letters;
+    for (const char c : key) letters += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    letters.erase(std::remove_if(letters.begin(), letters.end(), [](char c) { return c < 'A' || c > 'Z'; }),
+                  letters.end());
+    return letters == "MARKERTAG";
+}
+
+bool is_transfer(const std::string& key) { return key.compare(0, 4, "SEND") == 0 || key.compare(0, 4, "RECE") == 0; }
+
+class Su2Reader {
+public:
+    Su2Reader(Mesh& mesh, const ReadOptions& options) : mesh_(mesh), lines_(mesh.file, '%'), options_(options) {}
+    void read();
+
+private:
+    using Words = std::vector<std::string_view>;
+
+    bool read_section(const Heading& heading);
+    void read_dimension(const Heading& heading);
+    void choose_zone(const Heading& heading);
+    std::int32_t begin_zone(const Heading& heading);
+    void read_points(const Heading& heading);
+    void read_cells(const Heading& heading);
+    void read_marker(const Heading& heading);
+    void read_face(const Words& words, std::int32_t marker);
+    void pass_over_halo(std::int32_t n);
+    void pass_over_section(const std::string& key);
+
+    bool at_heading() const { return lines_.line().find('=') != std::string_view::npos; }
+    Heading heading() const;
+    void only_once(const Heading& heading);
+    std::int32_t count(const Heading& heading) const;
+    const Words& data_line(const std::string& what, std::int32_t index, std::int32_t n);
+    const std::vector<std::int32_t>& points_of(const Words& words, std::size_t n);
+
+    void check_complete() const;
+
+    Mesh& mesh_;
+    LineReader lines_;
+    const ReadOptions& options_;
+    std::int32_t zones_ = 1, chosen_zone_ = 1, zones_begun_ = 0;
+    std::size_t zones_line_ = 0;
+    std::vector<std::int32_t> points_; // of one element
+    std::set<std::string> seen_; // sections that may stand only once
+    std::int32_t markers_announced_ = 0, markers_found_ = 0;
+};
+
+void Su2Reader::read() {
+    bool understood = true; // lines after a heading that is not are passed over
+    bool other_zone = false; // than the one to be read
+    while (lines_.next()) {
+        if (at_heading()) {
+            const Heading here = heading();
+            if (here.key == "IZONE") other_zone = begin_zone(here) != chosen_zone_;
+            if (!other_zone) understood = here.key == "IZONE" || read_section(here);
+        } else if (understood && !other_zone) {
+            lines_.expected("a heading such as NPOIN= or MARKER_TAG=");
+        }
+    }
+    check_complete();
+}
+
+bool Su2Reader::read_section(const Heading& heading) {
+    if (heading.key == "NDIME") {
+        read_dimension(heading);
+    } else if (heading.key == "NZONE") {
+        choose_zone(heading);
+    } else if (heading.key == "NPOIN") {
+        read_points(heading);
+    } else if (heading.key == "NELEM") {
+        read_cells(heading);
+    } else if (heading.key == "NMARK") {
+        only_once(heading);
+        markers_announced_ = count(heading);
+    } else if (heading.key == "MARKER_TAG") {
+        read_marker(heading);
+    } else if (nearly_marker_tag(heading.key)) {
+        lines_.expected("MARKER_TAG= (with an underscore)");
+    } else {
+        pass_over_section(heading.key);
+        return false;
+    }
+    return true;
+}
+
+void Su2Reader::read_dimension(const Heading& heading) {
+    only_once(heading);
+    if (count(heading) != 2) lines_.expected("NDIME= 2 (meshes of two dimensions)");
+}
+
+void Su2Reader::choose_zone(const Heading& heading) {
+    only_once(heading);
+    zones_ = count(heading);
+    zones_line_ = lines_.offset();
+    if (options_.zone.empty() && zones_ > 1) {
+        lines_.fail("the file has " + std::to_string(zones_) +
+                    " zones: choose one with --zone; the others stay as they are");
+    }
+    if (options_.zone.empty()) return;
+    if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
+        throw Failure(exit_usage, "--zone expects a number between 1 and " + std::to_string(zones_) + ", found " +
+                                      quoted(options_.zone));
+    }
+}
+
+std::int32_t Su2Reader::begin_zone(const Heading& heading) {
+    const std::int32_t zone = count(heading);
+    if (zone != ++zones_begun_ || zone > zones_) {
+        lines_.expected("IZONE= " + std::to_string(zones_begun_) + " of the " + plural(zones_, "zone") +
+                        " that NZONE= announces");
+    }
+    return zone;
+}
+
+void Su2Reader::read_points(const Heading& heading) {
+    only_once(heading);
+    const std::int32_t n = count(heading);
+    for (std::int32_t point = 0; point < n; ++point) {
+        const Words& words = data_line("point", point, n);
+        if (words.size() < 2 || words.size() > 4) lines_.expected("a point: x, y and at most two numbers more");
+        double xyz[4];
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            if (!parse(words[i], xyz[i])) lines_.expected("a finite number", words[i]);
+        }
+        mesh_.add_point(xyz[0], xyz[1], lines_.offset(words[0]), lines_.offset(words[1]));
+    }
+}
+
+void Su2Reader::read_cells(const Heading& heading) {
+    only_once(heading);
+    const std::int32_t n = count(heading);
+    for (std::int32_t cell = 0; cell < n; ++cell) {
+        const Words& words = data_line("element", cell, n);
+        std::int32_t type = 0;
+        if (!parse(words[0], type) || (type != element_triangle && type != element_quad)) {
+            lines_.expected("element type 5 (triangle) or 9 (quadrilateral)", words[0]);
+        }
+        mesh_.add_cell(points_of(words, type == element_triangle ? 3 : 4), lines_.offset());
+    }
+}
+
+void Su2Reader::read_marker(const Heading& heading) {
+    ++markers_found_;
+    if (heading.value.empty()) lines_.fail("expected the marker's name after MARKER_TAG=");
+    const std::string_view tag = heading.value;
+    if (!lines_.next() || this->heading().key != "MARKER_ELEMS") lines_.expected("MARKER_ELEMS=");
+    const std::int32_t n = count(this->heading());
+    if (tag == "SEND_RECEIVE") return pass_over_halo(n);
+    const std::int32_t marker = mesh_.add_marker(tag);
+    for (std::int32_t face = 0; face < n; ++face) read_face(data_line("element", face, n), marker);
+}
+
+void Su2Reader::read_face(const Words& words, std::int32_t marker) {
+    std::int32_t type = 0;
+    if (!parse(words[0], type) || (type != element_line && type != element_vertex)) {
+        lines_.expected("element type 3 (line) in a marker", words[0]);
+    }
+    if (type == element_vertex) {
+        mesh_.remark("vertex elements of marker " + quoted(mesh_.markers[static_cast<std::size_t>(marker)]) +
+                     " are ignored");
+        return;
+    }
+    const std::vector<std::int32_t>& ends = points_of(words, 2);
+    mesh_.add_face(ends[0], ends[1], marker, lines_.offset());
+}
+
+// Points shared with other parts or periodic partners: first SEND_RECV= 1, or SEND_TO= 1, RECEIVE_FROM= 1, ...; then n
+// lines such as "1 point transformation".
+void Su2Reader::pass_over_halo(std::int32_t n) {
+    mesh_.remark("SEND_RECEIVE blocks are ignored (and kept)");
+    for (std::int32_t i = 0; i < n; ++i) {
+        bool there = lines_.next();
+        while (there && i == 0 && at_heading() && is_transfer(heading().key)) there = lines_.next();
+        if (!there || at_heading()) lines_.expected("element " + std::to_string(i + 1) + " of " + std::to_string(n));
+    }
+}
+
+void Su2Reader::pass_over_section(const std::string& key) {
+    if (key.compare(0, 3, "FFD") == 0) {
+        mesh_.remark("FFD boxes are kept as they are: they do not move with the mesh");
+    } else if (key.find("PERIODIC") != std::string::npos) {
+        mesh_.remark("sections about periodic boundaries are ignored (and kept)");
+    } else {
+        mesh_.remark("section " + quoted(key) + " is ignored (and kept)");
+    }
+}
+
+Heading Su2Reader::heading() const {
+    const std::size_t equals = lines_.line().find('=');
+    if (equals == std::string_view::npos) return {};
+    return {std::string(trimmed(lines_.line().substr(0, equals))), trimmed(lines_.line().substr(equals + 1))};
+}
+
+void Su2Reader::only_once(const Heading& heading) {
+    if (!seen_.insert(heading.key).second) {
+        lines_.fail(heading.key + "= stands here a second time: files of several zones are not read");
+    }
+}
+
+std::int32_t Su2Reader::count(const Heading& heading) const {
+    std::int32_t value = 0;
+    const std::string_view first = heading.value.substr(0, heading.value.find_first_of(" \t"));
+    if (!parse(first, value) || value < 0) {
+        lines_.expected("a count after " + heading.key + "=");
+    }
+    return value;
+}
+
+const Su2Reader::Words& Su2Reader::data_line(const std::string& what, std::int32_t index, std::int32_t n) {
+    if (!lines_.next() || at_heading()) {
+        lines_.expected(what + " " + std::to_string(index + 1) + " of " + std::to_string(n));
+    }
+    return lines_.words();
+}
+
+// After the type come n points and, in most files, the element's number.
+const std::vector<std::int32_t>& Su2Reader::points_of(const Words& words, std::size_t n) {
+    if (words.size() < n + 1 || words.size() > n + 2) {
+        lines_.expected("element type " + std::string(words[0]) + ", " + std::to_string(n) +
+                        " points and at most one number more");
+    }
+    points_.clear();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        std::int64_t number = 0;
+        if (!parse(words[i], number)) lines_.expected("a whole number", words[i]);
+        if (i > n) continue;
+        if (number < INT32_MIN || number > INT32_MAX) lines_.expected("a point's number", words[i]);
+        points_.push_back(static_cast<std::int32_t>(number));
+    }
+    return points_;
+}
+
+void Su2Reader::check_complete() const {
+    if (zones_ > 1 && zones_begun_ < zones_) {
+        mesh_.file.fail(zones_line_, "NZONE= announces " + std::to_string(zones_) + " zones, but the file has " +
+                                         plural(zones_begun_, "line") + " IZONE=");
+    }
+    for (const char* key : {"NDIME", "NELEM", "NPOIN"}) {
+        if (seen_.count(key) == 0) lines_.expected(std::string(key) + "=");
+    }
+    if (markers_found_ < markers_announced_) {
+        lines_.expected(plural(markers_announced_, "MARKER_TAG= block") + " as NMARK says (there are " +
+                        std::to_string(markers_found_) + ")");
+    }
+}
+
+} // namespace
+
+void read_su2(Mesh& mesh, const ReadOptions& options) { Su2Reader(mesh, options).read(); }
+
+} // namespace cli
