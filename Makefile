@@ -7,10 +7,10 @@
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
 #                         see tests/bench/run.sh
-#   make deform              how far meshes follow large movements: tables and pictures; see tests/deform/run.sh
+#   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
-#   make paper            the paper's cases: figures, and a table of engines; MESHES=directory: of the SU2 files there, too
+#   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
 #   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
 #   make uninstall        takes the same files away
 #   make clean
@@ -109,10 +109,12 @@ bench: all
 	    sh tests/bench/run.sh
 
 deform: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/deform/run.sh
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
+	    sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' sh tests/deform/run.sh
 
 paper: all
-	@BUILD='$(BUILD)' MESHES='$(MESHES)' sh tests/paper/run.sh
+	@BUILD='$(BUILD)' MESHES='$(MESHES)' \
+	    sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/paper/run.sh
 
 bench-mpi: all
 	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/mpi.sh

@@ -55,6 +55,7 @@ step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
 step "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
+step "page of figures" sh tests/figures_test.sh "$BUILD/figures-test"
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"
 step "examples" sh tests/examples.sh "$BUILD"

@@ -1,5 +1,5 @@
 // `make deform`: how far meshes follow large movements, per basis and with the safe morph; tables and pictures. A client of
-// the program's own parts.
+// the program's own parts. It prints sections and captions as tests/figures.sh reads them.
 //   deform FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of tests/meshes comes always
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -65,11 +65,18 @@ public:
         }
         return low;
     }
-    void draw(const std::string& stem, const cli::Morph& morph) const {
+    // what: the movement, as the captions name it.
+    void draw(const std::string& stem, const std::string& what, const cli::Morph& morph) const {
         const Moves& moves = morph.moves;
         const hm_curves& curves = basis_->curves();
         cli::OutputFiles files;
         files.add(stem + ".svg") << cli::morph_picture(mesh_, *basis_, morph);
+        const auto caption = [&](const std::string& path, const std::string& text) {
+            std::printf("figure %s %s\n", std::filesystem::path(path).filename().c_str(), text.c_str());
+        };
+        caption(stem + ".svg", "The safe morph of " + what + ": the mesh is drawn before in blue and after in red. It has " +
+                                   cli::plural(morph.quality.inverted, "inverted cell") + " and a size-skew quality of " +
+                                   cli::brief(morph.quality.min_quality) + " at least.");
         if (curves.n_control > 4) {  // an airfoil: both of its edges, where they are now
             for (const bool leading : {true, false}) {
                 std::size_t edge = 0;
@@ -81,6 +88,8 @@ public:
                 const cli::Box window = cli::Box{at, at}.widened(.05);
                 const std::string name = stem + (leading ? "-leading.svg" : "-trailing.svg");
                 files.add(name) << cli::morph_picture(mesh_, *basis_, morph, window);
+                caption(name, std::string("The same mesh round the ") + (leading ? "leading" : "trailing") + " edge after " +
+                                  what + ".");
             }
         }
         files.commit();
@@ -105,7 +114,8 @@ void print_limits(const char* name, const Case& its, const Movements& movements,
                 its.seconds() / laplace_seconds);
 }
 
-bool print_safe(const std::string& name, const Case& its, const Moves& moves, const std::string& picture) {
+bool print_safe(const std::string& name, const std::string& what, const Case& its, const Moves& moves,
+                const std::string& picture) {
     const cli::Morph morph = its.safe(moves);
     static const char* const strategies[] = {"linear", "other", "substeps", "untangled"};
     const hm_safe_report& report = morph.safe;
@@ -114,7 +124,7 @@ bool print_safe(const std::string& name, const Case& its, const Moves& moves, co
                 report.steps, report.resolves, strategies[report.strategy], morph.quality.inverted,
                 morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
-    its.draw(picture, morph);
+    its.draw(picture, what, morph);
     return good;
 }
 
@@ -125,13 +135,13 @@ constexpr const char* safe_heading =
 int safe_targets(const Case& its, const Movements& movements, const std::string& stem) {
     std::printf("%s", safe_heading);
     int missed = 0;
-    const auto target = [&](const char* name, const Moves& moves, const char* picture) {
-        missed += print_safe(name, its, moves, stem + picture) ? 0 : 1;
+    const auto target = [&](const char* name, const char* what, const Moves& moves, const char* picture) {
+        missed += print_safe(name, what, its, moves, stem + picture) ? 0 : 1;
     };
-    target("camber 1.2", movements.camber(1.2), "-camber");
-    target("rotation 170", movements.rotation(170), "-rotation");
-    target("bump 1.5", movements.bump(1.5), "-bump");
-    target("rotation 30", movements.rotation(30), "-rotation30");
+    target("camber 1.2", "a camber of 1.2 chords", movements.camber(1.2), "-camber");
+    target("rotation 170", "a rotation by 170 degrees", movements.rotation(170), "-rotation");
+    target("bump 1.5", "a bump of 1.5 chords", movements.bump(1.5), "-bump");
+    target("rotation 30", "a rotation by 30 degrees", movements.rotation(30), "-rotation30");
     const hm_safe_report turned = its.safe(movements.rotation(30)).safe;
     std::printf("    wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at most\n",
                 turned.mean_angle_change, turned.max_angle_change);
@@ -146,7 +156,7 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
 
 int airfoil(const std::string& folder, const std::string& path, const std::string& marker, const cli::Threads& threads) {
     const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
-    std::printf("\n%s\n", path.c_str());
+    std::printf("\n== %s\n", path.c_str());
     cli::run_command({"fit", path, "--marker", marker, "-o", curve_path, "--json"});
     const cli::Mesh mesh = cli::read_mesh(path);
     const Movements movements{cli::read_curves(curve_path).control};
@@ -175,7 +185,7 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
 int block(const std::string& folder, const cli::Threads& threads) {
     const cli::Mesh mesh = cli::read_mesh("tests/meshes/block.su2");
     const Movements movements{{.4, .48, .6, .48, .6, .52, .4, .52}};
-    std::printf("\ntests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s", safe_heading);
+    std::printf("\n== tests/meshes/block.su2: 60 degrees and (-0.2, -0.3), sliding outer boundary\n%s", safe_heading);
     int missed = 0;
     for (const std::int32_t quarters : {2, 3, 4, 5, 6}) {
         cli::Task task;
@@ -192,7 +202,9 @@ int block(const std::string& folder, const cli::Threads& threads) {
         task.options.exponent_quarters = quarters;
         const Case its(mesh, task, threads, folder + "/block.basis");
         const std::string name = "conformal " + cli::brief(quarters / 4.);
-        missed += print_safe(name, its, movements.rotation(60, .5, .5, -.2, -.3), folder + "/block-" + cli::brief(quarters / 4.)) ? 0 : 1;
+        const std::string what = "the block by 60 degrees and (-0.2, -0.3) with the exponent " + cli::brief(quarters / 4.);
+        const std::string picture = folder + "/block-" + cli::brief(quarters / 4.);
+        missed += print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
     }
     return missed;
 }
@@ -202,6 +214,7 @@ int block(const std::string& folder, const cli::Threads& threads) {
 
 int main(int argc, char** argv) {
     try {
+        std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); // tables appear as they grow, also through a pipe
         const std::string folder = argc > 1 ? argv[1] : ".";
         std::filesystem::create_directories(folder);
         const cli::Threads threads(1);
@@ -211,7 +224,7 @@ int main(int argc, char** argv) {
             const std::size_t colon = word.rfind(':');
             missed += deform::airfoil(folder, word.substr(0, colon), word.substr(colon + 1), threads);
         }
-        std::printf("\npictures and close-ups of both edges are in %s; %d targets of the safe morph missed\n", folder.c_str(), missed);
+        std::printf("\n%s of the safe morph missed\n", cli::plural(missed, "target").c_str());
         return missed == 0 ? 0 : 1;
     } catch (const cli::Failure& failure) {
         std::fprintf(stderr, "deform: %s\n", failure.what());

@@ -1,7 +1,7 @@
 #!/bin/sh
-# `make paper`: the paper's cases with this program, operator and figures as there. Pictures go to build/paper; numbers and
-# the table of engines are printed; MESHES=directory adds a table for the SU2 files there. Shapes are drawn after the paper's
-# description, which gives no coordinates.
+# `make paper`: the paper's cases with this program, operator and figures as there. Pictures go to build/paper, with an
+# index.html (see tests/figures.sh); numbers and the table of engines are printed; MESHES=directory adds a table for the SU2
+# files there. Shapes are drawn after the paper's description, which gives no coordinates.
 : "${BUILD:=build}"
 harmorph=$BUILD/harmorph out=$BUILD/paper meshes=tests/meshes
 mkdir -p "$out"
@@ -13,6 +13,9 @@ number() {   # of a JSON object, short
     value=$(sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$out/json")
     case $value in '' | null) echo - ;; *.* | *e*) printf '%.3g\n' "$value" ;; *) echo "$value" ;; esac
 }
+
+# figure FILE CAPTION: for the page of figures
+figure() { echo "figure $*"; }
 
 # solve NAME MESH OPTIONS...: the functions, with the paper's operator unless another is named
 solve() {
@@ -27,6 +30,8 @@ functions() {
     name=$1 window=$2; shift 2
     for function in "$@"; do
         run export "$mesh" "$out/$name.basis" --function "$function" --window "$window" --svg "$out/$name-function-$function.svg"
+        figure "$name-function-$function.svg" "$shape: the function of control point $function in the mesh, which on the" \
+            "boundary is the B-spline basis function of this point."
     done
 }
 # morph NAME MOVES WINDOW: mesh before and after, and the boundary both ways
@@ -35,6 +40,10 @@ morph() {
         --svg "$out/$1-mesh.svg" --boundary-svg "$out/$1-boundary.svg" >"$out/json" 2>"$out/log" || { fail "morphing $1"; cat "$out/log"; }
     echo "  moved: $(number inverted) inverted cells, $(number admissible_step) times the movement is admissible," \
         "quality $(number min_quality) at least; boundary by functions against B-spline: $(number boundary_error)"
+    figure "$1-mesh.svg" "$shape: the mesh before the movement in blue and after the movement in red, with the control" \
+        "polygon of the moved B-spline. There are $(number inverted) inverted cells."
+    figure "$1-boundary.svg" "$shape: the circles are points of the boundary as the functions move them, and the line is the" \
+        "B-spline of the moved control points. The two differ by $(number boundary_error) at most."
 }
 # fit MESH MARKER DEGREE POINTS: how well the boundary's own points give the curve back
 fit() {
@@ -47,6 +56,7 @@ equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i
 
 echo "== Case 1: a rectangle with two bodies, cubic, 11 and 9 control points"
 case1="--curve left=$meshes/two_bodies_left.curve --curve right=$meshes/two_bodies_right.curve"
+shape="Two bodies in a rectangle"
 solve two-bodies two_bodies $case1
 fit two_bodies left 3 11
 fit two_bodies right 3 9
@@ -77,12 +87,14 @@ morph two-bodies "$out/two-bodies.moves" -0.1,-0.1,4.1,2.5
 
 echo "== Case 2: the airfoil of a wind turbine's diffuser, quadratic, 14 control points, all moved alike"
 case2="--curve airfoil=$meshes/diffuser_airfoil.curve"
+shape="Airfoil of a wind turbine's diffuser"
 solve airfoil diffuser_airfoil $case2
 fit diffuser_airfoil airfoil 2 14
 functions airfoil -0.7,-0.6,1.7,1.1 1 4 7 8 10 13
 equally 1 14 0.16 0.13 >"$out/airfoil.moves"
 morph airfoil "$out/airfoil.moves" -0.6,-0.5,1.6,1
 echo "  (more inverts cells at the trailing edge, the paper's open problem; the conformal functions go five times as far)"
+shape="Airfoil of a wind turbine's diffuser, conformal functions"
 solve airfoil-conformal diffuser_airfoil $case2 --operator conformal
 equally 1 14 0.8 0.65 >"$out/airfoil.moves"
 morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
@@ -92,14 +104,17 @@ figure1="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
 fit axisymmetric_diffuser diffuser 3 11
 equally 1 11 0.22 -0.08 >"$out/diffuser.moves"
 window=-1.85,-0.05,3.25,2.65
+shape="Axisymmetric diffuser, points of the axis fixed"
 solve diffuser-fixed axisymmetric_diffuser $figure1
 functions diffuser-fixed "$window" 2 8
 morph diffuser-fixed "$out/diffuser.moves" "$window"
+shape="Axisymmetric diffuser, points of the axis slipping"
 solve diffuser-slip axisymmetric_diffuser $figure1 --slip axis
 functions diffuser-slip "$window" 8
 morph diffuser-slip "$out/diffuser.moves" "$window"
 
 echo "== Harmonic coordinates: degree 1 on a cage, positions instead of displacements"
+shape="Figure inside a cage of straight lines"
 solve cage cage --curve cage=$meshes/cage.curve
 functions cage -1.7,-1.6,1.7,1.5 4 8
 cat >"$out/cage.moves" <<END
@@ -220,5 +235,4 @@ if [ -n "$MESHES" ]; then
 fi
 
 rm -f "$out/json" "$out/log" "$out/table.basis" "$out/table.csv" "$out"/direct-*.csv "$out/fit.curve" "$out/cage.control"
-echo "Pictures: $out/*.svg"
 exit $failed
