@@ -22,6 +22,11 @@
  *                  long as the analysis. The basis contains copies of everything that the basis needs.
  * Units            Coordinates have any length unit, the same one everywhere. Angles are in degrees where they are
  *                  reported, and given by their cosine and sine where bodies turn. Array lengths stand in [brackets].
+ * Range            Coordinates of points, control points and centres are at most 1e100 in size. Every corner of a cell
+ *                  has a height, twice its area divided by the longer of its two edges, of at least 1e-100, and of at
+ *                  least 2^-46 (1.4e-14) of the largest coordinate of the cell: a movement rounds coordinates to 2^-53
+ *                  of their size, and thinner cells would be inverted by rounding. hm_analysis_init refuses everything
+ *                  else. Move the origin to the body if cells are too thin for their coordinates.
  * Numbering        Points and cells are counted from mesh.index_base (also in reports, unless stated otherwise),
  *                  control points from curves.index_base. Curves, conditions and functions are counted from 0. Function
  *                  i belongs to control point i + curves.index_base. In the texts of errors, "(from 0)" follows every
@@ -77,6 +82,8 @@ enum {
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but only a part of the movement was possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
+    HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the curve;
+                                 error.item: the point for which this part is largest, error.value: its distance */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that is too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -250,6 +257,8 @@ typedef struct hm_fit_report {
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
 /* Least-squares fit to n points in order. is_loop: the last point is connected to the first one, which is not repeated.
+ * Without is_loop, a last point that is equal to the first one is refused (HM_BAD_CURVE, error.item: the last point): the
+ * curve would open there. Set is_loop and leave the last point out.
  * Knots are placed by arc length and curvature. *curves and its arrays are inside the block (index_base 0). options and
  * report may be NULL. HM_BACKTRACKS: the fit is complete, but the curve runs against the order of the points somewhere,
  * as curves of high degree do where there are hardly more points than control points. */
@@ -276,7 +285,7 @@ typedef struct hm_condition {
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
                                       first_curve+n_curves-1. A point that is farther from its curve
                                       than the control polygon is wide or high is refused: the
-                                      marker is another one's */
+                                      marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
