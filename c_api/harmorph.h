@@ -22,6 +22,11 @@
  *                  long as the analysis. The basis contains copies of everything that the basis needs.
  * Units            Coordinates have any length unit, the same one everywhere. Angles are in degrees where they are
  *                  reported, and given by their cosine and sine where bodies turn. Array lengths stand in [brackets].
+ * Range            Coordinates of points, control points and centres are at most 1e100 in size. Every corner of a cell
+ *                  has a height, twice its area divided by the longer of its two edges, of at least 1e-100, and of at
+ *                  least 2^-46 (1.4e-14) of the largest coordinate of the cell: a movement rounds coordinates to 2^-53
+ *                  of their size, and thinner cells would be inverted by rounding. hm_analysis_init refuses everything
+ *                  else. Move the origin to the body if cells are too thin for their coordinates.
  * Numbering        Points and cells are counted from mesh.index_base (also in reports, unless stated otherwise),
  *                  control points from curves.index_base. Curves, conditions and functions are counted from 0. Function
  *                  i belongs to control point i + curves.index_base. In the texts of errors, "(from 0)" follows every

@@ -29,6 +29,10 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
     if (!is_finite(its.centre.x) || !is_finite(its.centre.y)) {
         return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite", Counts::from_zero, i);
     }
+    if (!is_in_range(its.centre)) {
+        return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) has a coordinate beyond 1e100",
+                            Counts::from_zero, i);
+    }
     Index previous = its.body == 0 ? 0 : none;
     for (Condition const& other : conditions) {
         if (other.kind != ConditionKind::rigid) continue;

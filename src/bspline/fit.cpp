@@ -94,6 +94,8 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
     for (Index k = 0; k < n; ++k) {
         if (!is_finite(points[k].x) || !is_finite(points[k].y))
             return fault.refuse(Status::bad_curve, "point # (from 0) is not finite", Counts::from_zero, k);
+        if (!is_in_range(points[k]))
+            return fault.refuse(Status::bad_curve, "point # (from 0) has a coordinate beyond 1e100", Counts::from_zero, k);
         sum = sum + (points[k] - points[0]);
     }
     centre_ = points[0] + (1 / static_cast<Real>(n)) * sum;

@@ -61,6 +61,10 @@ Status check_coordinates(Mesh const& mesh, Fault& fault) noexcept {
         if (!is_finite(p.x) || !is_finite(p.y)) {
             return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
         }
+        if (!is_in_range(p)) {
+            return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
+                                k, none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+        }
     }
     return Status::ok;
 }

@@ -6,8 +6,16 @@ namespace harmorph {
 
 // The root is taken without cancellation.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept {
-    if (!is_finite(a + b)) return 0;  // a displacement that is not finite leaves nothing
+    Real const size = larger(larger(absolute(a), absolute(b)), c);
+    // A displacement that is not finite, or areas that are not, leave nothing.
+    if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return 0;
     if (a >= 0 && b >= 0) return infinity;
+    if (!(size > 0x1p-200 && size < 0x1p200)) {  // the squares of areas would not be numbers
+        Real const scale = power_of_two_at(size);
+        a /= scale;
+        b /= scale;
+        c /= scale;
+    }
     if (a == 0) return -c / b;
     Real const discriminant = b * b - 4 * a * c;
     if (discriminant < -4 * epsilon * b * b) return infinity;

@@ -87,6 +87,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
                             inverted, none, 0.5 * corners.smallest());
     }
+    HARMORPH_TRY(check_heights(fault));
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
     find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
@@ -102,6 +103,20 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     matrix = Matrix::count(graph, matrix_kind());
     conditions_fingerprint = hash_of_conditions();
     return Status::ok;
+}
+
+// Cells so thin that rounding of moved coordinates decides whether they are inverted.
+Status Analysis::check_heights(Fault& fault) const noexcept {
+    Real height = 0;
+    auto const is_too_thin = [&](Index i, Cell const& cell) {
+        CellShape const shape(cell, problem.mesh.points, topology.reversed[i] != 0);
+        height = CellCorners(shape).smallest_height(shape.n);
+        return !(height >= resolved_height(shape));
+    };
+    Index const cell = problem.mesh.find_cell(is_too_thin);
+    if (cell == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates", Counts::mesh,
+                        cell, none, height);
 }
 
 // Every part of the mesh must hang on a known value.

@@ -7,9 +7,12 @@ constexpr Index least_rows = 512;  // for a task of its own
 // Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
 constexpr Real least_curvature = 0.1;
 
+// Entries have the size of 1 / length^2: their products are formed of parts of the size of 1.
 Block inverse_of(Block const& block) noexcept {
-    Real const scale = 1 / (block.a * block.d - block.b * block.c);
-    return {scale * block.d, -scale * block.b, -scale * block.c, scale * block.a};
+    Real const unit = 1 / power_of_two_at(block.a + block.d);
+    Real const a = unit * block.a, b = unit * block.b, c = unit * block.c, d = unit * block.d;
+    Real const scale = unit / (a * d - b * c);
+    return {scale * d, -scale * b, -scale * c, scale * a};
 }
 
 Real inner_product(Index n, Span<const Vec2> a, Span<const Vec2> b, Executor const& executor) noexcept {

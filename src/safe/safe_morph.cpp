@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/morph/morph.hpp"
 #include "harmorph/morph/quality.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
@@ -33,6 +34,11 @@ Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcep
     return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
 }
 
+struct Count {
+    Index n = 0;
+    void merge(Count const& later) noexcept { n += later.n; }
+};
+
 }  // namespace
 
 struct SafeMorph::Work {
@@ -53,8 +59,8 @@ void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     path.lay_out(arena, n_functions);
     arena.take(x, n);
     arena.take(y, n);
-    arena.take(dx, n);
-    arena.take(dy, n);
+    arena.take(next_x, n);
+    arena.take(next_y, n);
     arena.take(reached, 2 * Offset{n_functions});
     arena.take(aimed, 2 * Offset{n_functions});
     arena.take(difference, 2 * Offset{n_functions});
@@ -99,8 +105,8 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     }
     fill(reached, 0.0);
     aim(1);
-    bool const fits = is_admissible(work, basis) && !crosses(work);
-    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, now(), step(), Overlaps::ignored);
+    bool const fits = is_admissible(work, basis) && is_valid(work);
+    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, next(), {}, Overlaps::ignored);
     if (report.crossing.found) {
         return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
                             Counts::mesh, report.crossing.first[0], report.crossing.second[0]);
@@ -115,7 +121,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
         for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Strategy::other); ++i) {
             Basis const& other = options.others[i];
             if (derivative != nullptr && other.kind() != basis.kind()) continue;
-            if (!is_admissible(work, other) || crosses(work)) continue;
+            if (!is_admissible(work, other) || !is_valid(work)) continue;
             report.strategy = Strategy::other;
             report.other = i;
             take_step(work, other, 0, 1);
@@ -140,16 +146,33 @@ void SafeMorph::aim(Real time) noexcept {
     for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
 }
 
-// The step by `difference`, and whether no cell inverts before its end.
+// The step by `difference`, where it leads, and whether no cell inverts before its end.
 bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
-    morph(by, difference.data(), {}, {dx.data(), dy.data(), 1}, work.executor());
-    work.report.limit = admissible_step(work.cells(), now(), step(), work.executor());
+    morph(by, difference.data(), {}, next(), work.executor());
+    work.report.limit = admissible_step(work.cells(), now(), next(), work.executor());
+    for (Index k = 0; k < x.count(); ++k) {
+        next_x[k] = next_x[k] == 0 ? x[k] : x[k] + next_x[k];
+        next_y[k] = next_y[k] == 0 ? y[k] : y[k] + next_y[k];
+    }
+    put_wall(work);
     return work.report.limit.step > 1;
 }
 
-// No mesh at the end of a step is valid whose boundary crosses itself.
-bool SafeMorph::crosses(Work const& work) const noexcept {
-    return find_crossing(work.basis.boundary_point, work.basis.loop_start, now(), step()).found;
+// Of the coordinates as they will be stored, after all roundings: every corner is positive exactly and as quality measures
+// it, and the boundary does not cross itself.
+bool SafeMorph::is_valid(Work const& work) const noexcept {
+    for (Index k = 0; k < x.count(); ++k) {
+        if (!is_in_range(next()[k])) return false;
+    }
+    return count_inverted(work) == 0 && !find_crossing(work.basis.boundary_point, work.basis.loop_start, next()).found;
+}
+
+Index SafeMorph::count_inverted(Work const& work) const noexcept {
+    OrientedMesh const cells = work.cells();
+    return reduce_cells<Count>(cells.mesh.n_cells, work.executor(), [&](Index cell, Count& count) {
+        CellShape const shape(cells.mesh.cell(cell), next(), cells.reversed[cell] != 0);
+        count.n += is_inverted(shape) || is_inverted_exactly(shape) ? 1 : 0;
+    }).n;
 }
 
 Status SafeMorph::substeps(Work& work) noexcept {
@@ -193,20 +216,17 @@ Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
         aim(end);
         is_admissible(work, by);
         Real const share = work.report.limit.step * share_of_admissible;
-        if (share >= 1 && !crosses(work)) return length;
+        if (share >= 1 && is_valid(work)) return length;
         length *= clamp(0.99 * share, 0.05, share >= 1 ? 0.5 : 0.9);
     }
     return 0;
 }
 
-// Goes the step that is in dx, dy.
+// The mesh becomes the next one, which is valid.
 void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept {
-    for (Index k = 0; k < x.count(); ++k) {
-        if (dx[k] != 0) x[k] += dx[k];
-        if (dy[k] != 0) y[k] += dy[k];
-    }
+    copy(x, Span<const Real>(next_x));
+    copy(y, Span<const Real>(next_y));
     copy(reached, Span<const Real>(aimed));
-    put_wall(work, {x.data(), y.data(), 1});
     if (work.derivative != nullptr) {
         for (Index i = 0; i < weight.count(); ++i) weight[i] = path.weight(i, to_time) - path.weight(i, from);
         add_weighted(*work.derivative, by, weight, work.executor());
@@ -216,14 +236,14 @@ void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) 
 }
 
 // From the start, and not from step to step: rounding does not add up.
-void SafeMorph::put_wall(Work const& work, MutablePoints points) const noexcept {
+void SafeMorph::put_wall(Work const& work) const noexcept {
     Matrix const& matrix = work.plan.equations.matrix;
     for (Index k = 0; k < work.mesh().n_points; ++k) {
         Index const place = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(place)) continue;
         BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
         Vec2 const moved = functions.moved(aimed.data()), start = work.mesh().points[k];
-        points.set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
+        next().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
     }
 }
 
@@ -236,20 +256,14 @@ Status SafeMorph::solve_at_present(Work& work, Basis const& basis, Fault& why) n
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.
 Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
     aim(1);
-    morph(by, difference.data(), now(), {dx.data(), dy.data(), 1}, work.executor());
-    put_wall(work, {dx.data(), dy.data(), 1});
+    morph(by, difference.data(), now(), next(), work.executor());
+    put_wall(work);
     untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, representative, held};
     untangling.executor = work.executor();
     Fault why;
-    Status const status = untangling.run(work.options.untangle, {dx.data(), dy.data(), 1}, work.report.untangle, why);
-    if (status != Status::ok) return Status::ok;
-    Real const from = work.report.fraction;
-    for (Index k = 0; k < x.count(); ++k) {
-        dx[k] -= x[k];
-        dy[k] -= y[k];
-    }
-    if (crosses(work)) return Status::ok;  // points that slide have passed others
-    take_step(work, by, from, 1);
+    Status const status = untangling.run(work.options.untangle, next(), work.report.untangle, why);
+    if (status != Status::ok || !is_valid(work)) return Status::ok;  // points that slide may have passed others
+    take_step(work, by, work.report.fraction, 1);
     work.report.strategy = Strategy::untangled;
     return Status::ok;
 }
@@ -263,18 +277,12 @@ void SafeMorph::restore_heights(Work& work) noexcept {
     wall_heights.find(work.mesh(), before, kinds, representative, work.plan.equations.wall, work.executor());
     Real amount = work.options.heights;
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
-        copy(dx, Span<const Real>(x));
-        copy(dy, Span<const Real>(y));
-        wall_heights.restore(work.plan.equations.wall, before, {dx.data(), dy.data(), 1}, representative, amount, work.executor());
-        for (Index k = 0; k < x.count(); ++k) {
-            dx[k] -= x[k];
-            dy[k] -= y[k];
-        }
-        if (!(admissible_step(work.cells(), now(), step(), work.executor()).step > 1)) continue;
-        for (Index k = 0; k < x.count(); ++k) {
-            if (dx[k] != 0) x[k] += dx[k];
-            if (dy[k] != 0) y[k] += dy[k];
-        }
+        copy(next_x, Span<const Real>(x));
+        copy(next_y, Span<const Real>(y));
+        wall_heights.restore(work.plan.equations.wall, before, next(), representative, amount, work.executor());
+        if (!is_valid(work)) continue;
+        copy(x, Span<const Real>(next_x));
+        copy(y, Span<const Real>(next_y));
         work.report.heights = amount;
         return;
     }

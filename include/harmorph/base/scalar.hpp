@@ -33,4 +33,12 @@ inline std::uint64_t bits_of(Real x) noexcept {
     return bits;
 }
 
+// The largest power of two that is not larger than a positive normal number.
+inline Real power_of_two_at(Real x) noexcept {
+    std::uint64_t const exponent = bits_of(x) & 0x7FF0000000000000u;
+    Real power;
+    std::memcpy(&power, &exponent, sizeof power);
+    return power;
+}
+
 }  // namespace harmorph

@@ -25,6 +25,14 @@ constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * prod
 
 inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 
+// Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither infinite
+// nor denormal, and nothing here multiplies more than three lengths before it divides.
+inline constexpr Real largest_coordinate = 1e100, smallest_height = 1e-100;
+// False for NaN.
+constexpr bool is_in_range(Vec2 p) noexcept {
+    return absolute(p.x) <= largest_coordinate && absolute(p.y) <= largest_coordinate;
+}
+
 // Area of triangle a, b, c; positive when it runs counter-clockwise.
 constexpr Real triangle_area(Vec2 a, Vec2 b, Vec2 c) noexcept { return 0.5 * cross(b - a, c - a); }
 
@@ -34,6 +42,8 @@ struct StridedPoints {
     T* x = nullptr;
     T* y = nullptr;
     std::ptrdiff_t stride = 1;
+
+    constexpr operator StridedPoints<const T>() const noexcept { return {x, y, stride}; }
 
     bool given() const noexcept { return x != nullptr; }
     Vec2 operator[](Index k) const noexcept { return {x[k * stride], y[k * stride]}; }

@@ -1,6 +1,7 @@
 // One cell's corners, sides and areas, gathered once for everything that is asked of them.
 #pragma once
 
+#include "harmorph/base/predicates.hpp"
 #include "harmorph/mesh/mesh.hpp"
 
 namespace harmorph {
@@ -36,11 +37,37 @@ struct CellCorners {
         Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]);
         return sum == sum ? smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3])) : sum;
     }
+    // Of the corners: twice the area divided by the longer of the two sides. Corners have to be positive.
+    Real smallest_height(Index n) const noexcept {
+        Real least = infinity;
+        for (Index k = 0; k < n; ++k) {
+            Index const before = k == 0 ? n - 1 : k - 1;
+            least = smaller(least, twice_area[k] / square_root(larger(square(side[before]), square(side[k]))));
+        }
+        return least;
+    }
     // Of the whole cell.
     Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }
 };
 
+// The least height that a cell at these coordinates may have. A movement rounds each coordinate by up to 2^-53 of its size,
+// which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
+inline Real resolved_height(CellShape const& shape) noexcept {
+    Real size = 0;
+    for (Index k = 0; k < shape.n; ++k) size = larger(size, larger(absolute(shape.at[k].x), absolute(shape.at[k].y)));
+    return larger(0x1p-46 * size, smallest_height);
+}
+
 // A corner has no positive area, or a coordinate is no number.
 inline bool is_inverted(CellShape const& shape) noexcept { return !(CellCorners(shape).smallest() > 0); }
+
+// The same of finite coordinates, without rounding.
+inline bool is_inverted_exactly(CellShape const& shape) noexcept {
+    Index const n = shape.n;
+    for (Index k = 0; k < (n == 3 ? 1 : 4); ++k) {
+        if (orientation_sign(shape.at[k == 0 ? n - 1 : k - 1], shape.at[k], shape.at[k + 1 == n ? 0 : k + 1]) <= 0) return true;
+    }
+    return false;
+}
 
 }  // namespace harmorph

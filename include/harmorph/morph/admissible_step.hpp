@@ -31,7 +31,7 @@ inline void AdmissibleStep::add(Index number, CellShape const& now, CellShape co
         Real const area = corners.twice_area[k];
         // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
         Real const curvature = moving.twice_area[k];
-        if (area > 0 && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
+        if (area > 0 && is_finite(area) && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
         Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
         if (its < step) *this = {its, number, k};
     }

@@ -47,10 +47,8 @@ inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real r
         Real const area = corners.cell_area(n), size = absolute(reference_area);
         value *= square_root(smaller(area, size) / larger(area, size));
     }
-    if (!(value > 0)) {  // NaN: a coordinate that is not finite
-        value = 0;
-        if (inverted++ == 0) first_inverted = cell;
-    }
+    if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;  // NaN: a coordinate that is not finite
+    if (!(value > 0)) value = 0;
     quality_sum += value;
     if (value < min_quality) {
         min_quality = value;

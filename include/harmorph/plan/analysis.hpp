@@ -76,6 +76,7 @@ private:
     std::uint64_t hash_of_conditions() const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
+    Status check_heights(Fault& fault) const noexcept;
     Status check_parts(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;
 };

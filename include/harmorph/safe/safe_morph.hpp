@@ -37,7 +37,8 @@ struct SafeReport {
 
 struct SafeMorph {
     MovementPath path;
-    Span<Real> x, y, dx, dy;                     // [n_points] the mesh as far as it got, and a step from there
+    Span<Real> x, y;                             // [n_points] the mesh as far as it got
+    Span<Real> next_x, next_y;                   // [n_points] where a step leads, displacements at first
     Span<Real> reached, aimed, difference;       // [2 * functions] movements since the start
     Span<Vec2> weight;                           // [functions]
     Span<unsigned char> block;                   // of the basis that is solved on the way
@@ -63,10 +64,11 @@ private:
     struct Work;  // the arguments of run()
 
     Points now() const noexcept { return result(); }
-    Points step() const noexcept { return {dx.data(), dy.data(), 1}; }
+    MutablePoints next() const noexcept { return {next_x.data(), next_y.data(), 1}; }
     void aim(Real time) noexcept;
     bool is_admissible(Work& work, Basis const& by) noexcept;
-    bool crosses(Work const& work) const noexcept;
+    bool is_valid(Work const& work) const noexcept;
+    Index count_inverted(Work const& work) const noexcept;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by, Real from) noexcept;
     void take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept;
@@ -76,7 +78,7 @@ private:
     void restore_heights(Work& work) noexcept;
     void measure_first_layer(Work& work) noexcept;
     Status untangle(Work& work, Basis const& by) noexcept;
-    void put_wall(Work const& work, MutablePoints points) const noexcept;
+    void put_wall(Work const& work) const noexcept;
     void finish_derivative(Work const& work) const noexcept;
 };
 
