@@ -82,6 +82,8 @@ enum {
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but only a part of the movement was possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
+    HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the curve;
+                                 error.item: the point for which this part is largest, error.value: its distance */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that is too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -255,6 +257,8 @@ typedef struct hm_fit_report {
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
 /* Least-squares fit to n points in order. is_loop: the last point is connected to the first one, which is not repeated.
+ * Without is_loop, a last point that is equal to the first one is refused (HM_BAD_CURVE, error.item: the last point): the
+ * curve would open there. Set is_loop and leave the last point out.
  * Knots are placed by arc length and curvature. *curves and its arrays are inside the block (index_base 0). options and
  * report may be NULL. HM_BACKTRACKS: the fit is complete, but the curve runs against the order of the points somewhere,
  * as curves of high degree do where there are hardly more points than control points. */
@@ -281,7 +285,7 @@ typedef struct hm_condition {
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
                                       first_curve+n_curves-1. A point that is farther from its curve
                                       than the control polygon is wide or high is refused: the
-                                      marker is another one's */
+                                      marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */

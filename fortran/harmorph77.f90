@@ -163,6 +163,7 @@ contains
         top = top - words_of(bytes)
         call tell(hm_c_analysis_init(analysis, c_loc(w(top + 1)), bytes, problem, c_loc(its%options), e), e, ierr, &
             msg)
+        if (ierr == hm_far_from_curve) ierr = hm_ok   ! msg keeps the warning unless a later call has something to say
     end subroutine
 
     ! What every use of the functions begins with.

@@ -19,16 +19,6 @@ namespace {
 
 constexpr std::size_t longest_history = 200001; // steps of Runge-Kutta on one level, and the start
 
-// Points a few percent of the curves' extent away are hardly meant to lie on them.
-void warn_if_far(const Task& task, const hm_solve_report& report) {
-    double extent = 0;
-    const std::vector<double>& control = task.curves.control;
-    for (std::size_t i = 2; i < control.size(); ++i) extent = std::max(extent, std::fabs(control[i] - control[i % 2]));
-    if (report.max_distance <= 0.03 * extent) return;
-    warn("point " + std::to_string(report.max_distance_point) + " is " + brief(report.max_distance) +
-         " away from its curve: is it the right one for its marker?");
-}
-
 // With repeats, the first run only warms up: it touches the memory that the others find ready.
 SolveTimes repeat(Solver& solver, std::int32_t runs) {
     std::vector<double> setup, factor, solve;
@@ -97,7 +87,6 @@ void run(const Arguments& arguments) {
     const Threads threads(threads_of(arguments));
     Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
-    warn_if_far(task, solver.report());
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
     const Stored stored(arguments, mesh, solver.basis());
     OutputFiles files;

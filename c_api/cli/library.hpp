@@ -1,6 +1,7 @@
 // Calls of the library: refusals become failures of the program that say which file, and if possible which line, is meant.
 #pragma once
 
+#include "commands.hpp"
 #include "harmorph.h"
 #include "mesh.hpp"
 
@@ -41,6 +42,7 @@ hm_status call(const About& about, Function function, Arguments... arguments) {
     hm_error error = {};
     const hm_status status = function(arguments..., &error);
     if (status < 0) refuse(error, about);
+    if (status == HM_FAR_FROM_CURVE) warn(error.text); // other warnings are about results, which the caller looks at
     return status;
 }
 

@@ -6,7 +6,7 @@
     integer, parameter, public :: hm_abi = 2
 
     integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &
-        hm_backtracks = 4
+        hm_backtracks = 4, hm_far_from_curve = 5
     integer, parameter, public :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
     integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
         hm_not_positive = -8

@@ -121,7 +121,8 @@ contains
     end subroutine
 
 !@each real
-    ! Least squares through points in order; loop: the last is joined to the first, which is not repeated.
+    ! Least squares through points in order; loop: the last is joined to the first, which is not repeated. A list that
+    ! repeats the first point at its end is refused: give loop = .true. and the list without the last point.
     subroutine fit_@FORM@(self, x, y, loop, degree, n_control, closed, report, work, stat, err)
         class(hm_curves), intent(inout) :: self
         real(@KIND@), intent(in), target :: x(:), y(:)

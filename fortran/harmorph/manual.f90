@@ -97,7 +97,7 @@
 ! ERRORS
 !
 ! stat, err     The last arguments of every call. stat: 0 done; above 0 done, with a warning (hm_not_converged,
-!               hm_moved, hm_short); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
+!               hm_moved, hm_short, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
 !               made anew is empty. err%code is stat, err%text one sentence, err%item the first offending point, cell,
 !               marker, ... (-1: none), err%value what was found. Without stat, a refused call prints its name and the
 !               reason, and stops the program. Warnings without stat are not told.

@@ -182,6 +182,9 @@ int exact_in_circle_sign(Vec2 a, Vec2 b, Vec2 c, Vec2 d) noexcept {
 int orientation_sign(Vec2 a, Vec2 b, Vec2 c) noexcept {
     if (!(size_of(a, b, c) < large)) return exact_orientation_sign(a, b, c);
     Vec2 const p = a - c, q = b - c;
+    // A difference is 0 only where the numbers are equal: common points, and lines along the axes.
+    if (p.x == 0 || q.y == 0) return -sign_of(p.y) * sign_of(q.x);
+    if (p.y == 0 || q.x == 0) return sign_of(p.x) * sign_of(q.y);
     Real const left = p.x * q.y, right = p.y * q.x;
     Real const bound = 2.5 * epsilon * (absolute(left) + absolute(right)) + underflow;
     return absolute(left - right) > bound ? sign_of(left - right) : exact_orientation_sign(a, b, c);

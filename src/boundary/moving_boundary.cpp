@@ -155,21 +155,27 @@ Real extent_of(Curve const& curve) noexcept {
     return larger(high.x - low.x, high.y - low.y);
 }
 
-// A boundary farther from its curve than that is large is another boundary: its marker is not the one that was meant.
+// Of points far from their curves the one that is farthest, in parts of the extent of its curve. Beyond the extent the
+// boundary is another one: its marker is not the one that was meant.
 Status check_distances(Points points, Span<const Curve> curves, Wall const& wall, Fault& fault) noexcept {
+    constexpr Real far = 0.05;
     Index farthest = none;
-    Real largest = 0;
+    Real largest = far, distance = 0;
     for (Index slot = 0; slot < wall.count; ++slot) {
         if (wall.curve[slot] >= curves.count()) continue;  // on a rigid body
         Curve const& curve = curves[wall.curve[slot]];
-        Real const distance = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]);
-        if (!(distance > extent_of(curve)) || !(distance > largest)) continue;
-        largest = distance;
+        Real const its = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]), extent = extent_of(curve);
+        if (!(its > largest * extent)) continue;
+        largest = extent > 0 ? its / extent : infinity;
+        distance = its;
         farthest = slot;
     }
     if (farthest == none) return Status::ok;
-    return fault.refuse(Status::bad_condition, "point # is ~ from its curve, farther than that is large: is its marker another one?",
-                        Counts::mesh, wall.point[farthest], none, largest);
+    bool const is_another = largest > 1;
+    return fault.refuse(is_another ? Status::bad_condition : Status::far_from_curve,
+                        is_another ? "point # is ~ from its curve, farther than that is large: is its marker another one?"
+                                   : "point # is ~ from its curve, more than 5 % of the curve's extent: is the curve its own?",
+                        Counts::mesh, wall.point[farthest], none, distance);
 }
 
 }  // namespace

@@ -76,9 +76,14 @@ Status Fit::run(Points points, Index n, bool is_loop, FitOptions const& options,
     Index const most = corners_possible(options.degree, squares_.curve.n_indices);
     n_corners = corners_on(course_, outline_, corner_.first(n_corners), most);
     gather(n_corners);
+    HARMORPH_TRY(check_growth(fault));
     approximate(n_corners);
     if (best_error_ == infinity) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     publish(points);
+    for (Index c = 0; c < n_curves; ++c) {  // its control points may lie far away, its knots too close
+        Fault why;
+        if (failed(check_curve(curve[c], c, why))) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
+    }
     report_errors(points, n, report);
     if (!is_finite(report.max_error)) return fault.refuse(Status::bad_curve, "the points do not determine the curve");
     report.backtrack_point = find_backtrack();
@@ -116,6 +121,10 @@ Status Fit::take_points(Points points, Index n, bool is_loop, Fault& fault) noex
             return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide",
                                 Counts::from_zero, k, next);
     }
+    Vec2 const first = points[0], last = points[n - 1];
+    if (!is_loop && first.x == last.x && first.y == last.y)
+        return fault.refuse(Status::bad_curve, "the first point and the last one, #, are equal: fit a loop without the last one",
+                            Counts::from_zero, n - 1);
     outline_.points = scaled_;
     outline_.is_loop = is_loop;
     return Status::ok;
@@ -156,6 +165,19 @@ void Fit::gather(Index n_corners) noexcept {
     sites_.u = start_.first(m);
     sites_.mass = mass_.first(m - 1);
     sites_.capped = capped_.first(m - 1);
+}
+
+// Knots between equal parameters would be equal, more of them than the degree allows.
+Status Fit::check_growth(Fault& fault) const noexcept {
+    for (Index k = 0; k + 1 < course_.n_positions; ++k) {
+        if (start_[k] < start_[k + 1]) continue;
+        auto const point = [&](Index position) {
+            return round_loop(static_cast<Offset>(course_.first) + position, outline_.count());
+        };
+        return fault.refuse(Status::bad_curve, "points # (from 0) and @ (from 0) follow each other and coincide but for rounding",
+                            Counts::from_zero, point(k), point(k + 1));
+    }
+    return Status::ok;
 }
 
 void Fit::use_corners(Index n) noexcept {

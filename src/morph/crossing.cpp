@@ -14,6 +14,7 @@ struct Box {
         low = {smaller(low.x, p.x), smaller(low.y, p.y)};
         high = {larger(high.x, p.x), larger(high.y, p.y)};
     }
+    bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
     bool overlaps(Box const& other) const noexcept {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
     }
@@ -48,7 +49,8 @@ public:
 
 private:
     bool between(Range a, Range b) noexcept {
-        if (!box_of(a).overlaps(box_of(b))) return false;
+        Box const box_a = box_of(a), box_b = box_of(b);
+        if (!box_a.overlaps(box_b) || (box_a.is_point() && box_b.is_point())) return false;
         if (a.size() <= few_faces && b.size() <= few_faces) {
             for (Index face = a.begin; face < a.end; ++face) {
                 if (face_against(face, b)) return true;
@@ -60,7 +62,10 @@ private:
     }
 
     bool face_against(Index face, Range others) noexcept {
+        Box const box = box_of({face, face + 1});
         for (Index other = others.begin; other < others.end; ++other) {
+            Box const its = box_of({other, other + 1});
+            if (!its.overlaps(box) || (its.is_point() && box.is_point())) continue;
             bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) || cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
             if (!cross) continue;
@@ -140,15 +145,23 @@ private:
         return displacement_.given() ? points_[point] + displacement_[point] : points_[point];
     }
 
+    // Halving: a mesh may have thousands of bodies.
+    Index loop_of(Index face) const noexcept {
+        Index first = 0, last = loop_start_.count() - 1;  // loop_start_[first] <= face < loop_start_[last]
+        while (last - first > 1) {
+            Index const middle = first + (last - first) / 2;
+            (loop_start_[middle] <= face ? first : last) = middle;
+        }
+        return first;
+    }
+
     Index before(Index face) const noexcept {
-        Index loop = 0;
-        while (loop_start_[loop + 1] <= face) ++loop;
+        Index const loop = loop_of(face);
         return face > loop_start_[loop] ? face - 1 : loop_start_[loop + 1] - 1;
     }
 
     Index after(Index face) const noexcept {
-        Index loop = 0;
-        while (loop_start_[loop + 1] <= face) ++loop;
+        Index const loop = loop_of(face);
         return face + 1 < loop_start_[loop + 1] ? face + 1 : loop_start_[loop];
     }
 
@@ -159,9 +172,8 @@ private:
         for (Index face = range.begin; face < range.end; ++face) box.include(at(boundary_point_[face]));
         box.include(at(end_of(range.end - 1)));
         // A range may hold the end of one loop and the beginning of the next: faces that close a loop end at its start.
-        for (Index loop = 0; loop + 1 < loop_start_.count(); ++loop) {
-            Index const last = loop_start_[loop + 1] - 1;
-            if (last >= range.begin && last < range.end) box.include(at(boundary_point_[loop_start_[loop]]));
+        for (Index loop = loop_of(range.begin); loop + 1 < loop_start_.count() && loop_start_[loop + 1] <= range.end; ++loop) {
+            box.include(at(boundary_point_[loop_start_[loop]]));
         }
         return box;
     }

@@ -207,3 +207,29 @@ TEST_CASE("the curve of another body: points farther from it than it is large ar
         CHECK(std::find(farthest.begin(), farthest.end(), wrong.error.item) != farthest.end());
     }
 }
+
+TEST_CASE("points farther from their curve than 5 % of its extent: a warning with the point and its distance") {
+    for (double const size : {1.0, 1e-6, 1e6})
+        for (double const part : {0.049, 0.051}) {
+            Case its;
+            its.mesh = square(10, Cells::quads, 2, 2);
+            its.curves = polyline({{0.4, 0.4}, {0.6, 0.4}, {0.6, 0.6 - 0.2 * part}, {0.4, 0.6 - 0.2 * part}});
+            its.curves.control.insert(its.curves.control.end(), {0.4, 0.6});   // of no curve
+            its.put_on_curves(body);
+            for (std::vector<double>* const numbers : {&its.mesh.x, &its.mesh.y, &its.curves.control})
+                for (double& number : *numbers) number *= size;
+            Attempt attempt;
+            CHECK(attempt.analyse(its.problem()));
+            CHECK(attempt.error.code == attempt.status);
+            if (part < 0.05) {
+                CHECK(attempt.status == HM_OK);
+                continue;
+            }
+            CHECK(attempt.status == HM_FAR_FROM_CURVE);
+            CHECK(attempt.error.value == doctest::Approx(0.2 * part * size));
+            CHECK(its.mesh.y[static_cast<std::size_t>(attempt.error.item)] == 0.6 * size);
+            CHECK(attempt.prepare());
+            CHECK(attempt.solve());   // the result can be used
+            CHECK(attempt.status == HM_OK);
+        }
+}

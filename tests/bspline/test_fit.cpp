@@ -5,7 +5,9 @@
 #include <fixtures/spline.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
 using namespace harmorph;
@@ -239,11 +241,11 @@ TEST_CASE("what cannot be fitted is refused, and why") {
     bad = points;
     bad.back() = bad.front();
     refused(bad, {}, true, "coincide", 59);
-    CHECK(FitRun(bad, {}, false).status == Status::ok);  // an open list may end where it began
+    refused(bad, {}, false, "the last one", 59);  // a loop whose curve would be open
+    refused(bad, options(3, 20, Closure::open), false, "the last one", 59);
     bad = points;
     bad[3].x = 1e308;
-    bad[4].x = -1e308;
-    refused(bad, {}, true, "too far apart", none);
+    refused(bad, {}, true, "beyond 1e100", 3);
 }
 
 TEST_CASE("facets divided by further points make no blunt base at the nose") {
@@ -294,4 +296,42 @@ TEST_CASE("curves through airfoils do not run back") {
                 CHECK(run.report.backtrack_point == none);
                 CHECK(run.report.corners == (blunt ? 2 : 1));
             }
+}
+
+TEST_CASE("points whose distance is lost in rounding of the arc length are refused") {
+    std::vector<Vec2> const points = {
+        {0, 0}, {1.0000000000000001e-17, 9.9999999999999998e-17}, {0, 0}, {1, 0.1000000000000001}, {1, 0.10000000000000001},
+        {1, 0.1000000000000001}, {2, 0.40000000000000002}, {2, 0.40000000000000013}, {2, 0.40000000000000002},
+        {3, 0.90000000000000013}, {3, 0.90000000000000002}, {3, 0.90000000000000013}, {2.9999999999999996, 1.6000000000000001},
+        {4, 1.6000000000000001}};
+    CHECK(FitRun(points, options(1, 11), false).status == Status::bad_curve);
+}
+
+TEST_CASE("random points: a fit that is not refused is made of well-formed curves, whose control points are in range") {
+    std::mt19937 random(34);
+    auto const between = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random()) / 4294967296.0); };
+    int fitted = 0, warned = 0, not_fitted = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        int const n = 6 + static_cast<int>(random() % 20), degree = 1 + trial % 5;
+        double const unit = trial % 3 == 0 ? 9e99 : 1, tiny = trial % 2 == 0 ? 1e-16 : 1e-3;
+        std::vector<Vec2> points;
+        for (int k = 0; k < n; ++k) {
+            double const angle = 2 * std::acos(-1.0) * std::pow(static_cast<double>(k) / n, between(1, 1.2));
+            Vec2 p{std::cos(angle), 0.1 * std::sin(angle)};
+            if (k > 0 && random() % 10 == 0) p = points.back() + Vec2{tiny * between(-1, 1), tiny * between(-1, 1)};
+            points.push_back(p);
+        }
+        for (Vec2& p : points) p = unit * p;
+        FitRun const run(points, options(degree, degree + 1 + static_cast<Index>(random() % 4)), trial % 4 != 0);
+        if (failed(run.status)) {
+            ++not_fitted;
+            continue;
+        }
+        ++(run.status == Status::ok ? fitted : warned);
+        Fault fault;
+        for (Index c = 0; c < run.fit.n_curves; ++c) CHECK(check_curve(run.fit.curve[c], c, fault) == Status::ok);
+    }
+    CHECK(fitted > 50);
+    CHECK(warned > 50);
+    CHECK(not_fitted > 50);
 }

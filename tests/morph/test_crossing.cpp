@@ -298,3 +298,25 @@ TEST_CASE("boundaries of valid meshes do not cross, not even thin trailing edges
         }
     }
 }
+
+TEST_CASE("many bodies: the only pair that overlaps is found among them, and none where none does") {
+    for (bool const overlap : {false, true}) {
+        Polygons polygons;
+        for (int i = 0; i < 20; ++i)
+            for (int j = 0; j < 20; ++j)
+                polygons.add(circle(12, 0.3, {1.0 * i - (overlap && i == 19 && j == 7 ? 0.5 : 0), 1.0 * j}));
+        CHECK(polygons.find().found == overlap);
+    }
+}
+
+TEST_CASE("points that are all in one place, and a loop that is folded onto a line along an axis, cross nothing") {
+    Polygons collapsed, folded;
+    collapsed.add(std::vector<Point>(3000, Point{0.5, -0.25}));
+    CHECK(!collapsed.find().found);
+    std::vector<Point> line;
+    for (int k = 0; k < 3000; ++k) line.push_back({std::cos(2 * std::acos(-1.0) * k / 3000), 0.125});
+    folded.add(line);
+    CHECK(folded.find().found);   // faces lie on each other
+    CHECK(!find_crossing(span(folded.point), span(folded.loop_start), {folded.x.data(), folded.y.data(), 1}, {},
+                         harmorph::Overlaps::ignored).found);
+}

@@ -22,6 +22,7 @@ enum class Status : std::int32_t {
     moved = 2,
     short_of_target = 3,
     backtracks = 4,
+    far_from_curve = 5,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,

@@ -48,6 +48,7 @@ private:
     void solve_and_correct(Index times, Real acceleration) noexcept;
     void find_knots() noexcept;
     void approximate(Index n_corners) noexcept;
+    Status check_growth(Fault& fault) const noexcept;
     void publish(Points points) noexcept;
     void report_errors(Points points, Index n, FitReport& report) const noexcept;
     Index find_backtrack() const noexcept;
