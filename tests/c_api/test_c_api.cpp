@@ -22,11 +22,7 @@ TEST_CASE("versions and names") {
     CHECK(names.size() == 16);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
-<<<<<<< HEAD
-    CHECK(std::string(hm_status_name(HM_BACKTRACKS + 1)) == "unknown status");
-=======
     CHECK(std::string(hm_status_name(HM_FAR_FROM_CURVE + 1)) == "unknown status");
->>>>>>> 7875b66 (Points far from their curves warn; fits of equal ends, or of points that rounding makes one, are refused; crossings are found by boxes of faces, with many bodies and with collapsed ones)
     CHECK(std::string(hm_status_name(HM_CROSSING - 1)) == "unknown status");
 }
 
