@@ -286,6 +286,45 @@ else
     echo "gmsh is not installed: its own files are not tested (Debian's gmsh)"
 fi
 
+if /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
+    cat >"$tmp/grid.py" <<'END'
+import sys, vtk
+def grid(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+if sys.argv[1] == 'write':
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid(sys.argv[2]))
+    if sys.argv[3] == '0': writer.SetDataModeToAscii()
+    else:
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()
+        writer.SetCompressorTypeToNone()
+    if sys.argv[3] == '64': writer.SetHeaderTypeToUInt64()
+    writer.SetFileName(sys.argv[4])
+    writer.Write()
+else:
+    read = grid(sys.argv[2])
+    for i in range(read.GetNumberOfPoints()): print(*map(repr, read.GetPoint(i)[:2]))
+END
+    for variant in 0 32 64; do # text; raw with headers of that many bits
+        mesh=$tmp/vtk-$variant.vtu
+        check "VTK: writes $variant" /usr/bin/python3 "$tmp/grid.py" write "$tmp/ring.vtu" $variant "$mesh"
+        check "VTK $variant: fit" "$harmorph" fit "$mesh" --marker boundary1 --points 8 -o "$tmp/curve"
+        check "VTK $variant: solve" "$harmorph" solve "$mesh" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
+        check "VTK $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$tmp/same.vtu"
+        check "VTK $variant: zero move: the same file" cmp "$mesh" "$tmp/same.vtu"
+        check "VTK $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/vtk-moved.vtu"
+        check "VTK $variant: reads the morphed" /usr/bin/python3 "$tmp/grid.py" read "$tmp/vtk-moved.vtu"
+        cp "$tmp/out" "$tmp/points"
+        check "VTK $variant: moves as all do" alike 1e-9 "$tmp/points-of-all" "$tmp/points"
+    done
+else
+    echo "VTK for Python is not installed: its own files are not tested (Debian's python3-vtk9)"
+fi
+
 # ---- Broken files -----------------------------------------------------------------------------------------------------
 
 program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp \
