@@ -47,10 +47,10 @@ void MovementPath::init(Basis const& basis, const Real* move) noexcept {
     for (Index i = 0; i < n_control; ++i) start[i] = {basis.control[2 * i], basis.control[2 * i + 1]};
     for (Index group = 0; group < n_control; ++group) fit_similarity(basis, group);
     for (Index i = 0; i < n_control; ++i) {
-        Group const& its = groups[group_of[i]];
+        Group const& similarity = groups[group_of[i]];
         Vec2 const move_of_it{target[2 * i], target[2 * i + 1]};
-        start[i] = start[i] - its.centre;
-        drift[i] = quotient(start[i] + move_of_it - its.shift, its.ratio) - start[i];
+        start[i] = start[i] - similarity.centre;
+        drift[i] = quotient(start[i] + move_of_it - similarity.shift, similarity.ratio) - start[i];
     }
     for (Index body = 0; body < basis.header->counts.bodies; ++body) {
         Index const translation = n_control + 2 * body, turn = translation + 1;
@@ -76,9 +76,9 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
             Index low = group_of.count();
             for (Index k = 0; k < curve.n_indices; ++k) low = smaller(low, group_of[curve.control_point(k)]);
             for (Index k = 0; k < curve.n_indices; ++k) {
-                Index& its = group_of[curve.control_point(k)];
-                changed += its != low ? 1 : 0;
-                its = low;
+                Index& group_number = group_of[curve.control_point(k)];
+                changed += group_number != low ? 1 : 0;
+                group_number = low;
             }
         }
     }
@@ -86,38 +86,38 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
 
 // Least squares over the members: d = mean of dP, r - 1 = sum conj(p) (dP - d) / sum |p|^2, p = P - c, c = mean of P.
 void MovementPath::fit_similarity(Basis const& basis, Index group) noexcept {
-    Group& its = groups[group];
-    its = {{}, {}, {1, 0}, 0};
+    Group& similarity = groups[group];
+    similarity = {{}, {}, {1, 0}, 0};
     auto const for_each_member = [&](auto const& visit) {
         for (Index i = group; i < basis.header->counts.control; ++i) {
             if (group_of[i] == group) visit(start[i], Vec2{target[2 * i], target[2 * i + 1]});
         }
     };
-    for_each_member([&](Vec2, Vec2) { ++its.members; });
-    if (its.members == 0) return;
-    Real const share = 1 / static_cast<Real>(its.members);
+    for_each_member([&](Vec2, Vec2) { ++similarity.members; });
+    if (similarity.members == 0) return;
+    Real const share = 1 / static_cast<Real>(similarity.members);
     for_each_member([&](Vec2 point, Vec2 move) {
-        its.centre = its.centre + share * point;
-        its.shift = its.shift + share * move;
+        similarity.centre = similarity.centre + share * point;
+        similarity.shift = similarity.shift + share * move;
     });
     if (basis.kind() == ValueKind::real) return;
     Vec2 turned;
     Real squares = 0;
     for_each_member([&](Vec2 point, Vec2 move) {
-        turned = turned + product(conjugate(point - its.centre), move - its.shift);
-        squares += square(point - its.centre);
+        turned = turned + product(conjugate(point - similarity.centre), move - similarity.shift);
+        squares += square(point - similarity.centre);
     });
     if (squares == 0) return;
     Vec2 const ratio = Vec2{1, 0} + (1 / squares) * turned;
-    if (length(ratio) > least_ratio) its.ratio = ratio;
+    if (length(ratio) > least_ratio) similarity.ratio = ratio;
 }
 
 void MovementPath::at(Real t, Span<Real> movement) const noexcept {
     if (t >= 1) return copy(movement, Span<const Real>(target));
     for (Index i = 0; i < group_of.count(); ++i) {
-        Group const& its = groups[group_of[i]];
-        Vec2 const turned = product(complex_power(its.ratio, t), start[i] + t * drift[i]);
-        Vec2 const moved = t * its.shift + (turned - start[i]);
+        Group const& similarity = groups[group_of[i]];
+        Vec2 const turned = product(complex_power(similarity.ratio, t), start[i] + t * drift[i]);
+        Vec2 const moved = t * similarity.shift + (turned - start[i]);
         movement[2 * i] = moved.x;
         movement[2 * i + 1] = moved.y;
     }

@@ -55,7 +55,7 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Poin
                 if (v == none) continue;
                 Size entry = 0;
                 while (neighbours[entry] != v) ++entry;
-                for (Distortion::Mode const& its : mode) row[entry].add(its.curvature, its.at[own], its.at[other]);
+                for (Distortion::Mode const& term : mode) row[entry].add(term.curvature, term.at[own], term.at[other]);
             }
         }
     }

@@ -20,13 +20,13 @@ void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 void Region::link(Tangle const& tangle) noexcept {
     fill(cell_start, Offset{0});
     for (Index i = 0; i < cell.count(); ++i) {
-        Cell const its = tangle.cell(i);
-        for (Index k = 0; k < its.n; ++k) ++cell_start[its.point[k]];
+        Cell const shape = tangle.cell(i);
+        for (Index k = 0; k < shape.n; ++k) ++cell_start[shape.point[k]];
     }
     counts_to_starts(cell_start);
     for (Index i = 0; i < cell.count(); ++i) {
-        Cell const its = tangle.cell(i);
-        for (Index k = 0; k < its.n; ++k) cell_of[cell_start[its.point[k]]++] = i;
+        Cell const shape = tangle.cell(i);
+        for (Index k = 0; k < shape.n; ++k) cell_of[cell_start[shape.point[k]]++] = i;
     }
     rewind_starts(cell_start);
 }
@@ -35,10 +35,10 @@ void Region::grow(Tangle const& tangle, Index layers) noexcept {
     Index const n_reached = reach_points(tangle, layers);
     fill(unknown, none);
     n = 0;
-    for (Index const its : queue.first(n_reached)) {
-        if (tangle.held[its] != 0) continue;
-        unknown[its] = n;
-        point[n++] = its;
+    for (Index const mesh_point : queue.first(n_reached)) {
+        if (tangle.held[mesh_point] != 0) continue;
+        unknown[mesh_point] = n;
+        point[n++] = mesh_point;
     }
     list_cells(tangle);
     list_neighbours(tangle);
@@ -55,11 +55,11 @@ Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     }
     fill(reached, std::uint8_t{0});
     auto const reach = [&](Index i) {
-        Cell const its = tangle.cell(i);
-        for (Index k = 0; k < its.n; ++k) {
-            if (reached[its.point[k]] != 0) continue;
-            reached[its.point[k]] = 1;
-            queue[filled++] = its.point[k];
+        Cell const shape = tangle.cell(i);
+        for (Index k = 0; k < shape.n; ++k) {
+            if (reached[shape.point[k]] != 0) continue;
+            reached[shape.point[k]] = 1;
+            queue[filled++] = shape.point[k];
         }
     };
     for (Index const i : cell.first(n_cells)) reach(i);
@@ -77,10 +77,10 @@ void Region::list_cells(Tangle const& tangle) noexcept {
     n_cells = 0;
     for (Index u = 0; u < n; ++u) {
         for (Index const i : cells_of(point[u])) {
-            Cell const its = tangle.cell(i);
+            Cell const shape = tangle.cell(i);
             bool is_first = true;
-            for (Index k = 0; k < its.n; ++k) {
-                Index const v = unknown[its.point[k]];
+            for (Index k = 0; k < shape.n; ++k) {
+                Index const v = unknown[shape.point[k]];
                 is_first = is_first && (v == none || v >= u);
             }
             if (is_first) cell[n_cells++] = i;
@@ -97,9 +97,9 @@ void Region::list_neighbours(Tangle const& tangle) noexcept {
         neighbour[filled++] = u;
         seen_by[u] = u;
         for (Index const i : cells_of(point[u])) {
-            Cell const its = tangle.cell(i);
-            for (Index k = 0; k < its.n; ++k) {
-                Index const v = unknown[its.point[k]];
+            Cell const shape = tangle.cell(i);
+            for (Index k = 0; k < shape.n; ++k) {
+                Index const v = unknown[shape.point[k]];
                 if (v == none || seen_by[v] == u) continue;
                 seen_by[v] = u;
                 neighbour[filled++] = v;

@@ -26,10 +26,10 @@ Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcep
     HARMORPH_TRY(other.require_double(fault));
     BasisCounts counts = other.header->counts;
     counts.kind = basis.header->counts.kind;
-    Span<const unsigned char> const mine = problem_of(basis), its = problem_of(other);
+    Span<const unsigned char> const own = problem_of(basis), theirs = problem_of(other);
     bool const same = other.header->topology == basis.header->topology &&
-                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && its.size() == mine.size() &&
-                      std::memcmp(its.data(), mine.data(), mine.size()) == 0;
+                      std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && theirs.size() == own.size() &&
+                      std::memcmp(theirs.data(), own.data(), own.size()) == 0;
     if (same && other.header->solved == 1) return Status::ok;
     return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
 }

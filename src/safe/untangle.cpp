@@ -62,9 +62,10 @@ Status Untangling::check_reference(Fault& fault) const noexcept {
 bool Untangling::is_stuck(Index cell) const noexcept {
     CellTriangles const corners(tangle.cell(cell));
     for (Index k = 0; k < corners.n; ++k) {
-        const Index(&its)[3] = corners.point[k];
-        bool const held = tangle.held[its[0]] != 0 && tangle.held[its[1]] != 0 && tangle.held[its[2]] != 0;
-        if (held && !(triangle_of(its, as_points(now)).twice_area() > 0)) return true;
+        const Index(&triangle)[3] = corners.point[k];
+        bool const held =
+            tangle.held[triangle[0]] != 0 && tangle.held[triangle[1]] != 0 && tangle.held[triangle[2]] != 0;
+        if (held && !(triangle_of(triangle, as_points(now)).twice_area() > 0)) return true;
     }
     return false;
 }
@@ -72,9 +73,10 @@ bool Untangling::is_stuck(Index cell) const noexcept {
 bool Untangling::is_good(Index cell, Real margin) const noexcept {
     CellTriangles const corners(tangle.cell(cell));
     for (Index k = 0; k < corners.n; ++k) {
-        const Index(&its)[3] = corners.point[k];
-        Real const area = triangle_of(its, as_points(now)).twice_area();
-        Real const least = region.can_move(its) ? margin * triangle_of(its, tangle.reference).twice_area() : 0;
+        const Index(&triangle)[3] = corners.point[k];
+        Real const area = triangle_of(triangle, as_points(now)).twice_area();
+        Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
+        Real const least = region.can_move(triangle) ? margin * wanted : 0;
         if (!(area > 0 && area >= least)) return false;
     }
     return true;
@@ -127,9 +129,10 @@ Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
     return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
         CellTriangles const corners(tangle.cell(region.cell[k]));
         for (Index corner = 0; corner < corners.n; ++corner) {
-            const Index(&its)[3] = corners.point[corner];
-            if (!region.can_move(its)) continue;
-            sum.value += Distortion(triangle_of(its, tangle.reference)).energy(triangle_of(its, points), softness);
+            const Index(&triangle)[3] = corners.point[corner];
+            if (!region.can_move(triangle)) continue;
+            Distortion const distortion(triangle_of(triangle, tangle.reference));
+            sum.value += distortion.energy(triangle_of(triangle, points), softness);
         }
     }).value;
 }
@@ -138,18 +141,18 @@ Real Untangling::smallest_determinant() const noexcept {
     return reduce_cells<Least>(region.n_cells, executor, [&](Index k, Least& least) {
         CellTriangles const corners(tangle.cell(region.cell[k]));
         for (Index corner = 0; corner < corners.n; ++corner) {
-            const Index(&its)[3] = corners.point[corner];
-            if (!region.can_move(its)) continue;
-            Real const wanted = triangle_of(its, tangle.reference).twice_area();
-            least.merge({triangle_of(its, as_points(now)).twice_area() / wanted});
+            const Index(&triangle)[3] = corners.point[corner];
+            if (!region.can_move(triangle)) continue;
+            Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
+            least.merge({triangle_of(triangle, as_points(now)).twice_area() / wanted});
         }
     }).value;
 }
 
 void Untangling::write(MutablePoints points) const noexcept {
     for (Index k = 0; k < now.count(); ++k) {
-        Index const its = tangle.representative[k];
-        if (tangle.held[its] == 0) points.set(k, now[its]);
+        Index const representative = tangle.representative[k];
+        if (tangle.held[representative] == 0) points.set(k, now[representative]);
     }
 }
 

@@ -18,10 +18,10 @@ struct Tangle {
 
     // Counter-clockwise, in terms of representatives.
     Cell cell(Index i) const noexcept {
-        Cell its = mesh.cell(i);
-        for (Index k = 0; k < its.n; ++k) its.point[k] = representative[its.point[k]];
-        if (reversed[i] != 0) its.reverse();
-        return its;
+        Cell shape = mesh.cell(i);
+        for (Index k = 0; k < shape.n; ++k) shape.point[k] = representative[shape.point[k]];
+        if (reversed[i] != 0) shape.reverse();
+        return shape;
     }
 };
 
@@ -66,12 +66,12 @@ struct Region {
     // From those cells to all points within `layers` cells of them; from `whole` on, to all points.
     void grow(Tangle const& tangle, Index layers) noexcept;
 
-    Span<const Index> cells_of(Index its_point) const noexcept {
-        return cell_of.from(cell_start[its_point], cell_start[its_point + 1] - cell_start[its_point]);
+    Span<const Index> cells_of(Index mesh_point) const noexcept {
+        return cell_of.from(cell_start[mesh_point], cell_start[mesh_point + 1] - cell_start[mesh_point]);
     }
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
-    bool can_move(const Index (&its)[3]) const noexcept {
-        return unknown[its[0]] != none || unknown[its[1]] != none || unknown[its[2]] != none;
+    bool can_move(const Index (&corner)[3]) const noexcept {
+        return unknown[corner[0]] != none || unknown[corner[1]] != none || unknown[corner[2]] != none;
     }
 
 private:

@@ -1,4 +1,5 @@
-// A morph that reaches its target without an inverted cell, or says how far it got: a ladder of ever costlier means.
+// A morph that reaches the target without an inverted cell, or says how far it came: strategies are tried in the order
+// of their cost.
 #pragma once
 
 #include "harmorph/morph/admissible_step.hpp"
