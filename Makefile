@@ -140,7 +140,7 @@ install: all
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/read_su2.c c_api/read_su2.h \
+	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/examples/read_su2.c c_api/examples/read_su2.h \
 	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 

@@ -28,7 +28,7 @@ count() { sed -n "s/^$1= *\([0-9]*\).*/\1/p" "$2"; }
 
 check "read_su2.f90 compiles" $FC $strict $FFLAGS -J"$dir" -c fortran/read_su2.f90 -o "$dir/read_su2.o"
 check "its test compiles" $FC $strict $FFLAGS -I"$dir" -J"$dir" tests/read_su2.f90 "$dir/read_su2.o" -o "$dir/fortran"
-check "read_su2.c compiles" $CC -std=c99 -pedantic -Wall -Wextra -Werror $CFLAGS -Ic_api c_api/read_su2.c \
+check "read_su2.c compiles" $CC -std=c99 -pedantic -Wall -Wextra -Werror $CFLAGS -Ic_api/examples c_api/examples/read_su2.c \
     tests/read_su2.c -o "$dir/c"
 for mesh in tests/meshes/*.su2; do
     check "$mesh" finds $mesh "points $(count NPOIN $mesh) cells $(count NELEM $mesh) " \
