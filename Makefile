@@ -2,7 +2,7 @@
 #
 #   make                  library and program, and harmorph.f90 of one piece
 #   make test             all tests; the last line counts them
-#   make unit             the C++ tests alone
+#   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
@@ -33,6 +33,7 @@ FFLAGS = -O2
 LDFLAGS =
 AR = ar
 JOBS = 2
+UNITS = tests/*/test_*.cpp
 MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
@@ -71,7 +72,7 @@ rules:
 	    done; \
 	}; \
 	program() { \
-	    printf '%s:%s $(LIBRARY)\n\techo $(CXX) $$@\n' $$1 "$$list"; \
+	    printf '%s:%s $(LIBRARY) $(BUILD)/rules.mk\n\techo $(CXX) $$@\n' $$1 "$$list"; \
 	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
@@ -81,9 +82,9 @@ rules:
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
-	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp tests/*/test_*.cpp; program $(BUILD)/tests; \
+	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
-	@mv $(BUILD)/rules.new $(BUILD)/rules.mk
+	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk
 
 unit: all
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
