@@ -267,15 +267,18 @@ HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, con
 
 /* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
 
-enum {                             /* hm_condition.kind; for a point on several markers the smallest kind holds */
+enum {                             /* hm_condition.kind; for a point on several markers the first of these kinds holds:
+                                      on curve, rigid, given, fixed, slip, free */
     HM_ON_CURVE = 0,               /* F_i = N_i(u) */
     HM_RIGID = 1,                  /* a body that only translates, rotates and scales, see hm_morph */
     HM_FIXED = 2,                  /* F_i = 0; also every marker without a condition */
     HM_SLIP = 3,                   /* points slide along a straight line. A marker may have several lines; where two
                                       lines meet at an angle, the point is fixed */
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
-    HM_PERIODIC_PAIR = 5           /* this marker and its partner are translates of each other: their points move by
+    HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
                                       bitwise identical displacements */
+    HM_GIVEN = 6                   /* the points move by displacements that are given from call to call. The functions
+                                      of curves and rigid bodies are 0 there */
 };
 
 typedef struct hm_condition {
@@ -296,10 +299,10 @@ typedef struct hm_condition {
 typedef struct hm_problem {
     uint64_t struct_size;
     const hm_mesh      *mesh;
-    const hm_curves    *curves;    /* NULL and no rigid body: the analysis covers the mesh only (hm_analysis_report,
-                                      hm_analysis_boundary) */
+    const hm_curves    *curves;    /* NULL, no rigid body and no marker with HM_GIVEN: the analysis covers the mesh only
+                                      (hm_analysis_report, hm_analysis_boundary) */
     int32_t             n_conditions;
-    const hm_condition *conditions;/* [n_conditions] at least one on a curve or rigid */
+    const hm_condition *conditions;/* [n_conditions] at least one on a curve, rigid or given */
     int32_t             n_given;   /* curve points with a given parameter; the parameters of the others are found by
                                       projection */
     const int32_t      *given_points;  /* [n_given] */
@@ -319,9 +322,9 @@ typedef struct hm_problem {
  *   HM_WEIGHTED   HM_COMPACT               HM_MULTIGRID   all but slip    real
  *   HM_LAPLACE    HM_COMPACT               HM_FAS         all but slip    real
  *   HM_WEIGHTED   HM_COMPACT               HM_FAS         all but slip    real
- *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_DIRECT      all but slip    real
- *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_FAS         all but slip    real
- *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         all but slip    real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_DIRECT      not slip, given real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_FAS         not slip, given real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         not slip, given real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the nearest face on a
  * curve or a rigid body (or on the periodic image of one), divided by the extent of these faces. Cells near the moving
@@ -487,7 +490,9 @@ HM_API hm_status hm_analysis_boundary(const hm_analysis *analysis, int32_t n_mar
 typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
 
-/* The analysis must have curves or rigid bodies. The plan and the basis copy what they need from the analysis. */
+/* The analysis must have curves, rigid bodies or markers with HM_GIVEN; with the latter alone, the basis has no
+ * functions, and serves hm_quality, hm_admissible_step and hm_assess. The plan and the basis copy what they need from the
+ * analysis. */
 HM_API hm_status hm_plan_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_plan_init(hm_plan **plan, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
 HM_API hm_status hm_basis_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
@@ -542,13 +547,14 @@ typedef struct hm_basis_info {
     uint64_t struct_size;
     uint64_t bytes;                /* of the block, from the address of the basis */
     int32_t  solved;               /* 0 or 1 */
-    int32_t  points, cells, functions, curves, curve_points; /* curve_points: including those of rigid bodies */
+    int32_t  points, cells, functions, curves, curve_points; /* curve_points: including rigid and given ones */
     int32_t  numbers_per_value;    /* 1: real f; 2: complex a + i b; 4: matrix xx, xy, yx, yy */
     int32_t  operator_kind, scheme, engine;
     int32_t  index_base;           /* of the mesh that the basis was solved on: first number of points and cells in
                                       reports */
     const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
-    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b */
+    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b; curves + bodies:
+                                      a point of a marker with HM_GIVEN */
     const double  *point_u;        /* [curve_points] the parameter of each of them */
     int32_t  exponent_quarters;    /* 0: no weight */
     int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies */

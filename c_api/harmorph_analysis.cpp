@@ -32,7 +32,7 @@ struct Request {
         return Status::ok;
     }
 
-    // Without curves and rigid bodies nothing is to be solved, and conditions do not count.
+    // Without anything that moves nothing is to be solved, and conditions do not count.
     Status read_conditions(hm_problem const& p, Fault& fault) noexcept {
         if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
             return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
@@ -42,7 +42,7 @@ struct Request {
             HARMORPH_TRY(view_condition(p.conditions, i, added, fault));
             problem.demands.add(added);
         }
-        if (n_curves == 0 && problem.demands.bodies == 0) return Status::ok;
+        if (!problem.demands.any_wall(n_curves)) return Status::ok;
         if (p.n_conditions == 0) {
             return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
         }
@@ -53,6 +53,9 @@ struct Request {
         }
         if (problem.demands.slip && problem.method.nodal_gradients()) {
             return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
+        }
+        if (problem.demands.given && problem.method.nodal_gradients()) {
+            return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
         }
         if (problem.demands.slip && problem.method.engine != Engine::direct) {
             return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");

@@ -165,7 +165,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
         return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set",
                             Counts::from_zero, number);
     }
-    if (c.kind < HM_ON_CURVE || c.kind > HM_PERIODIC_PAIR) {
+    if (c.kind < HM_ON_CURVE || c.kind > HM_GIVEN) {
         return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @",
                             Counts::from_zero, number, c.kind);
     }

@@ -85,7 +85,7 @@ int main(void) {
     check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_SHORT > 0, "warnings are positive");
     check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
     check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE
-              && HM_FREE < HM_PERIODIC_PAIR, "order of conditions");
+              && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN, "order of conditions");
     check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS
               && HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED, "order of strategies");
     check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");

@@ -66,8 +66,9 @@
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
 ! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. hm_condition(marker, kind):
 !               hm_fixed; hm_slip, along straight lines; hm_free, with the Laplace and weighted operators; hm_rigid with
-!               body=, x=, y=; hm_periodic_pair with partner=. A point of several markers has the smallest kind of
-!               theirs.
+!               body=, x=, y=; hm_periodic_pair with partner=; hm_given, points that move by displacements
+!               that are given from call to call. Of several markers of a point the first of these holds: on curve, rigid,
+!               given, fixed, slip, free.
 ! hm_options    0 or null is the default of each: operator_kind hm_conformal (keeps angles; complex functions) or
 !               hm_laplace (the paper's harmonic ones), scheme, engine, precision, tolerance, executor, progress, ...
 !               see harmorph.h.

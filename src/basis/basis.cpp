@@ -88,6 +88,7 @@ Curve Basis::curve(Index number) const noexcept {
 BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     BoundaryFunctions out;
     Vec2 const offset = wall_offset[slot];
+    if (is_given(slot)) return out;
     if (!is_on_curve(slot)) {
         Index const translation = header->counts.control + 2 * (wall_curve[slot] - header->counts.curves);
         out.order = 2;

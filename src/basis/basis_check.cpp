@@ -71,7 +71,7 @@ private:
     bool conditions_fit() const noexcept {
         for (Condition const& condition : basis_.conditions) {
             if (!is_within(static_cast<Index>(condition.kind), 0,
-                           static_cast<Index>(ConditionKind::periodic) + 1)) return false;
+                           static_cast<Index>(ConditionKind::given) + 1)) return false;
             bool const on_curve = condition.kind == ConditionKind::on_curve;
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
             if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;
@@ -83,7 +83,7 @@ private:
     bool wall_fits() const noexcept {
         for (Index slot = 0; slot < counts_.wall; ++slot) {
             if (!is_within(basis_.wall_point[slot], 0, counts_.points)) return false;
-            if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies)) return false;
+            if (!is_within(basis_.wall_curve[slot], 0, counts_.curves + counts_.bodies + 1)) return false;
             if (!is_finite(basis_.wall_u[slot])) return false;
         }
         for (Index k = 0; k < counts_.joined; ++k) {

@@ -5,6 +5,7 @@ namespace harmorph {
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
     BoundaryError worst;
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
+        if (basis.is_given(slot)) continue;
         Index const point = basis.wall_point[slot];
         Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
         worst.include(length(to[point] - from[point] - curve_moved), point);

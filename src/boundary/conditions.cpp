@@ -74,6 +74,7 @@ void Demands::add(Condition const& condition) noexcept {
     slip = slip || condition.kind == ConditionKind::slip;
     free = free || condition.kind == ConditionKind::free;
     periodic = periodic || condition.kind == ConditionKind::periodic;
+    given = given || condition.kind == ConditionKind::given;
 }
 
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
@@ -84,9 +85,8 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
         if (condition.kind == ConditionKind::rigid) HARMORPH_TRY(check_body(conditions, i, fault));
         if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
-        any_wall = any_wall || condition.kind == ConditionKind::rigid;
+        any_wall = any_wall || condition.is_wall();
         if (condition.kind != ConditionKind::on_curve) continue;
-        any_wall = true;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
         if (condition.first_curve < 0 || condition.n_curves < 1 || end > n_curves) {
             return fault.refuse(Status::bad_condition,
@@ -96,7 +96,7 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
     }
     if (any_wall) return Status::ok;
     return fault.refuse(Status::bad_condition,
-                        "no condition puts a marker on a curve or makes it a rigid body: nothing moves");
+                        "no condition puts a marker on a curve, makes it a rigid body or gives its displacements: nothing moves");
 }
 
 const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept {
@@ -120,7 +120,8 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
         }
         switch (condition == nullptr ? ConditionKind::fixed : condition->kind) {
             case ConditionKind::on_curve:
-            case ConditionKind::rigid: return PointKind::on_wall;
+            case ConditionKind::rigid:
+            case ConditionKind::given: return PointKind::on_wall;
             case ConditionKind::slip: return PointKind::slip;
             case ConditionKind::free: return PointKind::free;
             case ConditionKind::periodic: return PointKind::inside;

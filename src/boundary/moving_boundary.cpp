@@ -16,8 +16,9 @@ public:
         for (Index piece = 0; piece < n_pieces_; ++piece) project_piece(piece, condition);
     }
 
-    void add_rigid(Condition const& condition) noexcept {
-        auto const visit = [&](Index, Index point) { put(point, curves_.count() + condition.body, 0); };
+    // The points of the marker that no wall before has, in order along the boundary.
+    void add(Condition const& condition, Index number) noexcept {
+        auto const visit = [&](Index, Index point) { put(point, number, 0); };
         boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == condition.marker; }, visit,
                                  [](Index, bool) {});
     }
@@ -127,7 +128,7 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
         }
         Index const curve = given.curve[i];
         if (wall.curve[slot] >= curves.count()) {
-            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on a rigid body",
+            return fault.refuse(Status::bad_condition, "a parameter is given for point #, which is on no curve",
                                 Counts::mesh, point);
         }
         if (curve < 0 || curve >= curves.count()) {
@@ -162,7 +163,7 @@ Status check_distances(Points points, Span<const Curve> curves, Wall const& wall
     Index farthest = none;
     Real largest = far, distance = 0;
     for (Index slot = 0; slot < wall.count; ++slot) {
-        if (wall.curve[slot] >= curves.count()) continue;  // on a rigid body
+        if (wall.curve[slot] >= curves.count()) continue;  // on no curve
         Curve const& curve = curves[wall.curve[slot]];
         Real const its = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]), extent = extent_of(curve);
         if (!(its > largest * extent)) continue;
@@ -216,8 +217,13 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
         }
         if (is_first) parametriser.run(conditions[i]);
     }
+    Demands all;
     for (Condition const& condition : conditions) {
-        if (condition.kind == ConditionKind::rigid) parametriser.add_rigid(condition);
+        all.add(condition);
+        if (condition.kind == ConditionKind::rigid) parametriser.add(condition, curves.count() + condition.body);
+    }
+    for (Condition const& condition : conditions) {
+        if (condition.kind == ConditionKind::given) parametriser.add(condition, curves.count() + all.bodies);
     }
     HARMORPH_TRY(apply_given(given, curves, topology.representative, work, wall, fault));
     return check_distances(topology.mesh.points, curves, wall, fault);

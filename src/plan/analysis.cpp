@@ -174,7 +174,7 @@ MatrixKind Analysis::matrix_kind() const noexcept {
 
 bool Analysis::is_wall_face(Index face) const noexcept {
     const Condition* const condition = condition_of(conditions, boundary.marker[face]);
-    return condition != nullptr && (condition->kind == ConditionKind::on_curve || condition->kind == ConditionKind::rigid);
+    return condition != nullptr && condition->is_wall();
 }
 
 Index Analysis::count_wall_faces() const noexcept {

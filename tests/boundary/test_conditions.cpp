@@ -5,6 +5,7 @@
 #include <fixtures/core.hpp>
 
 using namespace fixtures;
+using harmorph::Index;
 using harmorph::PointKind;
 
 namespace {
@@ -93,4 +94,24 @@ TEST_CASE("the graph couples every pair of unknowns that share a cell, and no ot
         std::sort(found.begin(), found.end());
         CHECK(found == expected);
     }
+}
+
+TEST_CASE("given displacements: after curves and bodies, before fixed markers; no curves are needed") {
+    Case its;
+    its.mesh = square(6);
+    its.set_given(bottom);
+    its.set_free(right);
+    its.set_free(top);
+    Analysed const alone(its);
+    CHECK(alone->kinds[0] == PointKind::on_wall);   // bottom and left, which is fixed
+    CHECK(alone->kinds[6] == PointKind::on_wall);   // bottom and right, which is free
+    CHECK(alone->wall.count == 7);
+    CHECK(alone->count_wall_faces() == 6);
+    CHECK(alone->basis_counts().functions() == 0);
+
+    its.set_rigid(left, 0, 0.5);
+    Analysed const beside_body(its);
+    REQUIRE(beside_body->wall.count == 13);
+    for (Index slot = 0; slot < 13; ++slot)
+        CHECK(beside_body->wall.curve[slot] == (beside_body->wall.point[slot] % 7 == 0 ? 0 : 1));
 }

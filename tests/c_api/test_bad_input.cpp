@@ -315,7 +315,7 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
         {HM_BAD_CONDITION, "on no boundary face", 77, false, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = 6; }},
+        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = 7; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
@@ -345,7 +345,7 @@ TEST_CASE("fields that are not of a condition's kind are refused by name, and wh
         {"x or y", HM_RIGID, [](hm_condition& c) { c.y = not_a_number; }},
         {"partner", HM_PERIODIC_PAIR, [](hm_condition& c) { c.partner = -7; }},
     };
-    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_PERIODIC_PAIR; ++kind)
+    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_GIVEN; ++kind)
         for (auto const& field : fields) {
             if (field.kind == kind) continue;
             Case its = tiny_case();

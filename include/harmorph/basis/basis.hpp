@@ -111,7 +111,10 @@ struct Basis {
     Status require_double(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
+    // Its displacement is given from call to call: no function moves it.
+    bool is_given(Index slot) const noexcept { return wall_curve[slot] == header->counts.curves + header->counts.bodies; }
     // The boundary functions at a point of the wall: evaluated from the parameter, or the movements of the rigid body.
+    // None at a given point.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;
     // Those of functions whose values are here, numbered from the first of these.
     BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;

@@ -1,12 +1,20 @@
-// Boundary conditions: every point is on a wall (a curve or a rigid body), fixed, slipping, free, inside, or used by no
-// cell.
+// Boundary conditions: every point is on a wall (a curve, a rigid body, or given displacements), fixed, slipping, free,
+// inside, or used by no cell.
 #pragma once
 
 #include "harmorph/mesh/boundary.hpp"
 
 namespace harmorph {
 
-enum class ConditionKind : std::int32_t { on_curve = 0, rigid = 1, fixed = 2, slip = 3, free = 4, periodic = 5 };
+enum class ConditionKind : std::int32_t {
+    on_curve = 0,
+    rigid = 1,
+    fixed = 2,
+    slip = 3,
+    free = 4,
+    periodic = 5,
+    given = 6
+};
 
 struct Condition {
     Index marker = 0;
@@ -16,13 +24,17 @@ struct Condition {
     Index partner = 0;                    // periodic: the marker that is this one, moved
     Vec2 centre;                          // rigid: what the body turns about
 
+    // Are the points of the marker on the wall, that is, do they move as they are told?
+    bool is_wall() const noexcept {
+        return kind == ConditionKind::on_curve || kind == ConditionKind::rigid || kind == ConditionKind::given;
+    }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
 };
 
 // In the order of precedence: of several conditions at a point the first one counts. Points of a periodic pair are
-// inside.
+// inside. Of several walls, curves come first, then rigid bodies, then given displacements.
 enum class PointKind : std::uint8_t { on_wall, fixed, slip, free, inside, unused };
 constexpr bool is_unknown(PointKind kind) noexcept {
     return kind == PointKind::slip || kind == PointKind::free || kind == PointKind::inside;
@@ -31,7 +43,10 @@ constexpr bool is_unknown(PointKind kind) noexcept {
 // What the conditions together require; known before memory is laid out.
 struct Demands {
     Index bodies = 0;       // rigid ones
-    bool slip = false, free = false, periodic = false;
+    bool slip = false, free = false, periodic = false, given = false;
+
+    // Is there anything to be solved for?
+    bool any_wall(Index n_curves) const noexcept { return n_curves > 0 || bodies > 0 || given; }
 
     void add(Condition const& condition) noexcept;
 };

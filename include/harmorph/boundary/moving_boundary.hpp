@@ -1,5 +1,5 @@
-// The points that are moved: on curves, with parameters given by the caller or found by projection along the boundary, and
-// on rigid bodies.
+// The points that are moved: on curves, with parameters given by the caller or found by projection along the boundary; on
+// rigid bodies; and those whose displacements are given from call to call.
 #pragma once
 
 #include "harmorph/boundary/conditions.hpp"
@@ -10,7 +10,7 @@ namespace harmorph {
 struct Wall {
     Index count = 0;
     Span<Index> point;  // [count] mesh points in the order in which the boundary loops pass them
-    Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body
+    Span<Index> curve;  // number of the curve; behind the last curve, that of the rigid body; behind these: given
     Span<Real> u;       // on a curve
     Span<Vec2> offset;   // on a rigid body: from its centre; on a curve with offset correction: from the curve; else 0
 
@@ -41,9 +41,9 @@ struct GivenParameters {
     Span<const Real> u;
 };
 
-// Finds curve and parameter of every point on a marker that is on curves, and the points of rigid bodies. Curves meet, begin and end at break points of
-// the boundary: the points nearest to the ends of curves that are not periodic. Each segment between breaks belongs to
-// the curve it is closest to.
+// Finds curve and parameter of every point on a marker that is on curves, the points of rigid bodies, and those of given
+// displacements. Curves meet, begin and end at break points of the boundary: the points nearest to the ends of curves
+// that are not periodic. Each segment between breaks belongs to the curve it is closest to.
 Status parametrise(Topology const& topology, Boundary const& boundary, Span<const Condition> conditions,
                    Span<const Curve> curves, GivenParameters const& given, WallWork const& work, Wall& wall,
                    Fault& fault) noexcept;

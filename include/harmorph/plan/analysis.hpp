@@ -67,7 +67,7 @@ struct Analysis {
     Topology const& stencil() const noexcept { return problem.method.bounded() ? triangulation : topology; }
     BasisSource basis_source() const noexcept;
     BasisCounts basis_counts() const noexcept { return basis_source().counts(); }
-    bool is_wall_face(Index face) const noexcept;  // on a curve or a rigid body
+    bool is_wall_face(Index face) const noexcept;  // one that moves as it is told
     Index count_wall_faces() const noexcept;
     Index count_used_points() const noexcept;
 
