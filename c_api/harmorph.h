@@ -277,8 +277,8 @@ enum {                             /* hm_condition.kind; for a point on several 
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
     HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
                                       bitwise identical displacements */
-    HM_GIVEN = 6                   /* the points move by displacements that are given from call to call. The functions
-                                      of curves and rigid bodies are 0 there */
+    HM_GIVEN = 6                   /* the points move by displacements that are given from call to call (hm_displace).
+                                      The functions of curves and rigid bodies are 0 there */
 };
 
 typedef struct hm_condition {
@@ -643,6 +643,50 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *
  * B-spline. *point: where; point may be NULL. */
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from,
                                    const hm_points *to, double *error, int32_t *point, hm_error *err);
+
+/* ---- Given displacements: wall points as a structural code, a CAD system or a table has them ----------------------- */
+
+/* Points of markers with HM_GIVEN move as each call says; no functions are needed. The displacement of the mesh is one
+ * substitution with the factor of the plan, so a time step costs a small part of hm_plan_factor: factor once, displace as
+ * often as wished. To decide whether a mesh is still good enough: hm_assess with a basis of the same analysis, which need
+ * not be solved, tells the admissible step and the quality at the target. If the admissible step is no longer well above
+ * 1, or the quality has fallen, move the mesh to the last good position, factor there (hm_plan_factor with `at`; ordering
+ * and symbolic factorisation are reused), and give displacements from that position on.
+ *
+ * Displacements are linear: velocities of wall points give velocities of mesh points. Points on curves, rigid bodies and
+ * fixed markers stay where they are; the displacements of curves and bodies by hm_morph may be added.
+ *
+ * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base; NULL: in the order of
+ * hm_given_points, and n is their number. All points of the markers with HM_GIVEN must be there. A point may stand in
+ * the list twice, and so may the two sides of a cut, with equal displacements: lists of several processes can be put
+ * together. On a point of several markers the first of these conditions holds: on curve, rigid, given; only in the last
+ * case the point belongs to the list. */
+
+/* The wall points with given displacements, in order along the boundary with the mesh on the left. points [capacity]; *n:
+ * number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
+HM_API hm_status hm_given_points(const hm_plan *plan, int32_t *points, int32_t capacity, int32_t *n, hm_error *err);
+/* Working memory of hm_displace and hm_displace_adjoint for n_fields fields, 1 .. 2^20: 16 bytes for each mesh point and
+ * field, and the same once more for at most 12 fields. */
+HM_API hm_status hm_displace_size(const hm_plan *plan, int32_t n_fields, size_t *bytes, hm_error *err);
+/* n_fields displacement fields at once, for instance structural modes; up to 12 fields are one substitution. wall
+ * [n_fields]: each of n wall points [length]; to [n_fields]: each of n_points mesh points; to = from + displacement, see
+ * hm_morph. from NULL: taken as 0, so that `to` receives displacements or velocities. Wall points move by the given bits,
+ * and points with a displacement of 0 keep their coordinates bit by bit. Arrays of different fields, and `wall`, must have
+ * no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING, error.item: a
+ * point of the face); cells may be inverted (hm_assess). All fields are computed before any is written.
+ * report may be NULL; functions are fields there, and what concerns curves is 0. HM_NOT_CONVERGED as of hm_plan_solve.
+ * progress is called for HM_PHASE_SOLVE and HM_PHASE_RESIDUAL of each substitution. */
+HM_API hm_status hm_displace(hm_plan *plan, int32_t n, const int32_t *points, int32_t n_fields, const hm_points *wall,
+                             const hm_points *from, const hm_points_out *to, void *work, size_t bytes,
+                             hm_solve_report *report, hm_error *err);
+/* The transpose of hm_displace. dj [n_fields]: derivatives of objectives J with respect to the n_points mesh points (x:
+ * dJ/dx_k, y: dJ/dy_k); gradient [n_fields]: those with respect to the displacements of the n wall points, complete
+ * where a point stands first in the list and 0 where it is repeated. Exact to rounding with HM_DIRECT, to
+ * options.tolerance with the engines that iterate. For work: forces on the mesh points become forces on the wall that do
+ * the same work in every displacement. */
+HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *points, int32_t n_fields,
+                                     const hm_points *dj, const hm_points_out *gradient, void *work, size_t bytes,
+                                     hm_solve_report *report, hm_error *err);
 
 /* ---- Distributed meshes: several processes, see harmorph_mpi.h -------------------------------------------------- */
 

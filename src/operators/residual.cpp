@@ -43,7 +43,7 @@ private:
         for (Index k = 0; k < n_; ++k) sums[k] += row[k] * row[k];
     }
 
-    // Adds up the squares of right-hand sides; leaves the rows 0.
+    // Adds up the squares of right-hand sides; leaves their sources in the rows.
     void take_right_hand_sides(Real* squares) const noexcept {
         for (Index wall = 0; wall + 1 < matrix_.coupling_start.count(); ++wall) {
             const Real* const known = dofs_.wall(wall) + first_;
@@ -54,6 +54,11 @@ private:
         for (Index const i : matrix_.coupling_row) {
             add_squares(row_of(i), squares);
             fill(Span<Real>(row_of(i), static_cast<Size>(n_)), 0.0);
+        }
+        if (dofs_.source == nullptr) return;
+        for (Index i = 0; i < matrix_.n; ++i) {
+            for (Index k = 0; k < n_; ++k) row_of(i)[k] = dofs_.source_at(i)[first_ + k];
+            add_squares(row_of(i), squares);
         }
     }
 

@@ -36,7 +36,7 @@ public:
         Index fixed = 0;
         for (Index i = 0; i < matrix_.n; ++i) {
             fetch(i + rows_ahead);
-            begin_row(i);
+            begin_row(i, norms.right_hand_side);
             for (; fixed < matrix_.fixed_row.count() && matrix_.fixed_row[fixed] == i; ++fixed) {
                 take(own_, -matrix_.fixed_value[fixed], -imaginary(matrix_.fixed_imaginary, fixed), rest_);
             }
@@ -96,13 +96,16 @@ private:
         return low;
     }
 
-    void begin_row(Index i) noexcept {
+    void begin_row(Index i, Real* right_hand_side) noexcept {
         for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n_; ++k) {
-                own_[p][k] = at(i)[p * plane_ + k];
-                rest_[p][k] = 0;
-            }
+            for (Index k = 0; k < n_; ++k) own_[p][k] = at(i)[p * plane_ + k];
         }
+        clear(rest_);
+        if (dofs_.source == nullptr) return;
+        for (Index p = 0; p < planes; ++p) {
+            for (Index k = 0; k < n_; ++k) rest_[p][k] = dofs_.source_at(i)[p * plane_ + first_ + k];
+        }
+        add_squares(rest_, right_hand_side);
     }
 
     // The rows that wait for this one, and those of the wall.

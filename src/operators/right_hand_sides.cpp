@@ -33,10 +33,24 @@ void subtract_complex(BoundaryFunctions const& functions, Vec2 coupling, Index p
     }
 }
 
+// visit(coupling, numbers of the dof on the wall, those of the unknown, columns)
+template <class Visit>
+void for_each_coupling(Matrix const& matrix, DofValues const& dofs, Visit const& visit) noexcept {
+    Index const n = dofs.columns(matrix);
+    for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
+        for (Index c = matrix.coupling_start[wall]; c < matrix.coupling_start[wall + 1]; ++c) {
+            visit(c, dofs.wall(wall), dofs.at(matrix.coupling_row[c]), n);
+        }
+    }
+}
+
+void add_product(Real factor, const Real* from, Real* to, Index n) noexcept {
+    for (Index k = 0; k < n; ++k) to[k] += factor * from[k];
+}
+
 }  // namespace
 
-void set_right_hand_sides(Matrix const& matrix, DofValues const& dofs) noexcept {
-    Basis const& basis = dofs.basis;
+void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues const& dofs) noexcept {
     fill(basis.value, 0.0);
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
         BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
@@ -53,6 +67,26 @@ void set_right_hand_sides(Matrix const& matrix, DofValues const& dofs) noexcept 
             for (Index k = 0; k < known.n; ++k) row[known.at[k]] -= matrix.coupling_value[c] * known.value[k];
         }
     }
+}
+
+void subtract_couplings(Matrix const& matrix, DofValues const& dofs) noexcept {
+    for_each_coupling(matrix, dofs, [&](Index c, const Real* known, Real* row, Index n) {
+        add_product(-matrix.coupling_value[c], known, row, n);
+        if (!matrix.is_complex()) return;
+        add_product(matrix.coupling_imaginary[c], known + n, row, n);
+        add_product(-matrix.coupling_value[c], known + n, row + n, n);
+        add_product(-matrix.coupling_imaginary[c], known, row + n, n);
+    });
+}
+
+void subtract_transposed_couplings(Matrix const& matrix, DofValues const& dofs) noexcept {
+    for_each_coupling(matrix, dofs, [&](Index c, Real* known, const Real* row, Index n) {
+        add_product(-matrix.coupling_value[c], row, known, n);
+        if (!matrix.is_complex()) return;
+        add_product(-matrix.coupling_imaginary[c], row + n, known, n);
+        add_product(-matrix.coupling_value[c], row + n, known + n, n);
+        add_product(matrix.coupling_imaginary[c], row, known + n, n);
+    });
 }
 
 }  // namespace harmorph

@@ -6,8 +6,11 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Method const& method = analysis.problem.method;
     BasisCounts const counts = analysis.basis_counts();
     equations.lay_out(arena, analysis);
+    arena.take(wall_point, analysis.wall.count);
+    given.lay_out(arena, analysis);
     Index const numbers_per_dof = numbers_of(counts.kind) * counts.functions() / equations.matrix.components();
-    Index const columns = equations.matrix.is_complex() ? counts.functions() : numbers_per_dof;
+    Index const columns = larger(equations.matrix.is_complex() ? counts.functions() : numbers_per_dof,
+                                 GivenWall::columns(analysis));
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
@@ -22,6 +25,8 @@ void Plan::init(Analysis const& analysis) noexcept {
     conditions = analysis.conditions_fingerprint;
     factor_entries = analysis.fronts.factor_entries;
     factored = false;
+    copy(wall_point, Span<const Index>(analysis.wall.point.first(wall_point.count())));
+    given.init(analysis);
     equations.init(analysis);
     refinement.residual.kernel = equations.method.kernel;
     executor.for_each(3, [&](Index part) {  // the three parts are independent
@@ -55,7 +60,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
     Matrix const& matrix = equations.matrix;
     DofValues const dofs = equations.dofs(basis);
-    set_right_hand_sides(matrix, dofs);
+    set_right_hand_sides(matrix, basis, dofs);
     HARMORPH_TRY(engine.solve(equations, dofs, progress, report.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
 
@@ -64,8 +69,8 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     report.functions = basis.n_functions();
     report.factor_entries = factor_entries;
     HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
-    if (matrix.kind == MatrixKind::coupled_xy) turn_slipping_points(basis);
-    copy_joined_points(basis);
+    turn_slipping_points(dofs);
+    for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
     basis.seal();
@@ -102,34 +107,39 @@ Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     return fault.refuse(Status::bad_basis, "plan and basis were made of different analyses");
 }
 
-// The dof of a slipping point is a movement along the tangent: here it becomes movements along x and y.
-void Plan::turn_slipping_points(Basis const& basis) const noexcept {
+// turn(tangent, numbers of the first dof, numbers of the second dof)
+template <class Turn>
+void Plan::for_each_slipping(DofValues const& values, Turn const& turn) const noexcept {
     Matrix const& matrix = equations.matrix;
-    DofValues const all = equations.dofs(basis);
+    if (matrix.kind != MatrixKind::coupled_xy) return;
     for (Index point = 0; point < mesh.n_points; ++point) {
         bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
-        if (!slips || all.of[matrix.row_of[2 * point]] != 2 * point) continue;
-        Vec2 const along = matrix.frame[point];
-        Real* const x = all.of_dof(2 * point);
-        Real* const y = all.of_dof(2 * point + 1);
-        for (Index k = 0; k < all.length(); ++k) {
-            y[k] = along.y * x[k];
-            x[k] = along.x * x[k];
-        }
+        if (!slips || values.of[matrix.row_of[2 * point]] != 2 * point) continue;
+        Real* const x = values.of_dof(2 * point);
+        Real* const y = values.of_dof(2 * point + 1);
+        for (Index k = 0; k < values.length(); ++k) turn(matrix.frame[point], x[k], y[k]);
     }
 }
 
-void Plan::copy_joined_points(Basis const& basis) const noexcept {
-    Size const length = static_cast<Size>(basis.row_length());
+void Plan::turn_slipping_points(DofValues const& values) const noexcept {
+    for_each_slipping(values, [](Vec2 along, Real& x, Real& y) {
+        y = along.y * x;
+        x = along.x * x;
+    });
+}
+
+void Plan::turn_slipping_points_back(DofValues const& values) const noexcept {
+    for_each_slipping(values, [](Vec2 along, Real& x, Real& y) {
+        x = along.x * x + along.y * y;
+        y = 0;
+    });
+}
+
+Index Plan::same_point(Index point) const noexcept {
     Matrix const& matrix = equations.matrix;
-    Index const components = matrix.components();
-    for (Index point = 0; point < mesh.n_points; ++point) {
-        Index const row = matrix.row_of[components * point];
-        if (row == none) continue;
-        Index const same = Matrix::is_wall(row) ? basis.wall_point[Matrix::wall(row) / components]
-                                                : equations.point_of(row);
-        if (same != point) copy(Span<Real>(basis.row(point), length), Span<const Real>(basis.row(same), length));
-    }
+    Index const components = matrix.components(), row = matrix.row_of[components * point];
+    if (row >= 0) return equations.point_of(row);
+    return row == none ? none : wall_point[Matrix::wall(row) / components];
 }
 
 }  // namespace harmorph

@@ -79,11 +79,10 @@ private:
             worst = found;
             where = function;
         };
-        BasisCounts const& counts = dofs_.basis.header->counts;
         report.refinements = larger(report.refinements, refined.steps);
         report.iteration.iterations = larger(report.iteration.iterations, refined.iterations);
         for (Index k = 0; k < n; ++k) {
-            Index const function = counts.first_stored + (first + k) % dofs_.basis.n_functions();
+            Index const function = dofs_.first_function + (first + k) % dofs_.n_functions;
             take_worst(refined.error[k], function, report.error, report.error_function);
             Real const left = refined.norms.relative(k);
             take_worst(left, function, report.residual, report.residual_function);
@@ -185,6 +184,19 @@ private:
 };
 
 }  // namespace
+
+void SolveReport::take(SolveReport const& others) noexcept {
+    if (residual_function == none || exceeds(others.residual, residual)) {
+        residual = others.residual;
+        residual_function = others.residual_function;
+    }
+    unknowns = others.unknowns;
+    factor_entries = others.factor_entries;
+    refinements = larger(refinements, others.refinements);
+    iteration.iterations = larger(iteration.iterations, others.iteration.iterations);
+    iteration.fine_sweeps = larger(iteration.fine_sweeps, others.iteration.fine_sweeps);
+    iteration.levels = others.iteration.levels;
+}
 
 void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const& engine, Equations& equations,
                          Index columns) noexcept {

@@ -10,25 +10,49 @@
 
 namespace harmorph {
 
-// The values of a basis as the equations see them: the numbers of a dof (matrix.hpp) stand side by side, one column for
-// each right-hand side. They are a row of basis values, or half a row where a point has two dofs. Of complex values all
-// real parts come first, then all imaginary parts.
+// Values at all points as the equations see them: the numbers of a dof (matrix.hpp) stand side by side, one column for
+// each right-hand side. They are a row of a point, or half a row where a point has two dofs. Of complex values all real
+// parts come first, then all imaginary parts.
 struct DofValues {
-    Basis const& basis;
-    Span<const Index> of;  // [n] dof of each position
-    Index components;      // dofs of a point
+    Span<Real> value;             // the rows of all points
+    Span<const Index> of;         // [n] dof of each position
+    Span<const Index> wall_point; // points of the wall
+    Index components;             // dofs of a point
+    Index n_functions;            // of which a plane of a row has one number each
+    Index first_function;         // number of the first one, for reports
+    Index numbers;                // of a dof
+    // Rows like `value`: the part of the right-hand sides that does not come from the wall, whose values are 0 then. Null: 0.
+    const Real* source = nullptr;
 
-    Index length() const noexcept { return basis.row_length() / components; }
-    Real* of_dof(Index dof) const noexcept { return basis.value.data() + Offset{dof} * length(); }
+    // The functions of a basis.
+    DofValues(Basis const& basis, Span<const Index> dof_of, Index dofs_of_a_point) noexcept
+        : value(basis.value), of(dof_of), wall_point(basis.wall_point), components(dofs_of_a_point),
+          n_functions(basis.n_functions()), first_function(basis.header->counts.first_stored),
+          numbers(basis.row_length() / components) {}
+    // Vector fields: the row of a point has the x of all fields, then the y of all fields.
+    DofValues(Span<Real> rows, Index first_field, Index n_fields, Span<const Index> dof_of, Span<const Index> wall,
+              Index dofs_of_a_point) noexcept
+        : value(rows), of(dof_of), wall_point(wall), components(dofs_of_a_point), n_functions(n_fields),
+          first_function(first_field), numbers(2 * n_fields / components) {}
+
+    Index length() const noexcept { return numbers; }
+    Offset start_of(Index dof) const noexcept { return Offset{dof} * numbers; }
+    Real* of_dof(Index dof) const noexcept { return value.data() + start_of(dof); }
     Real* at(Index position) const noexcept { return of_dof(of[position]); }
-    Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? basis.n_functions() : length(); }
+    const Real* source_at(Index position) const noexcept { return source + start_of(of[position]); }
+    // The numbers of one point become those of another; of none: nothing to do.
+    void copy_row(Index from, Index to) const noexcept {
+        if (from == to || from == none) return;
+        std::memcpy(of_dof(components * to), of_dof(components * from), sizeof(Real) * static_cast<Size>(components * numbers));
+    }
+    Index columns(Matrix const& matrix) const noexcept { return matrix.is_complex() ? n_functions : length(); }
     // The values of the unknowns by position, as engines see them.
     Rows rows(Matrix const& matrix) const noexcept {
-        return {basis.value.data(), of.data(), length(), columns(matrix), columns(matrix)};
+        return {value.data(), of.data(), length(), columns(matrix), columns(matrix)};
     }
     // The values of a dof on the wall, by its number there (see Matrix::wall).
     Real* wall(Index dof) const noexcept {
-        return of_dof(components * basis.wall_point[dof / components] + dof % components);
+        return of_dof(components * wall_point[dof / components] + dof % components);
     }
 };
 

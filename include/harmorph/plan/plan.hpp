@@ -3,6 +3,7 @@
 
 #include "harmorph/mesh/region_counts.hpp"
 #include "harmorph/operators/right_hand_sides.hpp"
+#include "harmorph/plan/given_wall.hpp"
 #include "harmorph/plan/refinement.hpp"
 
 namespace harmorph {
@@ -12,6 +13,8 @@ struct Plan {
     Equations equations;
     AnyEngine engine;
     Refinement refinement;
+    Span<Index> wall_point;         // [points of the wall] mesh point of each slot
+    GivenWall given;
     Executor executor;
     Progress progress;
     BasisCounts basis_counts;
@@ -33,9 +36,16 @@ struct Plan {
     // Refuses a basis that was made of a different analysis; an equal one is accepted.
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
+    // The dof of a slipping point is a movement along the tangent. turn_slipping_points() makes of it movements along x and
+    // y; the other one is the transpose. Nothing to do where x and y are not coupled.
+    void turn_slipping_points(DofValues const& values) const noexcept;
+    void turn_slipping_points_back(DofValues const& values) const noexcept;
+    // The point of the wall or of an unknown that has the values of this one, or none where they are 0.
+    Index same_point(Index point) const noexcept;
+
 private:
-    void turn_slipping_points(Basis const& basis) const noexcept;
-    void copy_joined_points(Basis const& basis) const noexcept;
+    template <class Turn>
+    void for_each_slipping(DofValues const& values, Turn const& turn) const noexcept;
 };
 
 }  // namespace harmorph

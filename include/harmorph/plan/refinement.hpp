@@ -17,6 +17,9 @@ struct SolveReport {
     Index error_function = none;
     IterationReport iteration;
     Offset factor_entries = 0;
+
+    // Of more functions.
+    void take(SolveReport const& others) noexcept;
 };
 
 struct Refinement {

@@ -1,0 +1,159 @@
+// The C interface: displacements given at points of the wall, and the transpose.
+#include "handles.hpp"
+#include "harmorph/morph/displacement.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index most_fields = Index{1} << 20;
+
+Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
+    if (plan.given.point.empty()) {
+        return fault.refuse(Status::bad_condition, "no marker has the condition HM_GIVEN: no displacements can be given");
+    }
+    if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
+    return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #", Counts::from_zero, n_fields);
+}
+
+// What both calls have in common: the plan, the list of wall points, and working memory.
+struct DisplaceCall {
+    Plan* plan = nullptr;
+    PointList list;
+    Displacement displacement;
+
+    Status open(hm_plan* handle, Index n, const Index* points, Index n_fields, void* work, Size bytes,
+                const hm_solve_report* report, CallFault& fault) noexcept {
+        HARMORPH_TRY(open_plan(handle, plan, fault));
+        HARMORPH_TRY(check_fields(*plan, n_fields, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(view_list(n, points, fault));
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
+        return displacement.find_places(*plan, list, fault);
+    }
+
+    template <class Given>
+    static Status view_fields(const Given* given, Index n_fields, const char* name, Fault& fault) noexcept {
+        HARMORPH_TRY(require({{name, given}}, fault));
+        for (Index field = 0; field < n_fields; ++field) {
+            View<Given> unused;
+            HARMORPH_TRY(view_points(given + field, name, unused, fault));
+        }
+        return Status::ok;
+    }
+
+    void write(SolveReport const& solved, hm_solve_report* report) const noexcept {
+        if (report == nullptr) return;
+        hm_solve_report filled = {};
+        filled.unknowns = solved.unknowns;
+        filled.functions = displacement.n_fields;
+        filled.residual = solved.residual;
+        filled.residual_function = solved.residual_function;
+        filled.boundary_error_point = filled.max_distance_point = none;
+        filled.refinements = solved.refinements;
+        filled.factor_entries = solved.factor_entries;
+        filled.iterations = solved.iteration.iterations;
+        filled.levels = solved.iteration.levels;
+        filled.fine_sweeps = solved.iteration.fine_sweeps;
+        write_struct(filled, report);
+    }
+
+private:
+    template <class Given>
+    using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
+
+    Status view_list(Index n, const Index* points, Fault& fault) noexcept {
+        HARMORPH_TRY(PointList::check_length(n, fault));
+        Index const n_given = plan->given.point.count();
+        if (points == nullptr && n != n_given) {
+            return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements", Counts::from_zero, n,
+                                n_given);
+        }
+        list = {0, plan->given.point};
+        if (points != nullptr) list = {plan->mesh.index_base, {points, static_cast<Size>(n)}};
+        return list.check(plan->mesh.n_points, fault);
+    }
+};
+
+MutablePoints points_of(hm_points_out const& given) noexcept { return {given.x, given.y, stride_of(given.stride)}; }
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_given_points(const hm_plan* plan, int32_t* points, int32_t capacity, int32_t* n, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(require({{"n", n}}, fault));
+        if (capacity > 0) HARMORPH_TRY(require({{"points", points}}, fault));
+        Span<const Index> const given = p->given.point;
+        for (Index k = 0; k < smaller(capacity, given.count()); ++k) points[k] = given[k] + p->mesh.index_base;
+        *n = given.count();
+        if (capacity >= *n) return Status::ok;
+        return fault.refuse(Status::bad_argument, "points has room for #, the displacements of @ points are given",
+                            Counts::from_zero, capacity, *n);
+    });
+}
+
+hm_status hm_displace_size(const hm_plan* plan, int32_t n_fields, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(check_fields(*p, n_fields, fault));
+        Displacement made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, n_fields); });
+    });
+}
+
+hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields, const hm_points* wall,
+                      const hm_points* from, const hm_points_out* to, void* work, size_t bytes, hm_solve_report* report,
+                      hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        DisplaceCall call;
+        Points start;
+        HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
+        HARMORPH_TRY(call.view_fields(wall, n_fields, "wall", fault));
+        HARMORPH_TRY(view_points_if(from, "from", start, fault));
+        HARMORPH_TRY(call.view_fields(to, n_fields, "to", fault));
+        Displacement const& displacement = call.displacement;
+        displacement.clear(*call.plan);
+        for (Index i = 0; i < n_fields; ++i) {
+            HARMORPH_TRY(displacement.set(*call.plan, call.list, i, points_of(wall[i]), fault));
+        }
+        SolveReport solved;
+        HARMORPH_TRY(displacement.solve(*call.plan, solved, fault));
+        for (Index i = 0; i < n_fields && start.given(); ++i) {
+            HARMORPH_TRY(displacement.check_target(*call.plan, i, start, fault));
+        }
+        for (Index i = 0; i < n_fields; ++i) displacement.write(*call.plan, i, start, points_of(to[i]));
+        call.write(solved, report);
+        return fault.status;
+    });
+}
+
+hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, int32_t n_fields, const hm_points* dj,
+                              const hm_points_out* gradient, void* work, size_t bytes, hm_solve_report* report,
+                              hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        DisplaceCall call;
+        HARMORPH_TRY(call.open(plan, n, points, n_fields, work, bytes, report, fault));
+        HARMORPH_TRY(call.view_fields(dj, n_fields, "dj", fault));
+        HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault));
+        Displacement const& displacement = call.displacement;
+        for (Index i = 0; i < n_fields; ++i) {
+            HARMORPH_TRY(displacement.set_derivatives(*call.plan, i, points_of(dj[i]), fault));
+        }
+        SolveReport solved;
+        HARMORPH_TRY(displacement.solve_transposed(*call.plan, solved, fault));
+        for (Index i = 0; i < n_fields; ++i) {
+            displacement.write_gradient(*call.plan, call.list, i, points_of(gradient[i]));
+        }
+        call.write(solved, report);
+        return fault.status;
+    });
+}
+
+}  // extern "C"

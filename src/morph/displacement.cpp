@@ -1,0 +1,217 @@
+#include "harmorph/morph/displacement.hpp"
+
+#include "harmorph/base/parallel_reduce.hpp"
+#include "harmorph/morph/crossing.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index points_of_a_task = 4096;
+
+// The slot of a point whose displacement is given, or none.
+Index slot_of(Plan const& plan, Index point) noexcept {
+    Matrix const& matrix = plan.equations.matrix;
+    Index const row = matrix.row_of[matrix.components() * point];
+    if (!Matrix::is_wall(row)) return none;
+    Index const slot = Matrix::wall(row) / matrix.components();
+    return slot >= plan.given.first_slot ? slot : none;
+}
+
+struct First {
+    Index point = none;
+    void merge(First const& later) noexcept { point = point != none ? point : later.point; }
+};
+
+bool equal(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
+
+}  // namespace
+
+void Displacement::lay_out(Arena& arena, Plan const& plan, Index fields) noexcept {
+    n_fields = fields;
+    Offset const row = 2 * Offset{plan.mesh.n_points};
+    arena.take(place, plan.given.point.count());
+    arena.take(value, row * n_fields);
+    arena.take(source, row * smaller(n_fields, GivenWall::fields_at_once));
+}
+
+Displacement::Block Displacement::block_of(Plan const& plan, Index field) const noexcept {
+    Index const first = field / GivenWall::fields_at_once * GivenWall::fields_at_once;
+    Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
+    Offset const row = 2 * Offset{plan.mesh.n_points};
+    return {first, n, value.from(row * first, row * n)};
+}
+
+template <class Body>
+Status Displacement::for_each_block(Plan const& plan, Fault& fault, Body const& body) const noexcept {
+    if (!plan.factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
+    for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
+        Block const block = block_of(plan, first);
+        HARMORPH_TRY(body(block, dofs(plan, block)));
+    }
+    return fault.status;
+}
+
+DofValues Displacement::dofs(Plan const& plan, Block const& block) noexcept {
+    Equations const& equations = plan.equations;
+    return {block.rows, block.first, block.n, equations.dof_of, plan.wall_point, equations.matrix.components()};
+}
+
+Status Displacement::find_places(Plan const& plan, PointList const& list, Fault& fault) noexcept {
+    fill(place, none);
+    Span<const Index> const given = plan.given.point;
+    for (Index k = 0; k < list.count(); ++k) {
+        Index const slot = slot_of(plan, list[k]);
+        if (slot == none) {
+            return fault.refuse(Status::bad_condition, "point # is on no marker whose displacements are given",
+                                Counts::mesh, list[k]);
+        }
+        Index& first = place[slot - plan.given.first_slot];
+        if (first == none) first = k;
+    }
+    for (Index i = 0; i < given.count(); ++i) {
+        if (place[i] != none) continue;
+        return fault.refuse(Status::bad_condition, "point # is on a marker of given displacements, but is not in the list",
+                            Counts::mesh, given[i]);
+    }
+    return Status::ok;
+}
+
+void Displacement::clear(Plan const& plan) const noexcept {
+    plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
+        for (Index field = 0; field < n_fields; field += GivenWall::fields_at_once) {
+            Block const block = block_of(plan, field);
+            fill(Span<Real>(block.row(begin), static_cast<Size>(Offset{end - begin} * block.length())), 0.0);
+        }
+    });
+}
+
+Status Displacement::set(Plan const& plan, PointList const& list, Index field, Points wall,
+                         Fault& fault) const noexcept {
+    MutablePoints const to = block_of(plan, field).field(field);
+    for (Index k = 0; k < list.count(); ++k) {
+        Index const slot = slot_of(plan, list[k]), first = place[slot - plan.given.first_slot];
+        if (!is_in_range(wall[k])) {
+            bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
+            return fault.refuse(Status::bad_argument,
+                                finite ? "the displacement of point # is beyond 1e100 (field @ from 0)"
+                                       : "the displacement of point # is not finite (field @ from 0)",
+                                Counts::mesh_and_marker, list[k], field);
+        }
+        if (!equal(wall[k], wall[first])) {
+            return fault.refuse(Status::bad_argument, "point # has two displacements (field @ from 0)",
+                                Counts::mesh_and_marker, list[k], field);
+        }
+        to.set(plan.wall_point[slot], wall[k]);
+    }
+    return Status::ok;
+}
+
+// In place: the right-hand sides of the unknowns become values.
+Status Displacement::solve_inside(Plan& plan, DofValues const& values, SolveReport& report, Fault& fault) noexcept {
+    Progress const& progress = plan.progress;
+    Equations const& equations = plan.equations;
+    SolveReport of_block;
+    of_block.unknowns = equations.matrix.n;
+    of_block.factor_entries = plan.factor_entries;
+    HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
+    HARMORPH_TRY(plan.engine.solve(equations, values, progress, of_block.iteration, fault));
+    HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
+    HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
+    HARMORPH_TRY(plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
+    HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
+    HARMORPH_TRY(judge(of_block, equations.method, fault));
+    report.take(of_block);
+    return Status::ok;
+}
+
+Status Displacement::solve(Plan& plan, SolveReport& report, Fault& fault) const noexcept {
+    Matrix const& matrix = plan.equations.matrix;
+    report.functions = n_fields;
+    return for_each_block(plan, fault, [&](Block const&, DofValues const& values) {
+        subtract_couplings(matrix, values);
+        HARMORPH_TRY(solve_inside(plan, values, report, fault));
+        plan.turn_slipping_points(values);
+        for (Index const point : plan.given.joined) values.copy_row(plan.same_point(point), point);
+        return Status::ok;
+    });
+}
+
+Status Displacement::check_target(Plan const& plan, Index field, Points from, Fault& fault) const noexcept {
+    GivenWall const& given = plan.given;
+    Points const displacement = block_of(plan, field).field(field);
+    for (Index const point : given.boundary_point) {
+        if (is_in_range(from[point] + displacement[point])) continue;
+        return fault.refuse(Status::bad_argument, "the target of point # is beyond 1e100 (field @ from 0)",
+                            Counts::mesh_and_marker, point, field);
+    }
+    Crossing const crossing = find_crossing(given.boundary_point, given.loop_start, from, displacement);
+    if (!crossing.found) return Status::ok;
+    return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
+                        Counts::mesh, crossing.first[0], crossing.second[0]);
+}
+
+void Displacement::write(Plan const& plan, Index field, Points from, MutablePoints to) const noexcept {
+    Points const displacement = block_of(plan, field).field(field);
+    plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            Vec2 const by = displacement[k];
+            if (!from.given()) {
+                to.set(k, by);
+                continue;
+            }
+            Vec2 const at = from[k];  // -0 + 0 is not -0
+            to.set(k, {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y});
+        }
+    });
+}
+
+Status Displacement::set_derivatives(Plan const& plan, Index field, Points derivatives, Fault& fault) const noexcept {
+    MutablePoints const to = block_of(plan, field).field(field);
+    First const bad = reduce_ranges<First>(plan.mesh.n_points, plan.executor, [&](Index begin, Index end, First& first) {
+        for (Index k = begin; k < end; ++k) {
+            Vec2 const by = derivatives[k];
+            if (first.point == none && !(is_finite(by.x) && is_finite(by.y))) first.point = k;
+            to.set(k, by);
+        }
+    });
+    if (bad.point != none) {
+        return fault.refuse(Status::bad_argument, "the derivative by point # is not finite (field @ from 0)",
+                            Counts::mesh_and_marker, bad.point, field);
+    }
+    for (Index const point : plan.given.joined) {  // it moves with the other point
+        Index const same = plan.same_point(point);
+        if (same != none && same != point) to.set(same, to[same] + derivatives[point]);
+    }
+    return Status::ok;
+}
+
+Status Displacement::solve_transposed(Plan& plan, SolveReport& report, Fault& fault) const noexcept {
+    report.functions = n_fields;
+    return for_each_block(plan, fault, [&](Block const& block, DofValues values) {
+        plan.turn_slipping_points_back(values);
+        copy(source, Span<const Real>(block.rows));
+        values.source = source.data();
+        auto const row = [&](Span<Real> rows, Index point) {
+            return rows.from(Offset{point} * block.length(), block.length());
+        };
+        for (Index const point : plan.wall_point) fill(row(block.rows, point), 0.0);
+        HARMORPH_TRY(solve_inside(plan, values, report, fault));
+        subtract_transposed_couplings(plan.equations.matrix, values);
+        for (Index const point : plan.given.point) {
+            for (Index k = 0; k < block.length(); ++k) row(block.rows, point)[k] += row(source, point)[k];
+        }
+        return Status::ok;
+    });
+}
+
+void Displacement::write_gradient(Plan const& plan, PointList const& list, Index field,
+                                  MutablePoints gradient) const noexcept {
+    Points const found = block_of(plan, field).field(field);
+    for (Index k = 0; k < list.count(); ++k) {
+        Index const slot = slot_of(plan, list[k]);
+        bool const is_first = place[slot - plan.given.first_slot] == k;
+        gradient.set(k, is_first ? found[plan.wall_point[slot]] : Vec2{});
+    }
+}
+
+}  // namespace harmorph

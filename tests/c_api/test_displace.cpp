@@ -1,0 +1,154 @@
+// Bad input of hm_displace and hm_displace_adjoint: refused by name, and nothing is written.
+#include <doctest/doctest.h>
+
+#include <fixtures/displaced.hpp>
+
+#include <functional>
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+// The arguments of one call; a test spoils one of them.
+struct Arguments {
+    Case its = given_instead(tiny_case());
+    Displaced displaced{its};
+    std::int32_t n_fields = 2;
+    std::vector<std::int32_t> list = displaced.points;
+    std::vector<double> wall = std::vector<double>(32, 0.125), mesh = std::vector<double>(4 * its.mesh.x.size(), 0.5);
+    std::vector<hm_points> given, dj;
+    std::vector<hm_points_out> to, gradient;
+    hm_solve_report report{};
+    Guarded work = displaced.work_for(2);
+    std::size_t bytes = work.size();
+    const std::int32_t* points = list.data();
+    std::int32_t n = static_cast<std::int32_t>(list.size());
+    std::vector<double> out = std::vector<double>(mesh.size(), 77);
+
+    Arguments() {
+        report.struct_size = sizeof report;
+        std::size_t const n_mesh = its.mesh.x.size();
+        for (std::size_t field = 0; field < 2; ++field) {
+            given.push_back({&wall[16 * field], &wall[16 * field + 8], 1});
+            dj.push_back({&mesh[2 * n_mesh * field], &mesh[2 * n_mesh * field + n_mesh], 1});
+            to.push_back({&out[2 * n_mesh * field], &out[2 * n_mesh * field + n_mesh], 1});
+            gradient.push_back({&out[16 * field], &out[16 * field + 8], 1});
+        }
+    }
+    hm_status displace(hm_error& error) {
+        return hm_displace(displaced.plan, n, points, n_fields, given.data(), nullptr, to.data(), work.data(), bytes,
+                           &report, &error);
+    }
+    hm_status adjoint(hm_error& error) {
+        return hm_displace_adjoint(displaced.plan, n, points, n_fields, dj.data(), gradient.data(), work.data(), bytes,
+                                   &report, &error);
+    }
+};
+
+enum class Call { displace, adjoint, either };
+
+struct Spoiled {
+    hm_status status;
+    const char* named;
+    std::int32_t item;
+    Call call;
+    std::function<void(Arguments&)> spoil;
+};
+
+}  // namespace
+
+TEST_CASE("spoiled arguments of displacements and of the adjoint") {
+    constexpr std::int32_t any = -2;
+    std::vector<Spoiled> const all = {
+        {HM_BAD_ARGUMENT, "n_fields", 0, Call::either, [](Arguments& a) { a.n_fields = 0; }},
+        {HM_BAD_ARGUMENT, "n_fields", -3, Call::either, [](Arguments& a) { a.n_fields = -3; }},
+        {HM_BLOCK_TOO_SMALL, "more bytes", -1, Call::either, [](Arguments& a) { --a.bytes; }},
+        {HM_BAD_ARGUMENT, "a list may have", -5, Call::either, [](Arguments& a) { a.n = -5; }},
+        {HM_BAD_CONDITION, "is not in the list", any, Call::either, [](Arguments& a) { --a.n; }},
+        {HM_BAD_CONDITION, "whose displacements are given", 0, Call::either, [](Arguments& a) { a.list[3] = 0; }},
+        {HM_BAD_CONDITION, "is not in the list", any, Call::either, [](Arguments& a) { a.list[3] = a.list[4]; }},
+        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either, [](Arguments& a) { a.list[2] = 48; }},
+        {HM_BAD_ARGUMENT, "no point of the mesh", 2, Call::either, [](Arguments& a) { a.list[2] = -1; }},
+        {HM_BAD_ARGUMENT, "n is 7", 7, Call::either, [](Arguments& a) { a.points = nullptr, a.n = 7; }},
+        {HM_BAD_ARGUMENT, "struct_size", -1, Call::either, [](Arguments& a) { a.report.struct_size = 0; }},
+        {HM_BAD_ARGUMENT, "wall", -1, Call::displace, [](Arguments& a) { a.given[1].y = nullptr; }},
+        {HM_BAD_ARGUMENT, "to", -1, Call::displace, [](Arguments& a) { a.to[1].x = nullptr; }},
+        {HM_BAD_ARGUMENT, "dj", -1, Call::adjoint, [](Arguments& a) { a.dj[1].x = nullptr; }},
+        {HM_BAD_ARGUMENT, "gradient", -1, Call::adjoint, [](Arguments& a) { a.gradient[1].x = nullptr; }},
+        {HM_BAD_ARGUMENT, "not finite (field 1", any, Call::displace, [](Arguments& a) { a.wall[17] = not_a_number; }},
+        {HM_BAD_ARGUMENT, "beyond 1e100 (field 0", any, Call::displace, [](Arguments& a) { a.wall[2] = 2e100; }},
+        {HM_BAD_ARGUMENT, "not finite (field 0", 9, Call::adjoint, [](Arguments& a) { a.mesh[9] = not_a_number; }},
+    };
+    for (Spoiled const& bad : all)
+        for (Call const call : {Call::displace, Call::adjoint}) {
+            if (bad.call != Call::either && bad.call != call) continue;
+            Arguments arguments;
+            std::vector<double> const before = arguments.out;
+            bad.spoil(arguments);
+            hm_error error{};
+            hm_status const status = call == Call::displace ? arguments.displace(error) : arguments.adjoint(error);
+            INFO(std::string(bad.named) << ": " << error.text);
+            CHECK(status == bad.status);
+            if (bad.item != any) CHECK(error.item == bad.item);
+            CHECK(std::string(error.text).find(bad.named) != std::string::npos);
+            CHECK(arguments.out == before);
+        }
+    Arguments good;
+    hm_error error{};
+    CHECK(good.displace(error) == HM_OK);
+    CHECK(good.adjoint(error) == HM_OK);
+}
+
+TEST_CASE("a repeated point with another displacement") {
+    Arguments arguments;
+    arguments.list.push_back(arguments.list[1]);
+    arguments.points = arguments.list.data();
+    arguments.n = 9;
+    std::vector<double> x(9, 0.125), y(9, 0.125);
+    for (hm_points& field : arguments.given) field = {x.data(), y.data(), 1};
+    hm_error error{};
+    CHECK(arguments.displace(error) == HM_OK);
+    y[8] = 0.25;
+    CHECK(arguments.displace(error) == HM_BAD_ARGUMENT);
+    CHECK(error.item == arguments.list[1]);
+    CHECK(std::string(error.text).find("two displacements") != std::string::npos);
+}
+
+TEST_CASE("plans that cannot: no given marker, no factor, a marker that is both given and on a curve") {
+    Case curves = tiny_case();
+    Solved const solved(curves);
+    std::size_t bytes = 0;
+    hm_error error{};
+    CHECK(hm_displace_size(solved.plan, 1, &bytes, &error) == HM_BAD_CONDITION);
+    CHECK(std::string(error.text).find("HM_GIVEN") != std::string::npos);
+
+    Arguments unfactored;
+    Attempt other;
+    REQUIRE(other.analyse(unfactored.its.problem()));
+    REQUIRE(other.prepare());
+    unfactored.displaced.plan = other.plan;
+    CHECK(unfactored.displace(error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text).find("no factor") != std::string::npos);
+
+    curves.set_given(body);
+    Attempt const both(curves.problem());
+    CHECK(both.status == HM_BAD_CONDITION);
+    CHECK(std::string(both.error.text).find("two conditions") != std::string::npos);
+
+    hm_options nodal = laplace();
+    nodal.scheme = HM_NODAL_GRADIENT;
+    Attempt const not_there(unfactored.its.problem(), &nodal);
+    CHECK(not_there.status == HM_UNSUPPORTED);
+}
+
+TEST_CASE("hm_given_points: too small a capacity tells the number") {
+    Arguments arguments;
+    std::int32_t n = 0, few[3];
+    hm_error error{};
+    CHECK(hm_given_points(arguments.displaced.plan, few, 3, &n, &error) == HM_BAD_ARGUMENT);
+    CHECK(n == 8);
+    CHECK(hm_given_points(arguments.displaced.plan, few, 3, nullptr, &error) == HM_BAD_ARGUMENT);
+}
