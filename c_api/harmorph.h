@@ -265,6 +265,90 @@ HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *b
 HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, const hm_points *points, int32_t n,
                         int32_t is_loop, const hm_fit_options *options, hm_fit_report *report, hm_error *err);
 
+/* ---- More control points for the same shape ---------------------------------------------------------------------- */
+
+/* Coarse-to-fine design: the same curves with more control points. hm_refine inserts n knots u [n] into one curve, in
+ * any order, a value as often as its knot is to be repeated; hm_elevate raises the degree of one curve by 1. Both are
+ * exact: all points C(u) are the same but for rounding, also of rational curves. The other curves of the set are kept.
+ * *matrix [finer->n_control * curves->n_control] contains rows M: new control points = M * old ones (of x and of y), and
+ * derivatives with respect to the old ones = transpose of M * those with respect to the new ones. Rows sum to 1. Weights
+ * are constants here; the new ones are in finer->weights. matrix may be NULL.
+ * Control points are numbered anew: first those of the changed curve in its order, then those that only other curves use
+ * or no curve. A control point that the change does not touch stays one point, however many curves or ends use it: ties
+ * and common ends persist. Periodic curves (the first `degree` points again at the end, with periodic knots) remain
+ * periodic; the knot is inserted in all its images.
+ * *finer and its arrays and *matrix are inside the block, finer->index_base is that of curves. Refused with
+ * HM_BAD_ARGUMENT: a knot that is not finite or not between the ends of the curve (the beginning of a periodic curve is
+ * allowed); with HM_BAD_CURVE: a multiplicity above the degree, and degree 5 for hm_elevate. (Polar forms: Ramshaw,
+ * Comput. Aided Geom. Des. 6 (1989) 323.) */
+HM_API hm_status hm_refine_size(const hm_curves *curves, int32_t curve, int32_t n, const double *u, size_t *bytes,
+                                hm_error *err);
+HM_API hm_status hm_refine(const hm_curves **finer, const double **matrix, void *block, size_t bytes,
+                           const hm_curves *curves, int32_t curve, int32_t n, const double *u, hm_error *err);
+HM_API hm_status hm_elevate_size(const hm_curves *curves, int32_t curve, size_t *bytes, hm_error *err);
+HM_API hm_status hm_elevate(const hm_curves **finer, const double **matrix, void *block, size_t bytes,
+                            const hm_curves *curves, int32_t curve, hm_error *err);
+
+/* ---- Measures of a section, with derivatives by the control points ------------------------------------------------ */
+
+typedef struct hm_section {        /* which curves are the outline of the section, and its chord */
+    uint64_t struct_size;
+    int32_t  first_curve, n_curves;/* the curves first_curve .. first_curve+n_curves-1 are the outline, each joined to the
+                                      one before; 1 .. 8 curves; both 0: all curves of the set. A last curve of degree 1
+                                      with two control points, behind another one, is a blunt base. An outline that is
+                                      not closed is closed by a straight line */
+    double   nose_x, nose_y, edge_x, edge_y; /* a chord line that does not move, from the leading to the trailing edge.
+                                      All 0: the chord of the curves: the trailing edge is the midpoint of the two ends
+                                      (without base) of the outline, the leading edge the point of the outline farthest
+                                      from there, and both move with the control points. Periodic curves have no ends:
+                                      their chord must be given */
+} hm_section;
+
+enum {                             /* hm_quantity.kind */
+    HM_AREA = 0,                   /* [length^2] enclosed, > 0 for both orientations */
+    HM_CENTROID_X = 1, HM_CENTROID_Y = 2, /* [length] of the enclosed area */
+    HM_MOMENT_XX = 3, HM_MOMENT_YY = 4, HM_MOMENT_XY = 5, /* [length^4] integrals of (y - yc)^2, (x - xc)^2,
+                                      (x - xc)(y - yc) over the area, (xc, yc) its centroid */
+    HM_CHORD = 6,                  /* [length] of the chord line */
+    HM_THICKNESS = 7,              /* [length] at a station: from the lowest to the highest point of the outline on the
+                                      normal to the chord line through the station */
+    HM_CAMBER = 8,                 /* [length] the mean height of these two points above the chord line (left of the
+                                      direction from the leading to the trailing edge) */
+    HM_MAX_THICKNESS = 9,          /* [length] over all stations */
+    HM_MAX_CAMBER = 10,            /* [length] the camber of the largest magnitude, with its sign */
+    HM_NOSE_RADIUS = 11,           /* [length] radius of curvature at the leading edge: the point of the outline farthest
+                                      from the trailing edge of the chord; > 0 where the outline is convex */
+    HM_EDGE_ANGLE = 12,            /* [degrees] interior angle between the two ends of the outline at the trailing edge;
+                                      negative: they have crossed */
+    HM_EDGE_GAP = 13,              /* [length] between the two ends, normal to the chord; negative: they have crossed */
+    HM_MIN_RADIUS = 14,            /* [length] smallest radius of curvature, > 0; corners do not count */
+    HM_CURVATURE_VARIATION = 15,   /* [1/length^3] integral of (d curvature / d arc length)^2 over the arc length; jumps
+                                      at knots and corners do not count; degree >= 2 */
+    HM_CLEARANCE = 16              /* [length] smallest signed distance of the outline from a polygon that is to fit
+                                      inside; negative: a part of the polygon is outside */
+};
+
+typedef struct hm_quantity {
+    uint64_t struct_size;          /* the same in all quantities of one call */
+    int32_t  kind;                 /* HM_AREA, ... */
+    int32_t  n_polygon;            /* clearance: points of the polygon, 1 .. 2^20; a polygon of 2 points is a line */
+    double   station;              /* thickness, camber: 0 < station < 1 along the chord line */
+    const double *polygon;         /* [2*n_polygon] clearance: x,y pairs; the last point is connected to the first */
+} hm_quantity;
+
+/* values [n]; at [2*n]: where, or NULL: the point of the chord line for thickness, camber and chord, the centroid for
+ * integrals over the area, otherwise a point of the outline. gradients [n * 2*n_control], or NULL: row k contains the
+ * derivatives of value k by x and y of each control point, weights constant. section NULL: all curves, with their own
+ * chord. Integrals are evaluated by Gauss rules that are exact for polynomial curves; for rational curves, and for the
+ * curvature variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those of extremes
+ * hold while the extreme stays where it is, and are those of one side where two places have the same value.
+ * Refused with HM_BAD_CURVE: curves that are not joined, no area, no chord, a station where the outline is parallel to
+ * the normal of the chord or that the normal meets at less than two points, a leading edge or an outline without
+ * curvature, a trailing edge without directions. item: the quantity, from 0. Outputs are then unchanged. */
+HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, int32_t n,
+                            const hm_quantity *quantities, double *values, double *at, double *gradients,
+                            hm_error *err);
+
 /* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
 
 enum {                             /* hm_condition.kind; for a point on several markers the first of these kinds holds:

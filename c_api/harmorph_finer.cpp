@@ -1,0 +1,127 @@
+// The C interface: the same curves with more control points.
+#include "call.hpp"
+#include "harmorph/bspline/finer_curves.hpp"
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+// What a size query and the call itself read: the curves, and how one of them changes.
+struct FinerTask {
+    CurvesView view;
+    Refinement refinement;
+    FinerCounts counts;
+
+    Status open(const hm_curves* curves, CallFault& fault) noexcept {
+        HARMORPH_TRY(view_curves(curves, view, fault));
+        if (refinement.curve < 0 || refinement.curve >= view.count()) {
+            return fault.refuse(Status::bad_argument, "there is no curve # (from 0); the set has @", Counts::from_zero,
+                                refinement.curve, view.count());
+        }
+        for (Index i = 0; i < view.count(); ++i) {
+            Curve curve;
+            HARMORPH_TRY(view.curve(i, curve, fault));
+            HARMORPH_TRY(check_curve(curve, i, fault));
+            if (i == refinement.curve) HARMORPH_TRY(refinement.check(curve, fault));
+            counts.include(curve, i == refinement.curve, refinement);
+        }
+        return Status::ok;
+    }
+};
+
+Status view_knots(Index n, const double* u, Refinement& refinement, Fault& fault) noexcept {
+    constexpr Index most = Index{1} << 24;
+    if (n < 0 || n > most) {
+        return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", Counts::from_zero, n);
+    }
+    if (n > 0) HARMORPH_TRY(require({{"u", u}}, fault));
+    refinement.knots = {u, static_cast<Size>(n)};
+    return Status::ok;
+}
+
+// The block: the caller's structs, then the core's arrays.
+struct FinerBlock {
+    Span<hm_curves> set;
+    Span<hm_curve> curve;
+    FinerCurves finer;
+
+    void lay_out(Arena& arena, FinerCounts const& counts) noexcept {
+        arena.take(set, 1);
+        arena.take(curve, counts.n_curves);
+        finer.lay_out(arena, counts);
+    }
+    const hm_curves* present(Index index_base) const noexcept {
+        for (Index i = 0; i < curve.count(); ++i) curve[i] = struct_of(finer.curve[i]);
+        const Real* const weights = finer.weights.empty() ? nullptr : finer.weights.data();
+        set[0] = {sizeof(hm_curves), index_base, finer.n_control, finer.control.data(), weights, curve.count(),
+                  curve.data()};
+        return set.data();
+    }
+};
+
+Status count_finer(FinerTask& task, const hm_curves* curves, size_t* bytes, CallFault& fault) noexcept {
+    HARMORPH_TRY(task.open(curves, fault));
+    FinerBlock made;
+    return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); });
+}
+
+Status make_finer(FinerTask& task, const hm_curves** finer, const double** matrix, void* block, Size bytes,
+                  const hm_curves* curves, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"finer", finer}}, fault));
+    HARMORPH_TRY(task.open(curves, fault));
+    FinerBlock made;
+    HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, task.counts); }));
+    for (Index i = 0; i < task.view.count(); ++i) HARMORPH_TRY(task.view.curve(i, made.finer.curve[i], fault));
+    HARMORPH_TRY(made.finer.run(task.refinement, fault));
+    *finer = made.present(task.view.set.index_base);
+    if (matrix != nullptr) *matrix = made.finer.matrix.data();
+    return Status::ok;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_refine_size(const hm_curves* curves, int32_t curve, int32_t n, const double* u, size_t* bytes,
+                         hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        FinerTask task;
+        task.refinement.curve = curve;
+        HARMORPH_TRY(view_knots(n, u, task.refinement, fault));
+        return count_finer(task, curves, bytes, fault);
+    });
+}
+
+hm_status hm_refine(const hm_curves** finer, const double** matrix, void* block, size_t bytes, const hm_curves* curves,
+                    int32_t curve, int32_t n, const double* u, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        FinerTask task;
+        task.refinement.curve = curve;
+        HARMORPH_TRY(view_knots(n, u, task.refinement, fault));
+        return make_finer(task, finer, matrix, block, bytes, curves, fault);
+    });
+}
+
+hm_status hm_elevate_size(const hm_curves* curves, int32_t curve, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        FinerTask task;
+        task.refinement.curve = curve;
+        task.refinement.elevates = true;
+        return count_finer(task, curves, bytes, fault);
+    });
+}
+
+hm_status hm_elevate(const hm_curves** finer, const double** matrix, void* block, size_t bytes, const hm_curves* curves,
+                     int32_t curve, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        FinerTask task;
+        task.refinement.curve = curve;
+        task.refinement.elevates = true;
+        return make_finer(task, finer, matrix, block, bytes, curves, fault);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,87 @@
+// The C interface: measures of a section.
+#include "harmorph/bspline/section_measures.hpp"
+#include "section_view.hpp"
+
+namespace harmorph {
+namespace {
+
+Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
+    hm_quantity q;
+    if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
+        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is not set", Counts::from_zero, number);
+    }
+    if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
+        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @", Counts::from_zero, number,
+                            q.kind);
+    }
+    out.kind = static_cast<QuantityKind>(q.kind);
+    bool const has_station = out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
+    if (has_station ? !(q.station > 0 && q.station < 1) : q.station != 0) {
+        return fault.refuse(Status::bad_argument,
+                            has_station ? "quantity # (from 0): the station is ~, not between 0 and 1"
+                                        : "quantity # (from 0) has a station, which is of thickness and camber only",
+                            Counts::from_zero, number, none, q.station);
+    }
+    out.station = q.station;
+    bool const has_polygon = out.kind == QuantityKind::clearance;
+    constexpr Index most = Index{1} << 20;
+    if (has_polygon ? q.n_polygon < 1 || q.n_polygon > most || q.polygon == nullptr : q.n_polygon != 0) {
+        return fault.refuse(Status::bad_argument,
+                            has_polygon ? "quantity # (from 0): the polygon is NULL, empty or longer than 2^20"
+                                        : "quantity # (from 0) has a polygon, which is of clearance only",
+                            Counts::from_zero, number);
+    }
+    out.polygon = {q.polygon, has_polygon ? q.polygon + 1 : nullptr, 2};
+    out.n_polygon = q.n_polygon;
+    for (Index k = 0; k < out.n_polygon; ++k) {
+        if (is_in_range(out.polygon[k])) continue;
+        return fault.refuse(Status::bad_argument,
+                            "quantity # (from 0): point @ (from 0) of the polygon is not finite or beyond 1e100",
+                            Counts::from_zero, number, k);
+    }
+    return Status::ok;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t n, const hm_quantity* quantities,
+                     double* values, double* at, double* gradients, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        CurvesView view;
+        Section outline;
+        HARMORPH_TRY(require({{"quantities", quantities}, {"values", values}}, fault));
+        if (n < 1) return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured", Counts::from_zero, n);
+        HARMORPH_TRY(open_section(curves, section, view, outline, fault));
+        Quantity quantity;
+        Measured measured;
+        for (Index k = 0; k < n; ++k) {  // before anything is written
+            HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
+            if (!failed(measure(outline, quantity, {}, measured, fault))) continue;
+            fault.item = k;
+            return fault.status;
+        }
+        Offset const length = 2 * Offset{view.set.n_control};
+        for (Index k = 0; k < n; ++k) {
+            HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
+            ControlGradient gradient;
+            if (gradients != nullptr) {
+                Span<Real> const row(gradients + k * length, static_cast<Size>(length));
+                fill(row, 0.0);
+                gradient = ControlGradient(row.data());
+            }
+            HARMORPH_TRY(measure(outline, quantity, gradient, measured, fault));
+            values[k] = measured.value;
+            if (at == nullptr) continue;
+            at[2 * k] = measured.at.x;
+            at[2 * k + 1] = measured.at.y;
+        }
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

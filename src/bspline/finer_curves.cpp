@@ -1,0 +1,290 @@
+#include "harmorph/bspline/finer_curves.hpp"
+
+namespace harmorph {
+
+void polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept {
+    value[0] = 1;
+    for (Index j = 1; j <= curve.degree; ++j) {
+        Real const* const low = curve.knots + span + 1 - j;
+        Real const* const high = curve.knots + span + 1;
+        Real const u = argument[j - 1];
+        Real carried = 0;
+        for (Index r = 0; r < j; ++r) {
+            Real const before = value[r], width = high[r] - low[r];
+            value[r] = carried + (high[r] - u) / width * before;
+            carried = (u - low[r]) / width * before;
+        }
+        value[j] = carried;
+    }
+}
+
+bool has_periodic_points(Curve const& curve) noexcept {
+    Index const p = curve.degree, n = curve.n_indices - p;
+    if (curve.indices == nullptr || n < 1) return false;
+    Real const period = curve.end() - curve.begin();
+    for (Index k = 0; k < p; ++k) {
+        if (curve.indices[k] != curve.indices[k + n]) return false;
+    }
+    for (Index k = 0; k <= 2 * p; ++k) {
+        if (!(absolute(curve.knots[k + n] - curve.knots[k] - period) <= 1e-12 * period)) return false;
+    }
+    return true;
+}
+
+// ---- What is asked
+
+Status Refinement::check(Curve const& old, Fault& fault) const noexcept {
+    if (elevates) {
+        if (old.degree < max_degree) return Status::ok;
+        return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @, the largest", Counts::from_zero, curve,
+                            old.degree);
+    }
+    bool const periodic = has_periodic_points(old);
+    for (Index k = 0; k < knots.count(); ++k) {
+        Real const u = knots[k];
+        bool const inside = (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
+        if (!inside) {
+            return fault.refuse(Status::bad_argument, "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",
+                                Counts::from_zero, k, curve, u);
+        }
+        Index fold = 0;
+        for (Real const other : knots) fold += other == u ? 1 : 0;
+        for (Index i = 0; i < old.n_indices + old.degree + 1; ++i) fold += old.knots[i] == u ? 1 : 0;
+        if (fold > old.degree) {
+            return fault.refuse(Status::bad_curve,
+                                "knot # (from 0), ~, would be repeated @ times, more often than the degree allows",
+                                Counts::from_zero, k, fold, u);
+        }
+    }
+    return Status::ok;
+}
+
+// Inserted knots with their images on either side of a period; or every knot twice.
+Index Refinement::most_knots(Curve const& old) const noexcept {
+    Index const n = old.n_indices + old.degree + 1;
+    return max_order + (elevates ? 2 * n : n + 3 * knots.count());
+}
+
+void FinerCounts::include(Curve const& old, bool changes, Refinement const& refinement) noexcept {
+    ++n_curves;
+    n_control = old.n_control;
+    rational = old.weights != nullptr;
+    if (changes) {
+        most_knots = refinement.most_knots(old);
+    } else {
+        other_indices += old.n_indices;
+        other_knots += old.n_indices + old.degree + 1;
+    }
+}
+
+void FinerCurves::lay_out(Arena& arena, FinerCounts const& counts) noexcept {
+    old_control = counts.n_control;
+    arena.take(curve, counts.n_curves);
+    arena.take(control, 2 * counts.most_control());
+    arena.take(weights, counts.rational ? counts.most_control() : 0);
+    arena.take(matrix, counts.most_control() * counts.n_control);
+    arena.take(all_, counts.most_knots);
+    arena.take(knots_, counts.most_knots);
+    arena.take(indices_, counts.most_knots);
+    arena.take(other_indices_, counts.other_indices);
+    arena.take(other_knots_, counts.other_knots);
+    arena.take(number_, counts.n_control);
+    arena.take(of_changed_, counts.n_control);
+    arena.take(of_others_, counts.n_control);
+}
+
+// ---- Knots of the changed curve
+
+void FinerCurves::insert(Curve const& old, Span<const Real> knots) noexcept {
+    n_all_ = old.n_indices + old.degree + 1;
+    copy(all_.first(n_all_), Span<const Real>(old.knots, static_cast<Size>(n_all_)));
+    Real const first = all_[0], last = all_[n_all_ - 1], period = old.end() - old.begin();
+    auto const add = [&](Real u) {
+        if (u < first || u > last) return;
+        Index k = n_all_++;
+        for (; k > 0 && u < all_[k - 1]; --k) all_[k] = all_[k - 1];
+        all_[k] = u;
+    };
+    for (Real const u : knots) {
+        add(u);
+        if (period_ == 0) continue;
+        add(u - period);
+        add(u + period);
+    }
+}
+
+void FinerCurves::repeat_each_knot(Curve const& old) noexcept {
+    n_all_ = 0;
+    for (Index k = 0; k < old.n_indices + old.degree + 1; ++k) {
+        if (k == 0 || old.knots[k] != old.knots[k - 1]) all_[n_all_++] = old.knots[k];
+        all_[n_all_++] = old.knots[k];
+    }
+}
+
+// From all_ the knots that the curve needs: knots_[degree] the last of those at the beginning, knots_[n_positions] the
+// first of those at the end; of a periodic curve the last, as at the beginning.
+void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
+    Index begin = 0, end = n_all_ - 1;
+    while (begin + 1 < n_all_ && all_[begin + 1] <= old.begin()) ++begin;
+    while (end > 0 && all_[end - 1] >= old.end()) --end;
+    if (period_ != 0) {
+        while (end + 1 < n_all_ && all_[end + 1] <= old.end()) ++end;
+        period_ = end - begin;
+        for (; n_all_ <= end + degree; ++n_all_) all_[n_all_] = all_[n_all_ - period_] + (old.end() - old.begin());
+    }
+    degree_ = degree;
+    n_positions_ = end - begin + degree;
+    copy(knots_.first(n_positions_ + degree + 1), Span<const Real>(all_).from(begin - degree, n_positions_ + degree + 1));
+}
+
+// ---- Control points
+
+// A span of the new curve, not empty, that the control point at a position acts on, near the middle of its knots.
+Index FinerCurves::middle_span(Index position) const noexcept {
+    Index const first = larger(position, degree_), last = smaller(position + degree_, n_positions_ - 1);
+    auto const off = [&](Index span) { return absolute(static_cast<Real>(2 * span - first - last)); };
+    Index nearest = none;
+    for (Index span = first; span <= last; ++span) {
+        if (!(knots_[span] < knots_[span + 1])) continue;
+        bool const nearer = nearest == none || off(span) < off(nearest);
+        if (nearer) nearest = span;
+    }
+    return nearest;
+}
+
+// The row of the control point at a position, appended to the matrix.
+void FinerCurves::put_row(Curve const& old, Index position) noexcept {
+    Index const span = knot_span(old, knots_[middle_span(position)]);
+    Real sum[max_order] = {};
+    const Real* const argument = knots_.data() + position + 1;
+    Index untouched = none;  // with the old knots as arguments: exactly that control point
+    for (Index i = span - old.degree; i <= span && degree_ == old.degree; ++i) {
+        bool equal = true;
+        for (Index r = 0; r < degree_; ++r) equal = equal && old.knots[i + 1 + r] == argument[r];
+        if (equal) untouched = i;
+    }
+    if (untouched != none) {
+        sum[untouched - (span - old.degree)] = 1;
+    } else {
+        for (Index left_out = 0; left_out < (degree_ > old.degree ? degree_ : 1); ++left_out) {
+            Real chosen[max_order], value[max_order];
+            for (Index r = 0, n = 0; n < old.degree; ++r) {
+                if (degree_ == old.degree || r != left_out) chosen[n++] = argument[r];
+            }
+            polar_form(old, span, chosen, value);
+            for (Index k = 0; k <= old.degree; ++k) sum[k] += value[k];
+        }
+        if (degree_ > old.degree) {
+            for (Real& number : sum) number /= degree_;
+        }
+    }
+    Span<Real> const row = matrix.from(Offset{n_control} * old_control, old_control);
+    fill(row, 0.0);
+    Real weight = 0;
+    for (Index k = 0; k <= old.degree; ++k) {
+        Index const i = span - old.degree + k;
+        Real const part = sum[k] * old.weight(i);
+        weight += part;
+        row[old.control_point(i)] += part;
+    }
+    if (weights.empty()) return;
+    for (Real& number : row) number /= weight;
+    weights[n_control] = weight;
+}
+
+void FinerCurves::number_changed(Curve const& old) noexcept {
+    n_control = 0;
+    for (Index position = 0; position < n_positions_; ++position) {
+        if (period_ != 0 && position >= period_) {
+            indices_[position] = indices_[position - period_];
+            continue;
+        }
+        put_row(old, position);
+        Span<const Real> const row = matrix.from(Offset{n_control} * old_control, old_control);
+        Index same = none, others = 0;  // is it one of the old control points?
+        for (Index i = 0; i < old_control; ++i) {
+            if (row[i] == 1) same = i;
+            else if (row[i] != 0) ++others;
+        }
+        bool const untouched = same != none && others == 0;
+        if (untouched && number_[same] != none) {
+            indices_[position] = number_[same];
+            continue;
+        }
+        if (untouched) number_[same] = n_control;
+        indices_[position] = n_control++;
+    }
+}
+
+// Old control points that other curves still need, or that no curve uses.
+void FinerCurves::number_others(Index changed) noexcept {
+    Curve const& any = curve[changed];
+    for (Index i = 0; i < old_control; ++i) {
+        if (number_[i] != none || (of_changed_[i] != 0 && of_others_[i] == 0)) continue;
+        Span<Real> const row = matrix.from(Offset{n_control} * old_control, old_control);
+        fill(row, 0.0);
+        row[i] = 1;
+        if (!weights.empty()) weights[n_control] = any.weights[i];
+        number_[i] = n_control++;
+    }
+}
+
+void FinerCurves::publish(Index changed, Curve const& old) noexcept {
+    const Real* const from = old.control;
+    for (Index k = 0; k < n_control; ++k) {
+        Vec2 sum;
+        for (Index i = 0; i < old_control; ++i) {
+            Real const part = matrix[Offset{k} * old_control + i];
+            if (part != 0) sum = sum + part * Vec2{from[2 * i], from[2 * i + 1]};
+        }
+        control[2 * k] = sum.x;
+        control[2 * k + 1] = sum.y;
+    }
+    Index const base = old.index_base;
+    for (Index k = 0; k < n_positions_; ++k) indices_[k] += base;
+    Offset used_indices = 0, used_knots = 0;
+    for (Index c = 0; c < curve.count(); ++c) {
+        Curve& its = curve[c];
+        if (c == changed) {
+            its.degree = degree_;
+            its.n_indices = n_positions_;
+            its.indices = indices_.data();
+            its.knots = knots_.data();
+        } else {
+            Index* const indices = other_indices_.data() + used_indices;
+            Real* const knots = other_knots_.data() + used_knots;
+            Index const n_knots = its.n_indices + its.degree + 1;
+            for (Index k = 0; k < its.n_indices; ++k) indices[k] = number_[its.control_point(k)] + base;
+            for (Index k = 0; k < n_knots; ++k) knots[k] = its.knots[k];
+            used_indices += its.n_indices;
+            used_knots += n_knots;
+            its.indices = indices;
+            its.knots = knots;
+        }
+        its.n_control = n_control;
+        its.control = control.data();
+        its.weights = weights.empty() ? nullptr : weights.data();
+    }
+}
+
+Status FinerCurves::run(Refinement const& refinement, Fault& fault) noexcept {
+    Curve const old = curve[refinement.curve];
+    period_ = has_periodic_points(old) ? 1 : 0;
+    if (refinement.elevates) repeat_each_knot(old);
+    else insert(old, refinement.knots);
+    choose_window(old, old.degree + (refinement.elevates ? 1 : 0));
+
+    fill(number_, none);
+    fill(of_changed_, std::uint8_t{0});
+    fill(of_others_, std::uint8_t{0});
+    for (Index c = 0; c < curve.count(); ++c) {
+        Span<std::uint8_t> const users = c == refinement.curve ? of_changed_ : of_others_;
+        for (Index k = 0; k < curve[c].n_indices; ++k) users[curve[c].control_point(k)] = 1;
+    }
+    number_changed(old);
+    number_others(refinement.curve);
+    publish(refinement.curve, old);
+    return check_curve(curve[refinement.curve], refinement.curve, fault);
+}
+
+}  // namespace harmorph

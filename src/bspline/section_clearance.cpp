@@ -1,0 +1,117 @@
+#include "harmorph/bspline/section_clearance.hpp"
+
+#include "harmorph/base/angle.hpp"
+#include "harmorph/bspline/projection.hpp"
+
+namespace harmorph {
+namespace {
+
+// Is the point inside? Crossings of the outline with the ray upwards from it: an odd number. Samples between which the
+// outline passes the ray's line are on either side of it, whether or not one of them lies on it.
+bool is_inside(Section const& section, Vec2 q) noexcept {
+    bool inside = false;
+    auto const pass = [&](Vec2 a, Vec2 b, auto const& height) {
+        if ((a.x < q.x) != (b.x < q.x) && height() > q.y) inside = !inside;
+    };
+    section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
+        Curve const& curve = section.curve[c];
+        auto const at = [&](Real u) {
+            Vec2 point;
+            curve_point_in(curve, span, u, 0, &point);
+            return point;
+        };
+        Index const n = 4 * curve.degree;
+        Real u = low;
+        Vec2 before = at(low);
+        for (Index j = 1; j <= n; ++j) {
+            Real const next = j == n ? high : low + (high - low) * j / n;
+            Vec2 const after = at(next);
+            pass(before, after, [&] { return at(sign_change(u, next, [&](Real v) { return at(v).x - q.x; })).y; });
+            u = next;
+            before = after;
+        }
+    });
+    Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
+    if (!section.is_closed) pass(a, b, [&] { return a.y + (q.x - a.x) / (b.x - a.x) * (b.y - a.y); });
+    return inside;
+}
+
+// The outline's point nearest to q.
+Clearance nearest_to(Section const& section, Vec2 q) noexcept {
+    Clearance out;
+    Real nearest = infinity;
+    for (Index c = 0; c < section.n_curves; ++c) {
+        Projection const foot = project(section.curve[c], q);
+        if (!(foot.distance < nearest)) continue;
+        nearest = foot.distance;
+        out.nearest = {&section.curve[c], knot_span(section.curve[c], foot.u), foot.u};
+    }
+    Vec2 place = out.nearest.point();
+    if (!section.is_closed) {
+        Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
+        Real const along = clamp(dot(q - a, b - a) / square(b - a), 0.0, 1.0);
+        Vec2 const on_closing = a + along * (b - a);
+        if (length(on_closing - q) < nearest) {
+            nearest = length(on_closing - q);
+            out.on_closing = true;
+            out.along = along;
+            place = on_closing;
+        }
+    }
+    Real const sign = is_inside(section, q) ? 1 : -1;
+    out.value = sign * nearest;
+    out.towards = sign * direction(place - q);
+    return out;
+}
+
+}  // namespace
+
+Clearance measure_clearance(Section const& section, Points polygon, Index n) noexcept {
+    Clearance best;
+    best.value = infinity;
+    auto const try_point = [&](Vec2 q) {
+        Clearance const found = nearest_to(section, q);
+        if (found.value < best.value) best = found;
+    };
+    for (Index k = 0; k < n; ++k) try_point(polygon[k]);
+    for (Index k = 0; k < (n > 2 ? n : n - 1); ++k) {
+        Vec2 const a = polygon[k], side = polygon[(k + 1) % n] - a;
+        auto const try_foot = [&](Vec2 place) {
+            Real const along = dot(place - a, side) / square(side);
+            if (along > 0 && along < 1) try_point(a + along * side);
+        };
+        section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
+            Curve const& curve = section.curve[c];
+            auto const at = [&](Real u, Vec2* point) { curve_point_in(curve, span, u, 1, point); };
+            auto const tilt = [&](Real u) {
+                Vec2 point[2];
+                at(u, point);
+                return cross(point[1], side);
+            };
+            Vec2 point[2];
+            at(low, point);
+            try_foot(point[0]);  // the outline may have a corner here
+            Index const samples = 4 * curve.degree;
+            Real u = low, before = tilt(low);
+            for (Index j = 1; j <= samples; ++j) {
+                Real const next = j == samples ? high : low + (high - low) * j / samples, after = tilt(next);
+                if ((before < 0) != (after < 0)) {
+                    at(sign_change(u, next, tilt), point);
+                    try_foot(point[0]);
+                }
+                u = next;
+                before = after;
+            }
+        });
+        try_foot(section.end_of(section.n_curves - 1, true).point());
+    }
+    return best;
+}
+
+void pull_clearance(Section const& section, Clearance const& clearance, ControlGradient const& gradient) noexcept {
+    if (!clearance.on_closing) return gradient.add(clearance.nearest, clearance.towards);
+    gradient.add(section.end_of(section.n_curves - 1, true), (1 - clearance.along) * clearance.towards);
+    gradient.add(section.end_of(0, false), clearance.along * clearance.towards);
+}
+
+}  // namespace harmorph

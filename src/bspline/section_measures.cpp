@@ -1,0 +1,148 @@
+#include "harmorph/bspline/section_measures.hpp"
+
+#include "harmorph/base/angle.hpp"
+#include "harmorph/bspline/section_clearance.hpp"
+#include "harmorph/bspline/section_curvature.hpp"
+#include "harmorph/bspline/section_stations.hpp"
+
+namespace harmorph {
+namespace {
+
+Status measure_area(Section& section, QuantityKind kind, ControlGradient const& gradient, Measured& measured,
+                    Fault& fault) noexcept {
+    AreaMoments found;
+    AreaDerivative by;
+    HARMORPH_TRY(area_moments(section, found, fault));
+    auto const take = [&](Real value, Real& derivative) {
+        measured.value = value;
+        derivative = 1;
+    };
+    switch (kind) {
+        case QuantityKind::area: take(found.area, by.area); break;
+        case QuantityKind::centroid_x: take(found.centroid.x, by.centroid.x); break;
+        case QuantityKind::centroid_y: take(found.centroid.y, by.centroid.y); break;
+        case QuantityKind::moment_xx: take(found.xx, by.xx); break;
+        case QuantityKind::moment_yy: take(found.yy, by.yy); break;
+        default: take(found.xy, by.xy); break;
+    }
+    measured.at = found.centroid;
+    pull_area_moments(section, found, by, gradient);
+    return Status::ok;
+}
+
+Status measure_chord(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+    HARMORPH_TRY(section.find_chord(false, fault));
+    measured = {length(section.chord()), section.nose};
+    Vec2 const along = direction(section.chord());
+    section.pull_chord({-1 * along, along}, gradient);
+    return Status::ok;
+}
+
+Status measure_stations(Section& section, Quantity const& quantity, ControlGradient const& gradient, Measured& measured,
+                        Fault& fault) noexcept {
+    Station found;
+    bool const extreme = quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::max_camber;
+    bool const thickness = quantity.kind == QuantityKind::max_thickness || quantity.kind == QuantityKind::thickness;
+    StationValue const which = thickness ? StationValue::thickness : StationValue::camber;
+    HARMORPH_TRY(section.find_chord(false, fault));
+    if (extreme) HARMORPH_TRY(measure_extreme(section, which, found, fault));
+    else HARMORPH_TRY(measure_station(section, which, quantity.station, found, fault));
+    measured = {found.value, found.point};
+    return pull_station(section, which, found, gradient, fault);
+}
+
+Status measure_nose(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+    AreaMoments moments;
+    HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
+    HARMORPH_TRY(section.find_chord(true, fault));
+    measured.at = section.nose_place.point();
+    return nose_radius(section, measured.value, gradient, fault);
+}
+
+// Between the tangents that leave the trailing edge at both ends of the outline, through the inside.
+Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+    AreaMoments moments;
+    HARMORPH_TRY(area_moments(section, moments, fault));
+    CurvePlace const first = section.first_end(), last = section.last_end();
+    Vec2 a[2], b[2];
+    first.derivatives(1, a);
+    last.derivatives(1, b);
+    bool const backwards_first = section.backwards[0], backwards_last = section.backwards[section.n_sides - 1];
+    Vec2 const from = (backwards_first ? -1.0 : 1.0) * a[1], to = (backwards_last ? 1.0 : -1.0) * b[1];
+    if (!(square(from) > 0) || !(square(to) > 0)) {
+        return fault.refuse(Status::bad_curve, "the trailing edge has no directions: the curve stands still at its ends");
+    }
+    Real const sign = section.sign * in_degrees(1);
+    measured = {sign * angle_of(turn_between(from, to)), a[0]};
+    Vec2 const by_first[2] = {{}, (backwards_first ? 1 : -1) * sign / square(from) * left_of(from)};
+    Vec2 const by_last[2] = {{}, (backwards_last ? 1 : -1) * sign / square(to) * left_of(to)};
+    gradient.add(first, 1, by_first);
+    gradient.add(last, 1, by_last);
+    return Status::ok;
+}
+
+Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+    AreaMoments moments;
+    HARMORPH_TRY(area_moments(section, moments, fault));
+    HARMORPH_TRY(section.find_chord(false, fault));
+    // Counter-clockwise the first end is the upper one.
+    CurvePlace const first = section.first_end(), last = section.last_end();
+    Vec2 const along = section.chord(), gap = section.sign * (first.point() - last.point());
+    Real const size = length(along);
+    Vec2 const normal = (1 / size) * left_of(along);
+    measured = {dot(gap, normal), first.point()};
+    gradient.add(first, section.sign * normal);
+    gradient.add(last, -section.sign * normal);
+    Vec2 const by_along = (1 / size) * (Vec2{gap.y, -gap.x} - (measured.value / size) * along);
+    section.pull_chord({-1 * by_along, by_along}, gradient);
+    return Status::ok;
+}
+
+Status measure_curvature(Section& section, QuantityKind kind, ControlGradient const& gradient, Measured& measured,
+                         Fault& fault) noexcept {
+    if (kind == QuantityKind::curvature_variation) {
+        measured.at = section.first_end().point();
+        return curvature_variation(section, measured.value, gradient, fault);
+    }
+    Bend bend;
+    HARMORPH_TRY(smallest_radius(section, bend, gradient, fault));
+    measured = {bend.radius, bend.place.point()};
+    return Status::ok;
+}
+
+}  // namespace
+
+Status measure(Section& section, Quantity const& quantity, ControlGradient const& gradient, Measured& measured,
+               Fault& fault) noexcept {
+    switch (quantity.kind) {
+        case QuantityKind::area:
+        case QuantityKind::centroid_x:
+        case QuantityKind::centroid_y:
+        case QuantityKind::moment_xx:
+        case QuantityKind::moment_yy:
+        case QuantityKind::moment_xy: return measure_area(section, quantity.kind, gradient, measured, fault);
+        case QuantityKind::chord: return measure_chord(section, gradient, measured, fault);
+        case QuantityKind::thickness:
+        case QuantityKind::camber:
+        case QuantityKind::max_thickness:
+        case QuantityKind::max_camber: return measure_stations(section, quantity, gradient, measured, fault);
+        case QuantityKind::nose_radius: return measure_nose(section, gradient, measured, fault);
+        case QuantityKind::edge_angle: return measure_edge_angle(section, gradient, measured, fault);
+        case QuantityKind::edge_gap: return measure_edge_gap(section, gradient, measured, fault);
+        case QuantityKind::min_radius:
+        case QuantityKind::curvature_variation:
+            return measure_curvature(section, quantity.kind, gradient, measured, fault);
+        case QuantityKind::clearance: break;
+    }
+    Clearance const found = measure_clearance(section, quantity.polygon, quantity.n_polygon);
+    measured.value = found.value;
+    measured.at = found.nearest.point();
+    if (found.on_closing) {
+        Vec2 const a = section.end_of(section.n_curves - 1, true).point(), b = section.end_of(0, false).point();
+        measured.at = a + found.along * (b - a);
+    }
+    pull_clearance(section, found, gradient);
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,153 @@
+#include "harmorph/bspline/section_stations.hpp"
+
+#include "harmorph/base/angle.hpp"
+
+namespace harmorph {
+namespace {
+
+// The outline's points on the normal to the chord through a point of it: the highest and the lowest.
+bool find_points(Section const& section, Vec2 through, CurvePlace& top, CurvePlace& bottom) noexcept {
+    Vec2 const along = section.chord(), up = left_of(along);
+    Real highest = -infinity, lowest = infinity;
+    auto const include = [&](CurvePlace const& place) {
+        Real const height = dot(place.point() - through, up);
+        if (height > highest) {
+            highest = height;
+            top = place;
+        }
+        if (height < lowest) {
+            lowest = height;
+            bottom = place;
+        }
+    };
+    section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
+        Curve const& curve = section.curve[c];
+        auto const ahead = [&](Real u) {
+            Vec2 point;
+            curve_point_in(curve, span, u, 0, &point);
+            return dot(point - through, along);
+        };
+        Real least = infinity, most = -infinity;  // the span lies in the hull of its control points
+        for (Index k = span - curve.degree; k <= span; ++k) {
+            Real const at = dot(curve.point(k) - through, along);
+            least = smaller(least, at);
+            most = larger(most, at);
+        }
+        if (least > 0 || most < 0) return;
+        Index const n = 4 * curve.degree;
+        Real u = low, before = ahead(low);
+        for (Index j = 1; j <= n; ++j) {
+            Real const next = j == n ? high : low + (high - low) * j / n, after = ahead(next);
+            if ((before < 0) != (after < 0)) include({&curve, span, sign_change(u, next, ahead)});
+            u = next;
+            before = after;
+        }
+    });
+    return highest > lowest;
+}
+
+// Derivatives of the value by the two points held at their parameters, by the point of the chord line, and by the chord.
+struct StationDerivative {
+    Vec2 top[1], bottom[1], point, along;
+    bool finite = true;
+};
+
+StationDerivative differentiate(Section const& section, StationValue which, Station const& station) noexcept {
+    StationDerivative out;
+    Vec2 const along = section.chord();
+    Real const size = length(along);
+    Vec2 const normal = (1 / size) * left_of(along);
+    bool const camber = which == StationValue::camber;
+    Real const of_top = camber ? 0.5 : 1, of_bottom = camber ? 0.5 : -1;
+    Vec2 offset;  // the value is offset . normal
+    auto const pull = [&](CurvePlace const& place, Real part, Vec2& by_point) {
+        Vec2 c[2];
+        place.derivatives(1, c);
+        Vec2 const from_chord = c[0] - station.point;
+        offset = offset + part * from_chord;
+        // The parameter is where (C - point) . along = 0.
+        Real const slope = dot(c[1], along), tangent = length(c[1]);
+        out.finite = out.finite && absolute(slope) > 1e-9 * tangent * size;
+        Real const factor = -part * dot(c[1], normal) / slope;
+        by_point = part * normal + factor * along;
+        out.point = out.point - factor * along;
+        out.along = out.along + factor * from_chord;
+    };
+    pull(station.top, of_top, out.top[0]);
+    pull(station.bottom, of_bottom, out.bottom[0]);
+    if (camber) out.point = out.point - normal;
+    out.along = out.along + (1 / size) * (Vec2{offset.y, -offset.x} - (dot(offset, normal) / size) * along);
+    return out;
+}
+
+Real value_at(Section const& section, StationValue which, Real at, Station& station) noexcept {
+    Vec2 const along = section.chord();
+    station.at = at;
+    station.point = section.nose + at * along;
+    if (!find_points(section, station.point, station.top, station.bottom)) return station.value = -infinity;
+    Vec2 const normal = (1 / length(along)) * left_of(along);
+    Vec2 const top = station.top.point(), bottom = station.bottom.point();
+    if (which == StationValue::thickness) return station.value = dot(top - bottom, normal);
+    return station.value = 0.5 * dot(top - station.point + bottom - station.point, normal);
+}
+
+// Along the chord, per chord.
+Real slope_at(Section const& section, StationValue which, Station const& station) noexcept {
+    return dot(differentiate(section, which, station).point, section.chord());
+}
+
+}  // namespace
+
+Status measure_station(Section const& section, StationValue which, Real at, Station& station, Fault& fault) noexcept {
+    if (value_at(section, which, at, station) > -infinity) return Status::ok;
+    return fault.refuse(Status::bad_curve, "the normal to the chord at station ~ meets the outline at less than two points",
+                        Counts::from_zero, none, none, at);
+}
+
+// Stations in the distance t^2 (3 - 2 t) are dense at the ends, where slopes are steep.
+Status measure_extreme(Section const& section, StationValue which, Station& station, Fault& fault) noexcept {
+    constexpr Index n = 128;
+    auto const place = [&](Index k) {
+        Real const t = static_cast<Real>(k) / n;
+        return t * t * (3 - 2 * t);
+    };
+    Index best = none;
+    Real largest = -infinity, sign = 1;
+    for (Index k = 1; k < n; ++k) {
+        Real const value = value_at(section, which, place(k), station);
+        if (value == -infinity) continue;
+        Real const size = which == StationValue::camber ? absolute(value) : value;
+        if (!(size > largest)) continue;
+        largest = size;
+        best = k;
+        sign = which == StationValue::camber && value < 0 ? -1 : 1;
+    }
+    if (best == none) {
+        return fault.refuse(Status::bad_curve, "no normal to the chord meets the outline at two points");
+    }
+    auto const rise = [&](Real at) {  // 0 where there is nothing
+        Station there;
+        bool const found = value_at(section, which, at, there) > -infinity;
+        return found ? sign * slope_at(section, which, there) : 0;
+    };
+    Real at = place(best);
+    Real const low = place(larger(best - 1, Index{1})), high = place(smaller(best + 1, n - 1));
+    if (rise(low) > 0 && rise(high) < 0) at = sign_change(low, high, rise);
+    value_at(section, which, at, station);
+    return Status::ok;
+}
+
+Status pull_station(Section const& section, StationValue which, Station const& station, ControlGradient const& gradient,
+                    Fault& fault) noexcept {
+    StationDerivative const by = differentiate(section, which, station);
+    if (!by.finite) {
+        return fault.refuse(Status::bad_curve, "at station ~ the outline is parallel to the normal of the chord",
+                            Counts::from_zero, none, none, station.at);
+    }
+    gradient.add(station.top, 0, by.top);
+    gradient.add(station.bottom, 0, by.bottom);
+    section.pull_chord({(1 - station.at) * by.point - by.along, station.at * by.point + by.along}, gradient);
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,285 @@
+#include <doctest/doctest.h>
+
+#include <fixtures/curves.hpp>
+
+#include <functional>
+#include <string>
+
+using fixtures::CurveSet;
+using fixtures::Spline;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+hm_quantity quantity(int kind, double station = 0) {
+    hm_quantity out{};
+    out.struct_size = sizeof out;
+    out.kind = kind;
+    out.station = station;
+    return out;
+}
+hm_quantity clearance(std::vector<double> const& polygon) {
+    hm_quantity out = quantity(HM_CLEARANCE);
+    out.n_polygon = static_cast<int>(polygon.size() / 2);
+    out.polygon = polygon.data();
+    return out;
+}
+
+struct Result {
+    hm_status status;
+    double value = -777, at[2] = {};
+    std::vector<double> gradient;
+    hm_error error{};
+};
+
+Result measured(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr) {
+    Result out;
+    out.gradient.assign(set.control.size(), -777);
+    out.status = hm_measure(&set.view(), section, 1, &asked, &out.value, out.at, out.gradient.data(), &out.error);
+    return out;
+}
+
+double value_of(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr) {
+    Result const out = measured(set, asked, section);
+    REQUIRE_MESSAGE(out.status == HM_OK, out.error.text);
+    return out.value;
+}
+
+// Differences of fourth order along random directions against the derivatives.
+void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr, double tolerance = 2e-8) {
+    Result const exact = measured(set, asked, section);
+    REQUIRE_MESSAGE(exact.status == HM_OK, exact.error.text);
+    std::vector<double> const start = set.control;
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    double size = 0, worst = 0;
+    for (double const g : exact.gradient) size = std::max(size, std::fabs(g));
+    for (int trial = 0; trial < 4; ++trial) {
+        std::vector<double> direction(start.size());
+        double slope = 0;
+        double const h = 1e-4;
+        for (std::size_t k = 0; k < start.size(); ++k) {
+            direction[k] = uniform(random);
+            slope += exact.gradient[k] * direction[k];
+        }
+        auto const at = [&](double step) {
+            for (std::size_t k = 0; k < start.size(); ++k) set.control[k] = start[k] + step * direction[k];
+            return value_of(set, asked, section);
+        };
+        worst = std::max(worst, std::fabs((8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h) - slope));
+    }
+    set.control = start;
+    INFO("kind " << asked.kind << ", value " << exact.value << ", gradient up to " << size);
+    CHECK(worst <= tolerance * size);
+}
+
+// A circle of nine rational quadratic points, counter-clockwise from (radius, 0), exact.
+CurveSet circle(double radius, double cx, double cy) {
+    Spline out;
+    out.degree = 2;
+    double const r = std::sqrt(0.5);
+    for (int k = 0; k < 9; ++k) {
+        double const a = pi / 4 * k, far = k % 2 == 1 ? std::sqrt(2.0) : 1;
+        if (k < 8) {
+            out.control.push_back(cx + radius * far * std::cos(a));
+            out.control.push_back(cy + radius * far * std::sin(a));
+            out.weights.push_back(k % 2 == 1 ? r : 1);
+        }
+        out.indices.push_back(k % 8);
+    }
+    out.knots = {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4};
+    return CurveSet(out);
+}
+
+// A cambered section of 13 points with a tied or an open trailing edge, from the trailing edge over the upper side.
+CurveSet section(bool open, bool rational, int degree = 3) {
+    std::vector<double> const x = {1, .92, .7, .45, .2, .04, -.005, .0, .1, .35, .6, .85, 1};
+    std::vector<double> const y = {.004, .03, .08, .115, .11, .06, .012, -.03, -.06, -.055, -.04, -.015, -.006};
+    Spline out;
+    out.degree = degree;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        out.indices.push_back(static_cast<int>(k));
+        if (!open && k == 12) {
+            out.indices.back() = 0;
+            continue;
+        }
+        out.control.push_back(x[k]);
+        out.control.push_back(y[k]);
+        if (rational) out.weights.push_back(0.7 + 0.13 * static_cast<double>(k % 6));
+    }
+    out.knots = fixtures::clamped_knots(degree, 13);
+    return CurveSet(out);
+}
+
+CurveSet reversed(CurveSet set) {
+    auto& shape = set.shapes[0];
+    std::vector<std::int32_t> const indices = shape.indices;
+    std::vector<double> const knots = shape.knots;
+    for (std::size_t k = 0; k < indices.size(); ++k) shape.indices[k] = indices[indices.size() - 1 - k];
+    for (std::size_t k = 0; k < knots.size(); ++k) shape.knots[k] = knots.back() - knots[knots.size() - 1 - k];
+    return set;
+}
+
+}  // namespace
+
+TEST_CASE("a circle: area, moments, radius of curvature, thickness, clearance are those of the formulas") {
+    double const r = 0.7, cx = 3, cy = -2;
+    CurveSet set = circle(r, cx, cy);
+    hm_section chord{};
+    chord.struct_size = sizeof chord;
+    chord.nose_x = cx - r;
+    chord.edge_x = cx + r;
+    chord.nose_y = chord.edge_y = cy;
+    auto const is = [&](int kind, double value) {
+        CHECK(value_of(set, quantity(kind), &chord) == doctest::Approx(value).epsilon(1e-13));
+    };
+    is(HM_AREA, pi * r * r);
+    is(HM_CENTROID_X, cx);
+    is(HM_CENTROID_Y, cy);
+    is(HM_MOMENT_XX, pi * std::pow(r, 4) / 4);
+    is(HM_MOMENT_YY, pi * std::pow(r, 4) / 4);
+    CHECK(std::fabs(value_of(set, quantity(HM_MOMENT_XY), &chord)) < 1e-14);
+    is(HM_CHORD, 2 * r);
+    is(HM_MAX_THICKNESS, 2 * r);
+    is(HM_NOSE_RADIUS, r);
+    is(HM_MIN_RADIUS, r);
+    for (double const station : {0.1, 0.37, 0.9}) {
+        double const x = (2 * station - 1) * r;
+        CHECK(value_of(set, quantity(HM_THICKNESS, station), &chord) ==
+              doctest::Approx(2 * std::sqrt(r * r - x * x)).epsilon(1e-13));
+        CHECK(std::fabs(value_of(set, quantity(HM_CAMBER, station), &chord)) < 1e-14);
+    }
+    CHECK(std::fabs(value_of(set, quantity(HM_CURVATURE_VARIATION), &chord)) < 1e-12);
+    // A square of half side .3, then one that sticks out; a segment; a point.
+    auto const box = [&](double h) {
+        return std::vector<double>{cx - h, cy - h, cx + h, cy - h, cx + h, cy + h, cx - h, cy + h};
+    };
+    auto const distance = [&](std::vector<double> const& polygon) { return value_of(set, clearance(polygon)); };
+    CHECK(distance(box(0.3)) == doctest::Approx(r - 0.3 * std::sqrt(2.0)).epsilon(1e-12));
+    CHECK(distance(box(0.6)) == doctest::Approx(r - 0.6 * std::sqrt(2.0)).epsilon(1e-12));
+    CHECK(distance({cx, cy, cx + 0.2, cy}) == doctest::Approx(r - 0.2).epsilon(1e-12));
+    CHECK(distance({cx + 2, cy}) == doctest::Approx(r - 2).epsilon(1e-12));
+}
+
+TEST_CASE("polygons: areas of degree-1 outlines, and what a side is farther from than its corners") {
+    Spline square;
+    square.degree = 1;
+    square.control = {0, 0, 4, 0, 4, 2, 0, 2};
+    square.indices = {0, 1, 2, 3, 0};
+    square.knots = {0, 0, 1, 2, 3, 4, 4};
+    CurveSet set(square);
+    CHECK(value_of(set, quantity(HM_AREA)) == doctest::Approx(8).epsilon(1e-14));
+    CHECK(value_of(set, quantity(HM_MOMENT_XX)) == doctest::Approx(4 * 8 / 12.0).epsilon(1e-14));
+    CHECK(value_of(set, quantity(HM_MOMENT_YY)) == doctest::Approx(2 * 64 / 12.0).epsilon(1e-14));
+    CHECK(value_of(set, clearance({1, 0.5, 3, 0.5, 2, 1.9})) == doctest::Approx(0.1).epsilon(1e-12));
+    // The outline bends in between two corners of the polygon: a notch down to (2, 1).
+    Spline notched = square;
+    notched.control = {0, 0, 4, 0, 4, 2, 2, 1, 0, 2};
+    notched.indices = {0, 1, 2, 3, 4, 0};
+    notched.knots = {0, 0, 1, 2, 3, 4, 5, 5};
+    CurveSet notch(notched);
+    CHECK(value_of(notch, clearance({1, 0.75, 3, 0.75})) == doctest::Approx(0.25).epsilon(1e-12));
+    CHECK(value_of(notch, clearance({1, 1.25, 3, 1.25})) < -0.1);
+}
+
+TEST_CASE("derivatives of all quantities agree with differences: tied, open, rational, both orientations, fixed chord") {
+    std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06}, wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
+    for (bool const rational : {false, true})
+        for (int kind = 0; kind < 3; ++kind)
+            for (bool const fixed : {rational, !rational}) {
+                if (fixed == rational && kind != 1) continue;
+                CurveSet set = kind == 2 ? reversed(section(true, rational)) : section(kind == 1, rational);
+                if (kind == 1) set.add_over(1, {12, 0}, {0, 0, 1, 1});
+                hm_section chord{};
+                chord.struct_size = sizeof chord;
+                if (fixed) {
+                    chord.edge_x = 0.999;
+                    chord.edge_y = -0.001;
+                }
+                INFO("rational " << rational << ", kind " << kind << ", fixed chord " << fixed);
+                for (int k = HM_AREA; k <= HM_CURVATURE_VARIATION; ++k) {
+                    if (k == HM_THICKNESS || k == HM_CAMBER) continue;
+                    bool const zero = (k == HM_CHORD && fixed) || (k == HM_EDGE_GAP && kind == 0);
+                    if (zero) continue;
+                    check_gradient(set, quantity(k), &chord, k == HM_CURVATURE_VARIATION || k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
+                }
+                for (double const station : {0.03, 0.25, 0.6, 0.93}) {
+                    check_gradient(set, quantity(HM_THICKNESS, station), &chord, 2e-7);
+                    check_gradient(set, quantity(HM_CAMBER, station), &chord, 2e-7);
+                }
+                check_gradient(set, clearance(box), &chord, 1e-6);
+                check_gradient(set, clearance(wide), &chord, 1e-6);
+            }
+}
+
+TEST_CASE("the measures of a section do not depend on its direction, and turn, grow and move with it") {
+    for (bool const open : {false, true}) {
+        CurveSet set = section(open, true), back = reversed(section(open, true)), moved = section(open, true);
+        double const angle = 0.4, scale = 3, c = scale * std::cos(angle), s = scale * std::sin(angle);
+        for (std::size_t k = 0; k < moved.control.size(); k += 2) {
+            double const x = moved.control[k], y = moved.control[k + 1];
+            moved.control[k] = 5 + c * x - s * y;
+            moved.control[k + 1] = -7 + s * x + c * y;
+        }
+        auto const check = [&](int kind, double power, double station = 0) {
+            double const value = value_of(set, quantity(kind, station));
+            INFO("kind " << kind);
+            CHECK(value_of(back, quantity(kind, station)) == doctest::Approx(value).epsilon(1e-11));
+            CHECK(value_of(moved, quantity(kind, station)) == doctest::Approx(std::pow(scale, power) * value).epsilon(1e-10));
+        };
+        check(HM_AREA, 2);
+        check(HM_CHORD, 1);
+        check(HM_THICKNESS, 1, 0.3);
+        check(HM_CAMBER, 1, 0.3);
+        check(HM_MAX_THICKNESS, 1);
+        check(HM_MAX_CAMBER, 1);
+        check(HM_NOSE_RADIUS, 1);
+        check(HM_EDGE_ANGLE, 0);
+        check(HM_MIN_RADIUS, 1);
+        check(HM_CURVATURE_VARIATION, -3);
+        if (open) check(HM_EDGE_GAP, 1);
+        CHECK(value_of(set, quantity(HM_EDGE_GAP)) > (open ? 0.009 : -1e-16));
+        CHECK(value_of(set, quantity(HM_EDGE_ANGLE)) > 5);
+    }
+}
+
+TEST_CASE("the maximum over stations is no smaller than any station, and is one of them") {
+    CurveSet set = section(true, false);
+    Result const thickest = measured(set, quantity(HM_MAX_THICKNESS)), cambered = measured(set, quantity(HM_MAX_CAMBER));
+    for (int k = 1; k < 200; ++k) {
+        CHECK(value_of(set, quantity(HM_THICKNESS, k / 200.0)) <= thickest.value);
+        CHECK(std::fabs(value_of(set, quantity(HM_CAMBER, k / 200.0))) <= std::fabs(cambered.value));
+    }
+    CHECK(thickest.at[0] > 0.1);
+    CHECK(thickest.at[0] < 0.6);
+}
+
+TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
+    CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)), line(fixtures::clamped(1, 2, 1));
+    auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word, hm_section const* with = nullptr) {
+        Result const out = measured(of, asked, with);
+        CHECK_MESSAGE(std::string(out.error.text).find(word) != std::string::npos, out.error.text);
+        CHECK(out.value == -777);
+        CHECK(out.gradient[0] == -777);
+        return out.status;
+    };
+    CHECK(refusal(ring, quantity(HM_CHORD), "trailing edge") == HM_BAD_CURVE);
+    CHECK(refusal(line, quantity(HM_AREA), "no area") == HM_BAD_CURVE);
+    CHECK(refusal(line, quantity(HM_MIN_RADIUS), "straight") == HM_BAD_CURVE);
+    CHECK(refusal(set, quantity(HM_THICKNESS, 1.5), "station") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, quantity(99), "kind 99") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, quantity(HM_CLEARANCE), "polygon") == HM_BAD_ARGUMENT);
+    CHECK(refusal(set, clearance({0, std::nan("")}), "point 0 (from 0)") == HM_BAD_ARGUMENT);
+    hm_section outside{};
+    outside.struct_size = sizeof outside;
+    outside.nose_x = 10;
+    outside.edge_x = 11;
+    CHECK(refusal(set, quantity(HM_THICKNESS, 0.5), "less than two", &outside) == HM_BAD_CURVE);
+    outside.n_curves = 2;
+    CHECK(refusal(set, quantity(HM_AREA), "exceed", &outside) == HM_BAD_ARGUMENT);
+    CurveSet apart = section(true, false);
+    apart.add(fixtures::clamped(2, 4, 3));
+    CHECK(refusal(apart, quantity(HM_AREA), "curve 1 (from 0)") == HM_BAD_CURVE);
+}
