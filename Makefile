@@ -81,7 +81,7 @@ rules:
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
+	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk

@@ -55,8 +55,8 @@ for directory in tests/*/; do
 done
 
 # The program is a client of the C header alone.
-for file in c_api/cli/*.[ch]pp c_api/cli/formats/*; do
-    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats)/')"
+for file in c_api/cli/*.[ch]pp c_api/cli/formats/* c_api/cli/pictures/*; do
+    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
 done
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

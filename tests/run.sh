@@ -54,6 +54,7 @@ step "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
 step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
+step "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
 step "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
 step "page of figures" sh tests/figures_test.sh "$BUILD/figures-test"
 step "includes point downwards" sh tests/includes.sh

@@ -88,6 +88,22 @@ std::int32_t Arguments::whole(const std::string& option, std::int32_t fallback, 
     return value;
 }
 
+std::vector<std::int32_t> Arguments::whole_list(const std::string& option, std::int32_t low, std::int32_t high) const {
+    const std::string list = text(option);
+    std::vector<std::int32_t> values;
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        std::int32_t value = 0;
+        if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low || value > high) {
+            refuse(option + " expects whole numbers between " + std::to_string(low) + " and " + std::to_string(high) +
+                   " with commas between, found " + quoted(list));
+        }
+        values.push_back(value);
+        begin = end + 1;
+    }
+    return values;
+}
+
 double Arguments::positive(const std::string& option, double fallback) const {
     if (!has(option)) return fallback;
     double value = 0;

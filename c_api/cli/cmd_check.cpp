@@ -3,8 +3,12 @@
 #include "json.hpp"
 #include "mesh_analysis.hpp"
 #include "numbers.hpp"
+#include "output_file.hpp"
+#include "pictures/pictures.hpp"
+#include "window_option.hpp"
 
 #include <cstdio>
+#include <ostream>
 
 namespace cli {
 
@@ -40,6 +44,22 @@ void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     std::printf("inverted      %d\n", report.inverted);
 }
 
+// The mesh, or volumes round some of its points.
+void write_picture(const Arguments& arguments, const Mesh& mesh) {
+    const std::optional<Box> window = window_of(arguments);
+    OutputFiles files;
+    std::ostream& out = files.add(arguments.text("--svg"));
+    const auto points = [&](const char* option) { return arguments.whole_list(option, 0, mesh.points() - 1); };
+    if (arguments.has("--dual-volumes")) {
+        out << volume_picture(mesh, points("--dual-volumes"), Volume::dual, window);
+    } else if (arguments.has("--gradient-volumes")) {
+        out << volume_picture(mesh, points("--gradient-volumes"), Volume::gradient, window);
+    } else {
+        out << mesh_picture(mesh, window);
+    }
+    files.commit();
+}
+
 void run(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const hm_mesh_report report = MeshAnalysis(mesh).report();
@@ -48,6 +68,7 @@ void run(const Arguments& arguments) {
     } else {
         print_for_people(report, mesh);
     }
+    if (arguments.has("--svg")) write_picture(arguments, mesh);
     if (report.inverted == 0) return;
     const std::size_t first = mesh.cell_offset[static_cast<std::size_t>(report.first_inverted)];
     throw Failure(exit_unusable, mesh.file.place(first) + ": cell " + std::to_string(report.first_inverted) +
@@ -64,6 +85,10 @@ const Command check_command = {
     "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
     {format_option,
      zone_option,
+     {"--svg", "FILE", "picture of the mesh, its markers in colours"},
+     {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
+     {"--dual-volumes", "P[,Q..]", "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
+     {"--gradient-volumes", "P[,Q..]", "--svg shows the cells round these points, over which gradients at points are formed"},
      {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, inverted, min_area, min_quality,\n"
                          "mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",

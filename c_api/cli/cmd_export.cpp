@@ -2,16 +2,18 @@
 #include "basis_file.hpp"
 #include "commands.hpp"
 #include "csv.hpp"
-#include "draw_curves.hpp"
+#include "numbers.hpp"
 #include "engine.hpp"
 #include "output_file.hpp"
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 #include "solver.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
-#include <cstdio>
+#include <memory>
+#include <optional>
 #include <ostream>
+#include <utility>
 
 namespace cli {
 
@@ -38,7 +40,7 @@ PointData point_data(const std::vector<Column>& columns) {
 }
 
 // The levels are made once more, as the basis does not keep them.
-Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
+std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
     if (task.options.engine == HM_DIRECT) arguments.refuse("--level: the basis was solved by the direct engine, without levels");
     set_agglomeration(arguments, task.options);
@@ -47,47 +49,83 @@ Level level_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis)
     Solver solver(mesh, task, threads);
     solver.prepare();
     call(mesh, hm_plan_factor, solver.plan(), nullptr);
-    Level level;
-    level.number = arguments.whole("--level", 1, 0, 19);
-    level.cells.resize(mesh.x.size());
-    call(mesh, hm_plan_level, solver.plan(), level.number, level.cells.data(), &level.n_cells);
-    return level;
+    std::vector<Level> levels;
+    for (const std::int32_t number : arguments.whole_list("--level", 0, 19)) {
+        levels.emplace_back();
+        levels.back().number = number;
+        levels.back().cells.resize(mesh.x.size());
+        call(mesh, hm_plan_level, solver.plan(), number, levels.back().cells.data(), &levels.back().n_cells);
+    }
+    return levels;
 }
 
-void export_level(const Arguments& arguments) {
+void export_levels(const Arguments& arguments) {
     const std::string path = arguments.text("--svg");
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
+    const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
-    const Box bodies = box_of_bodies(basis.info(), mesh.x, mesh.y);
-    const Box window = has_window(arguments) ? window_of(arguments) : window_round({box_of(basis.curves()), bodies}, .4);
-    files.add(path) << level_picture(mesh, basis.curves(), level_of(arguments, mesh, basis), window);
+    files.add(path) << level_picture(mesh, basis.curves(), levels_of(arguments, mesh, basis), window ? *window : function_window(mesh, basis));
     files.commit();
 }
 
+// The functions of one basis, numbers of each in turn.
+void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh, std::vector<FunctionPanel>& panels) {
+    const std::int32_t numbers = basis.info().numbers_per_value;
+    std::vector<std::int32_t> shown = {1};
+    if (arguments.has("--number")) shown = arguments.whole_list("--number", 1, 4);
+    for (const std::int32_t function : arguments.whole_list("--function", 1, basis.functions())) {
+        for (const std::int32_t number : shown) {
+            if (number <= numbers) panels.push_back({&basis, function - 1, number - 1, basis.values(function - 1, number - 1, mesh)});
+        }
+    }
+}
+
+void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& basis, OutputFiles& files) {
+    std::vector<std::unique_ptr<Basis>> others;
+    std::vector<FunctionPanel> panels;
+    add_panels(arguments, basis, mesh, panels);
+    for (const std::string& path : arguments.all("--beside")) {
+        others.push_back(std::make_unique<Basis>(path, mesh));
+        add_panels(arguments, *others.back(), mesh, panels);
+    }
+    if (panels.empty()) arguments.refuse("--number " + arguments.text("--number") + ": no value has so many numbers");
+    const std::optional<Box> window = window_of(arguments);
+    if (arguments.has("--contour-csv")) {
+        const Box its = window ? *window : function_window(mesh, basis);
+        const double step = contour_step(mesh, panels, its);
+        std::vector<std::vector<ContourLine>> lines;
+        for (const FunctionPanel& panel : panels) lines.push_back(contour_lines(mesh, panel.values, step, its));
+        write_contours_csv(files.add(arguments.text("--contour-csv")), lines, step);
+    }
+    if (arguments.has("--svg")) files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
+}
+
 void run(const Arguments& arguments) {
-    if (arguments.has("--level")) return export_level(arguments);
+    if (arguments.has("--level")) return export_levels(arguments);
     arguments.text("--function"); // there is no default
-    if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg")) {
-        arguments.refuse("nothing to write: name a file after --csv, --vtu or --svg");
+    if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") && !arguments.has("--contour-csv")) {
+        arguments.refuse("nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved");
-    const std::int32_t function = arguments.whole("--function", 1, 1, basis.functions()) - 1;
-    const std::vector<Column> columns = columns_of(basis, mesh, function);
-    const auto number = static_cast<std::size_t>(
-        arguments.whole("--number", 1, 1, static_cast<std::int32_t>(columns.size())) - 1);
+    const std::vector<std::int32_t> functions = arguments.whole_list("--function", 1, basis.functions());
+    const bool has_table = arguments.has("--csv") || arguments.has("--vtu");
+    if (arguments.has("--number") && !arguments.has("--beside")) {
+        const std::int32_t numbers = basis.info().numbers_per_value;
+        if (arguments.whole_list("--number", 1, 4)[0] > numbers) {
+            arguments.refuse("--number " + arguments.text("--number") + ": a value of these functions has " + plural(numbers, "number"));
+        }
+    }
+    if (has_table && functions.size() > 1) arguments.refuse("--csv and --vtu take one --function");
     OutputFiles files;
-    if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
-    if (arguments.has("--vtu")) {
-        write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
+    if (has_table) {
+        const std::vector<Column> columns = columns_of(basis, mesh, functions[0] - 1);
+        if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
+        if (arguments.has("--vtu")) write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
     }
-    if (arguments.has("--svg")) {
-        files.add(arguments.text("--svg"))
-            << (has_window(arguments) ? function_picture(mesh, basis, function, columns[number], window_of(arguments))
-                                      : function_picture(mesh, basis, function, columns[number]));
-    }
+    if (arguments.has("--svg") || arguments.has("--contour-csv")) write_pictures(arguments, mesh, basis, files);
     files.commit();
 }
 
@@ -97,20 +135,23 @@ const Command export_command = {
     "export",
     {"MESH", "BASIS"},
     "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are. With --level: the cells that agglomeration merges instead,\n"
-    "for a basis solved with --engine multigrid or fas.\n",
+    "Functions are numbered from 1 as their control points are. With --level: the volumes that agglomeration merges instead,\n"
+    "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with one scale.\n",
     {format_option,
      zone_option,
-     {"--function", "I", "which function (required without --level)"},
+     {"--function", "I[,J..]", "which functions (required without --level)"},
      {"--csv", "FILE", "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
                        "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
-     {"--svg", "FILE", "picture of one number: filled cells with a colour bar"},
+     {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
+     {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},
      window_option,
-     {"--number", "K", "which number the picture shows, in the order of the table (default 1)"},
-     {"--level", "L", "picture of a level of agglomeration; 0: the mesh's own control volumes"},
+     {"--number", "K[,L..]", "which numbers the picture shows, in the order of the table (default 1)"},
+     {"--beside", "BASIS", "the picture also shows the functions of this basis of the same mesh (may be repeated)"},
+     {"--level", "L[,M..]", "picture of levels of agglomeration; 0: the mesh's own control volumes"},
      agglomeration_option},
-    "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n",
+    "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n"
+    "  harmorph export naca0012.su2 airfoil.basis --function 5,7,9,11 --svg functions.svg\n",
     run};
 
 } // namespace cli

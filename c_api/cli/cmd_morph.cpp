@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "curve_file.hpp"
 #include "formats/format.hpp"
+#include "csv.hpp"
 #include "json.hpp"
 #include "morph.hpp"
 #include "moves_file.hpp"
@@ -9,7 +10,7 @@
 #include "output_file.hpp"
 #include "page_data.hpp"
 #include "page_text.hpp"
-#include "pictures.hpp"
+#include "pictures/pictures.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
@@ -67,12 +68,12 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     }
     if (arguments.has("--svg")) {
         files.add(arguments.text("--svg"))
-            << (has_window(arguments) ? morph_picture(mesh, basis, morph, window_of(arguments))
-                                      : morph_picture(mesh, basis, morph));
+            << morph_picture(mesh, basis, morph, window_of(arguments));
     }
     if (arguments.has("--boundary-svg")) {
         files.add(arguments.text("--boundary-svg")) << boundary_picture(basis, morph);
     }
+    if (arguments.has("--csv")) write_moved_curves_csv(files.add(arguments.text("--csv")), mesh, basis, morph);
     files.commit();
 }
 
@@ -211,6 +212,8 @@ const Command morph_command = {
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},
      window_option,
      {"--boundary-svg", "FILE", "picture: the moved B-spline, and the mesh's points on it"},
+     {"--csv", "FILE", "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of the control\n"
+                       "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
      {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
                           "along the wall; written even if the morphed mesh is not valid"},
      {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},

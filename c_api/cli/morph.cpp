@@ -80,6 +80,13 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     judge(basis, mesh, threads);
 }
 
+std::vector<double> Morph::moved_control(const Basis& basis) const {
+    const hm_curves& before = basis.curves();
+    std::vector<double> control(before.control, before.control + 2 * before.n_control);
+    for (std::size_t i = 0; i < control.size(); ++i) control[i] += moves[i];
+    return control;
+}
+
 Curves Morph::moved_curves(const Basis& basis) const {
     const auto n = static_cast<std::size_t>(basis.info().curves);
     if (n == 0) return {};

@@ -2,7 +2,7 @@
 // far from there fewer points, for drawing alone.
 #pragma once
 
-#include "edge_chains.hpp"
+#include "pictures/edge_chains.hpp"
 
 #include <cstdint>
 #include <vector>

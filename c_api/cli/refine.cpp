@@ -1,6 +1,6 @@
 #include "refine.hpp"
 
-#include "edge_chains.hpp"
+#include "pictures/edge_chains.hpp"
 #include "numbers.hpp"
 
 #include <algorithm>

@@ -8,9 +8,8 @@ namespace cli {
 const Option window_option = {"--window", "X,Y,X,Y",
                               "lower left and upper right corner of what --svg shows (default: the body)"};
 
-bool has_window(const Arguments& arguments) { return arguments.has(window_option.name); }
-
-Box window_of(const Arguments& arguments) {
+std::optional<Box> window_of(const Arguments& arguments) {
+    if (!arguments.has(window_option.name)) return std::nullopt;
     const std::string text = arguments.text(window_option.name);
     double number[4] = {};
     std::size_t begin = 0, n = 0;

@@ -4,11 +4,12 @@
 #include "arguments.hpp"
 #include "geometry.hpp"
 
+#include <optional>
+
 namespace cli {
 
 extern const Option window_option;
 
-bool has_window(const Arguments& arguments);
-Box window_of(const Arguments& arguments);
+std::optional<Box> window_of(const Arguments& arguments); // nothing: not given
 
 } // namespace cli

@@ -8,7 +8,7 @@
 #include "../../c_api/cli/morph.hpp"
 #include "../../c_api/cli/numbers.hpp"
 #include "../../c_api/cli/output_file.hpp"
-#include "../../c_api/cli/pictures.hpp"
+#include "../../c_api/cli/pictures/pictures.hpp"
 #include "../../c_api/cli/solver.hpp"
 #include "movements.hpp"
 

@@ -14,6 +14,7 @@ public:
     void move_to(Point pixel);
     void line_to(Point pixel);
     void close();
+    void rectangle(const Box& box);
     const std::string& data() const { return data_; }
 
 private:
@@ -30,7 +31,8 @@ private:
 
 class Svg {
 public:
-    Svg(double width, double height); // white
+    // Title and description are read by browsers, screen readers and search; they are not drawn.
+    Svg(double width, const std::string& title, const std::string& description);
 
     void path(const SvgPath& path, const std::string& attributes);
     void line(Point from, Point to, const std::string& attributes);
@@ -38,13 +40,14 @@ public:
     void rectangle(const Box& box, const std::string& attributes);
     void text(Point at, const std::string& text, const std::string& attributes); // escaped here
     void raw(const std::string& markup) { body_ += markup; }
-    std::string document() const;
+    std::string document(double height) const; // on white
 
 private:
-    double width_, height_;
-    std::string body_;
+    double width_;
+    std::string title_, description_, body_;
 };
 
-std::string pixels(double value); // "12.5": at most two decimals
+std::string pixels(double value);                                // "12.5": at most two decimals
+double width_of_text(const std::string& text, double font_size); // about, in pixels
 
 } // namespace cli

@@ -59,9 +59,14 @@ void SvgPath::close() {
     in_steps_ = false;
 }
 
-Svg::Svg(double width, double height) : width_(width), height_(height) {
-    rectangle({{0, 0}, {width, height}}, "fill=\"white\"");
+void SvgPath::rectangle(const Box& box) {
+    move_to(box.low);
+    data_ += "h" + pixels(box.width()) + "v" + pixels(box.height()) + "h" + pixels(-box.width()) + "z";
+    in_steps_ = false;
 }
+
+Svg::Svg(double width, const std::string& title, const std::string& description)
+    : width_(width), title_(title), description_(description) {}
 
 void Svg::path(const SvgPath& path, const std::string& attributes) {
     if (!path.data().empty()) body_ += "<path " + attributes + " d=\"" + path.data() + "\"/>\n";
@@ -83,15 +88,23 @@ void Svg::rectangle(const Box& box, const std::string& attributes) {
 }
 
 void Svg::text(Point at, const std::string& text, const std::string& attributes) {
-    body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) + " " + attributes + ">" + escaped(text) + "</text>\n";
+    body_ +=
+        "<text" + attribute("x", at.x) + attribute("y", at.y) + " " + attributes + ">" + escaped(text) + "</text>\n";
 }
 
-std::string Svg::document() const {
-    const std::string width = pixels(width_), height = pixels(height_);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height + "\" viewBox=\"0 0 " +
-           width + " " + height + "\" font-family=\"Helvetica, Arial, sans-serif\">\n" + body_ + "</svg>\n";
+std::string Svg::document(double its_height) const {
+    const std::string width = pixels(width_), height = pixels(its_height);
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width + "\" height=\"" + height +
+           "\" viewBox=\"0 0 " + width + " " + height +
+           "\" role=\"img\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>" + escaped(title_) +
+           "</title>\n<desc>" + escaped(description_) +
+           "</desc>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + body_ + "</svg>\n";
 }
 
 std::string pixels(double value) { return short_decimal(hundredths(value)); }
+
+double width_of_text(const std::string& text, double font_size) {
+    return .55 * font_size * static_cast<double>(text.size());
+}
 
 } // namespace cli

@@ -10,17 +10,11 @@ namespace cli {
 namespace {
 
 std::vector<Point> outline(const hm_curves& curves, std::int32_t index) {
-    constexpr int samples = 24; // per span between two knots
-    const hm_curve& curve = curves.curve[index];
     std::vector<Point> points;
-    for (std::int32_t span = curve.degree; span < curve.n_indices; ++span) {
-        const double begin = curve.knots[span], end = curve.knots[span + 1];
-        for (int i = span == curve.degree ? 0 : 1; i <= samples && begin < end; ++i) {
-            double xy[2];
-            const double u = i == samples ? end : begin + (end - begin) * i / samples;
-            call(std::string("curve"), hm_curve_point, &curves, index, u, 0, xy);
-            points.push_back({xy[0], xy[1]});
-        }
+    for (const double u : sample_parameters(curves.curve[index])) {
+        double xy[2];
+        call(std::string("curve"), hm_curve_point, &curves, index, u, 0, xy);
+        points.push_back({xy[0], xy[1]});
     }
     return points;
 }
@@ -64,7 +58,32 @@ Point outward(const hm_curves& curves, const std::vector<std::int32_t>& polygon,
     return {-left * (b.y - a.y) / length, left * (b.x - a.x) / length};
 }
 
+// So many pixels outside the control polygon at one of its points; at the point if it is in no polygon.
+Point beside(const Plot& plot, const hm_curves& curves, std::int32_t index, double distance) {
+    const Point pixel = plot.pixel(control_point(curves, index));
+    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
+        const std::vector<std::int32_t> corners = polygon(curves, i);
+        const auto at = std::find(corners.begin(), corners.end(), index);
+        if (at == corners.end()) continue;
+        const Point away = outward(curves, corners, static_cast<std::size_t>(at - corners.begin()));
+        return {pixel.x + distance * away.x, pixel.y - distance * away.y};
+    }
+    return pixel;
+}
+
 } // namespace
+
+std::vector<double> sample_parameters(const hm_curve& curve) {
+    constexpr int samples = 24;
+    std::vector<double> parameters;
+    for (std::int32_t span = curve.degree; span < curve.n_indices; ++span) {
+        const double begin = curve.knots[span], end = curve.knots[span + 1];
+        for (int i = parameters.empty() ? 0 : 1; i <= samples && begin < end; ++i) {
+            parameters.push_back(i == samples ? end : begin + (end - begin) * i / samples);
+        }
+    }
+    return parameters;
+}
 
 Box box_of(const hm_curves& curves) {
     Box box;
@@ -110,18 +129,31 @@ void draw_control_points(Plot& plot, const hm_curves& curves, double radius, con
     }
 }
 
-void draw_number(Plot& plot, const hm_curves& curves, std::int32_t index, double distance,
-                 const std::string& attributes) {
-    for (std::int32_t i = 0; i < curves.n_curves; ++i) {
-        const std::vector<std::int32_t> corners = polygon(curves, i);
-        const auto at = std::find(corners.begin(), corners.end(), index);
-        if (at == corners.end()) continue;
-        const Point away = outward(curves, corners, static_cast<std::size_t>(at - corners.begin()));
-        const Point pixel = plot.pixel(control_point(curves, index));
-        plot.svg().text({pixel.x + distance * away.x, pixel.y - distance * away.y + 5}, std::to_string(index + 1),
-                        "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\" " + attributes);
-        return;
+void draw_numbers(Plot& plot, const hm_curves& curves, const NumberStyle& style, std::int32_t chosen,
+                  const NumberStyle& chosen_style) {
+    std::vector<Box> taken;
+    const auto draw = [&](std::int32_t index, const NumberStyle& its) {
+        const Point at = beside(plot, curves, index, its.distance);
+        const std::string text = std::to_string(index + 1);
+        const double width = width_of_text(text, its.font_size) / 2, height = .4 * its.font_size;
+        const Box box = {{at.x - width, at.y - height}, {at.x + width, at.y + height}};
+        if (std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.overlaps(other); })) return;
+        taken.push_back(box);
+        plot.svg().text(
+            {at.x, at.y + .36 * its.font_size}, text,
+            "text-anchor=\"middle\" stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\" font-size=\"" +
+                pixels(its.font_size) + "\" " + its.attributes);
+    };
+    if (chosen >= 0 && chosen < curves.n_control) draw(chosen, chosen_style);
+    for (std::int32_t i = 0; i < curves.n_control; ++i) {
+        if (i != chosen) draw(i, style);
     }
+}
+
+std::int32_t place_on_curve(const hm_curves& curves, std::int32_t curve, std::int32_t index) {
+    const std::vector<std::int32_t> corners = polygon(curves, curve);
+    const auto at = std::find(corners.begin(), corners.end(), index);
+    return at == corners.end() ? -1 : static_cast<std::int32_t>(at - corners.begin());
 }
 
 Point control_point(const hm_curves& curves, std::int32_t index) {

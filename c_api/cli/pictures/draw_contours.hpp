@@ -1,0 +1,12 @@
+// Contour lines in pictures, with their values written on some of them.
+#pragma once
+
+#include "contour_lines.hpp"
+#include "plot.hpp"
+
+namespace cli {
+
+// taken: pixels where something else is written.
+void draw_contours(Plot& plot, const std::vector<ContourLine>& lines, double step, const std::vector<Point>& taken);
+
+} // namespace cli

@@ -1,0 +1,150 @@
+#include "function_bands.hpp"
+
+#include "colour_map.hpp"
+#include "numbers.hpp"
+#include "raster.hpp"
+#include "triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+constexpr std::size_t most_triangles = 60000; // as shapes of their own; above: a raster
+
+// A function is linear on each triangle. The parts of all triangles between two levels are one path: small files, and
+// bands whose edges are the function's level lines.
+class BandPainter {
+public:
+    explicit BandPainter(const Bands& bands) : bands_(bands), paths_(static_cast<std::size_t>(bands.count())) {}
+
+    // Corners in pixels.
+    void add(const std::array<Point, 3>& corners, const std::array<double, 3>& values) {
+        Piece triangle;
+        for (std::size_t i = 0; i < 3; ++i) triangle.push_back({corners[i], values[i] / bands_.step - bands_.first});
+        const auto [low, high] = std::minmax({triangle[0].level, triangle[1].level, triangle[2].level});
+        const double most = bands_.count() - 1;
+        const auto first = static_cast<std::size_t>(std::clamp(std::floor(low), 0.0, most));
+        const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high) - 1, static_cast<double>(first), most));
+        for (std::size_t band = first; band <= last; ++band) {
+            Piece piece = triangle;
+            if (band > first) piece = part_above(piece, static_cast<double>(band), 1);
+            if (band < last) piece = part_above(piece, static_cast<double>(band + 1), -1);
+            if (piece.size() > 2) add(piece, band);
+        }
+    }
+    std::vector<SvgPath>& paths() { return paths_; }
+
+private:
+    struct Corner {
+        Point at;
+        double level;
+    };
+    using Piece = std::vector<Corner>;
+
+    // The part of a convex piece that lies above a level; with the sign -1 below it.
+    static Piece part_above(const Piece& piece, double level, double sign) {
+        Piece part;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const Corner& a = piece[i];
+            const Corner& b = piece[(i + 1) % piece.size()];
+            const double from = sign * (a.level - level), to = sign * (b.level - level);
+            if (from >= 0) part.push_back(a);
+            if ((from < 0 && to > 0) || (from > 0 && to < 0)) {
+                const double t = from / (from - to);
+                part.push_back({{a.at.x + t * (b.at.x - a.at.x), a.at.y + t * (b.at.y - a.at.y)}, level});
+            }
+        }
+        return part;
+    }
+    void add(const Piece& piece, std::size_t band) {
+        paths_[band].move_to(piece[0].at);
+        for (std::size_t i = 1; i < piece.size(); ++i) paths_[band].line_to(piece[i].at);
+        paths_[band].close();
+    }
+
+    const Bands& bands_;
+    std::vector<SvgPath> paths_;
+};
+
+} // namespace
+
+Bands::Bands(double low, double high) {
+    step = high > low ? round_step((high - low) / 20) : 1;
+    first = static_cast<std::int32_t>(std::floor(low / step + 1e-9));
+    last = std::max(first + 1, static_cast<std::int32_t>(std::ceil(high / step - 1e-9)));
+}
+
+std::string Bands::colour(std::int32_t band) const {
+    const double most = step * std::max(std::abs(first), std::abs(last));
+    return cli::colour(colour_place((first + band + .5) * step, most));
+}
+
+std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values, const Bands& bands) {
+    std::size_t triangles = 0;
+    for_each_triangle(mesh, plot.window(), [&](const Corners&) { ++triangles; });
+    const bool is_raster = triangles > most_triangles;
+    BandPainter painter(bands);
+    Raster raster(is_raster ? plot.frame() : Box{{0, 0}, {1, 1}});
+    for_each_triangle(mesh, plot.window(), [&](const Corners& corners) {
+        std::array<Point, 3> at;
+        std::array<double, 3> its;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto corner = static_cast<std::size_t>(corners[i]);
+            at[i] = plot.pixel({mesh.x[corner], mesh.y[corner]});
+            its[i] = values[corner];
+        }
+        if (is_raster) {
+            raster.fill(at, its);
+        } else {
+            painter.add(at, its);
+        }
+    });
+    if (is_raster) {
+        raster.runs(painter.paths(), [&](std::size_t column, std::size_t row) {
+            const double value = raster.at(column, row);
+            if (value == Raster::nothing) return -1;
+            return std::clamp(static_cast<int>(std::floor(value / bands.step)) - bands.first, 0, bands.count() - 1);
+        });
+    }
+    for (std::int32_t band = 0; band < bands.count(); ++band) {
+        const std::string shade = bands.colour(band);
+        // The line of the same colour covers the hair lines that renderers leave between neighbours.
+        const std::string line =
+            is_raster ? " shape-rendering=\"crispEdges\"" : " stroke=\"" + shade + "\" stroke-width=\".5\"";
+        plot.svg().path(painter.paths()[static_cast<std::size_t>(band)], "fill=\"" + shade + "\"" + line);
+    }
+    if (!is_raster) return "";
+    return "Of " + plural(static_cast<std::int64_t>(triangles), "triangle") +
+           ", colours are drawn pixel by pixel; contour lines are exact.";
+}
+
+void draw_colour_bar(Sheet& sheet, const Bands& bands, const std::string& name) {
+    constexpr double least_between = 20; // pixels between two numbers
+    const Box frames = sheet.frames();
+    const Box bar = {{frames.high.x + 20, frames.low.y}, {frames.high.x + 40, frames.high.y}};
+    const double height = bar.height() / bands.count();
+    const auto every = static_cast<std::int32_t>(std::ceil(least_between / height));
+    Svg& svg = sheet.svg();
+    double widest = 0;
+    for (std::int32_t band = 0; band <= bands.count(); ++band) {
+        const double y = bar.high.y - height * band;
+        if (band < bands.count())
+            svg.rectangle({{bar.low.x, y - height}, {bar.high.x, y}}, "fill=\"" + bands.colour(band) + "\"");
+        if ((bands.first + band) % every != 0) continue;
+        const std::string number = brief(bands.level(band));
+        svg.line({bar.high.x, y}, {bar.high.x + 5, y}, "stroke=\"#444\"");
+        svg.text({bar.high.x + 9, y + 4.5}, number, "font-size=\"13\" fill=\"#333\"");
+        widest = std::max(widest, width_of_text(number, 13));
+    }
+    svg.rectangle(bar, "fill=\"none\" stroke=\"#444\" stroke-width=\"1\"");
+    const Point at = {bar.high.x + 9 + widest + 18, bar.centre().y};
+    svg.text(at, name,
+             "font-size=\"14\" fill=\"#111\" text-anchor=\"middle\" transform=\"rotate(-90 " + pixels(at.x) + " " +
+                 pixels(at.y) + ")\"");
+}
+
+} // namespace cli
