@@ -772,6 +772,115 @@ HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *po
                                      const hm_points *dj, const hm_points_out *gradient, void *work, size_t bytes,
                                      hm_solve_report *report, hm_error *err);
 
+/* ---- Three-dimensional codes with two-dimensional meshes --------------------------------------------------------- */
+
+/* For solvers that have three dimensions only, and meshes one cell thick. The library finds the mesh of one symmetry
+ * plane, and which point of that plane each point follows; analysis, plan and basis are those of the plane's mesh.
+ * Points may form any number of layers: a plane mesh that was extruded by several cells is treated in the same way.
+ *
+ *   HM_PLANES   the layers are parallel planes of any direction, and each is the plane's mesh, translated along the
+ *               normal
+ *   HM_WEDGE    the layers are the plane's mesh, turned about an axis that lies in its plane and does not cross the
+ *               mesh; points on the axis belong to all layers
+ *
+ * Coordinates of the plane: x-y if the normal is z, x-z if the normal is y, y-z if the normal is x, with the bits of
+ * the given coordinates; in an inclined plane, right-angled coordinates whose origin is the point nearest to the
+ * origin. Wedge: x along the axis, y the distance from the axis. hm_plane_info has the directions. */
+enum {                             /* hm_space_mesh.kind */
+    HM_SPACE_AUTO = 0,             /* a wedge if the points that no face has lie in one plane inclined to the faces: the
+                                      axis is a coordinate axis if one lies in both planes, otherwise the line where the
+                                      planes meet; parallel planes otherwise */
+    HM_PLANES = 1,
+    HM_WEDGE = 2
+};
+
+typedef struct hm_space_points {   /* as hm_points, with three coordinates; 32 bytes for ever */
+    const double *x, *y, *z;
+    int64_t stride;                /* [doubles] from one point to the next, >= 1; 0 means 1 */
+} hm_space_points;
+
+typedef struct hm_space_points_out {
+    double *x, *y, *z;
+    int64_t stride;
+} hm_space_points_out;
+
+typedef struct hm_space_mesh {
+    uint64_t struct_size;
+    int32_t  index_base;           /* 0 or 1: the first number of points, faces and sides in all arrays and reports,
+                                      and of the points and cells of the plane's mesh */
+    int32_t  n_points;             /* 3 .. 2^30: all points of the mesh of three dimensions */
+    hm_space_points points;        /* [n_points] coordinates */
+    int32_t  kind;                 /* HM_SPACE_AUTO, HM_PLANES, HM_WEDGE */
+    int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, triangles and quadrilaterals; they are
+                                      the cells of the plane's mesh, in this order */
+    const int32_t *face_start;     /* [n_faces+1] counted from index_base; NULL: each face has four entries */
+    const int32_t *face_points;    /* the points of each face in order; of four entries, a triangle repeats its last
+                                      point */
+    int32_t  n_sides;              /* faces of the boundary from one layer to the next; 0: none, then the caller adds
+                                      the boundary to the plane's mesh */
+    const int32_t *side_points;    /* [4*n_sides] in order; a triangle, at the axis of a wedge, repeats a point */
+    const int32_t *side_markers;   /* [n_sides] any integers: markers of the plane's mesh */
+    double   axis_point[3];        /* wedge only: a point of the axis [length] */
+    double   axis[3];              /* wedge only: the direction of the axis, of any length; 0,0,0: found (two layers
+                                      only) */
+    double   tolerance;            /* [length] how far a point may be from the place of its plane point, and a point of
+                                      a face from the plane; 0 means 1e-5 of the extent of all points. A point that is
+                                      farther away than a quarter of the shortest edge at the plane point is refused in
+                                      any case */
+} hm_space_mesh;
+
+typedef struct hm_plane hm_plane;
+
+/* Bytes from the counts alone: points, faces, corners of faces, sides, and kind. */
+HM_API hm_status hm_plane_size(const hm_space_mesh *space, size_t *bytes, hm_error *err);
+/* Nothing of `space` is needed afterwards. Where several points of the plane lie at one place (the two sides of a cut,
+ * or of a plate without thickness), the points of each layer at that place follow them in the order of their numbers.
+ * Refused (HM_BAD_MESH, error.item: the point or side, error.value: the distance): a point of a face outside the plane
+ * of the others; a point that is opposite to no point of the plane, as those of a mesh with three dimensions are; a
+ * point of the plane that no point of another layer follows; a side with other than two different points of the
+ * plane. */
+HM_API hm_status hm_plane_init(hm_plane **plane, void *block, size_t bytes, const hm_space_mesh *space, hm_error *err);
+
+typedef struct hm_plane_info {
+    uint64_t struct_size;
+    int32_t  kind;                 /* HM_PLANES or HM_WEDGE */
+    int32_t  n_points;             /* of the plane's mesh */
+    int32_t  n_space_points;       /* of the mesh of three dimensions */
+    int32_t  layers;               /* the largest number of points that follow one point of the plane, with itself */
+    double   origin[3];            /* the point (x, y) of the plane is origin + x * x_direction + y * y_direction */
+    double   x_direction[3], y_direction[3], normal[3]; /* unit vectors, right-handed; wedge: x_direction is the axis */
+    double   max_distance;         /* [length] largest distance of a point from the place of its plane point */
+    int32_t  max_distance_point;   /* the point with that distance; -1: all are exact */
+    int32_t  reserved;             /* 0 */
+    const int32_t *follows;        /* [n_space_points] the plane point that each point follows, counted from
+                                      index_base */
+    const int32_t *space_point;    /* [n_points] the point of the faces that is each plane point, counted from
+                                      index_base: in increasing order */
+} hm_plane_info;
+HM_API hm_status hm_plane_info_get(const hm_plane *plane, hm_plane_info *info, hm_error *err);
+/* The mesh of the plane, for hm_problem.mesh: coordinates, cells, faces with markers. The arrays are inside the block
+ * of the plane and do not change. mesh->struct_size is set by the caller. */
+HM_API hm_status hm_plane_mesh(const hm_plane *plane, hm_mesh *mesh, hm_error *err);
+
+/* hm_morph of all points: to = from + the movement of the plane point that each point follows, in the plane; wedge:
+ * along the axis and along the radius at the angle that the point had in hm_plane_init. The basis is one of the plane's
+ * mesh. Rules for from, to and NULL are those of hm_morph. A coordinate across the layers (of coordinate planes) and points
+ * that do not move keep their bits. Writes working arrays of the plane: one thread at a time may call hm_plane_morph or
+ * hm_plane_adjoint. */
+HM_API hm_status hm_plane_morph(hm_plane *plane, const hm_basis *basis, const double *move, const hm_space_points *from,
+                                const hm_space_points_out *to, const hm_executor *executor, hm_error *err);
+/* The transpose: dj are derivatives with respect to the three coordinates of all points, gradient [2*functions] as of
+ * hm_adjoint. The layers are summed in the order of the numbers of the points. */
+HM_API hm_status hm_plane_adjoint(hm_plane *plane, const hm_basis *basis, const hm_space_points *dj, double *gradient,
+                                  const hm_executor *executor, hm_error *err);
+/* The two steps in between, for displacements from elsewhere (hm_displace, or hm_morph_safe minus the mesh's points):
+ * to = from + displacement [n_points] of the plane point that each point follows; and the transpose, dj summed over the
+ * layers into `plane_dj` [n_points]. */
+HM_API hm_status hm_plane_spread(const hm_plane *plane, const hm_points *displacement, const hm_space_points *from,
+                                 const hm_space_points_out *to, const hm_executor *executor, hm_error *err);
+HM_API hm_status hm_plane_gather(const hm_plane *plane, const hm_space_points *dj, const hm_points_out *plane_dj,
+                                 const hm_executor *executor, hm_error *err);
+
 /* ---- Distributed meshes: several processes, see harmorph_mpi.h -------------------------------------------------- */
 
 /* A basis for some points only, for instance those of one process. Point k of the new basis is points[k], counted from

@@ -65,9 +65,13 @@ int main(void) {
     HAS_SIZE_FIRST(hm_quality_report);
     HAS_SIZE_FIRST(hm_safe_options);
     HAS_SIZE_FIRST(hm_safe_report);
+    HAS_SIZE_FIRST(hm_space_mesh);
+    HAS_SIZE_FIRST(hm_plane_info);
     if (sizeof(void *) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);
+        SIZE(hm_space_points, 32);
+        SIZE(hm_space_points_out, 32);
         PLACE(hm_points, stride, 16);
         PLACE(hm_points_out, stride, 16);
         PLACE(hm_mesh, points, 16);

@@ -39,9 +39,11 @@ check "C, make run" by_make c
 cp "$log" "$log.kept"
 check "C: an area by adjoint steps" says "^0 inverted cells on the way"
 check "C: a thousand steps of pitching" says "first mesh bit by bit, 3 of 3 times"
+check "C: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "C: a mesh from an SU2 file" says "^airfoil: [0-9]* points, 20 functions, 0 inverted cells"
 check "Fortran, make run" by_make fortran
 cp "$log" "$log.kept"
+check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
 check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"
 check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"

@@ -26,7 +26,7 @@ check() {   # what, command...
     fi
 }
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
-tests="use places"
+tests="use places plane"
 build_and_run() {   # where, flags...: its own modules and objects in each place
     place=$dir/$1; shift
     mkdir -p "$place"

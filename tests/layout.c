@@ -121,6 +121,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         break;
     case 20:
         PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CELLS_MIXED);
+        PUT(HM_SPACE_AUTO); PUT(HM_PLANES); PUT(HM_WEDGE);
         PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
         PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);
         PUT(HM_FREE); PUT(HM_PERIODIC_PAIR); PUT(HM_GIVEN); PUT(HM_CONFORMAL); PUT(HM_LAPLACE); PUT(HM_WEIGHTED); PUT(HM_NO_WEIGHT);
@@ -138,6 +139,26 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #undef TYPE
 #define TYPE hm_points_out
     case 22: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;
+#undef TYPE
+#define TYPE hm_space_points
+    case 23: PUT(sizeof(TYPE)); AT(x); AT(y); AT(z); AT(stride); break;
+#undef TYPE
+#define TYPE hm_space_points_out
+    case 24: PUT(sizeof(TYPE)); AT(x); AT(y); AT(z); AT(stride); break;
+#undef TYPE
+#define TYPE hm_space_mesh
+    case 25:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(points); AT(kind); AT(n_faces);
+        AT(face_start); AT(face_points); AT(n_sides); AT(side_points); AT(side_markers); AT(axis_point); AT(axis);
+        AT(tolerance);
+        break;
+#undef TYPE
+#define TYPE hm_plane_info
+    case 26:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(kind); AT(n_points); AT(n_space_points); AT(layers); AT(origin);
+        AT(x_direction); AT(y_direction); AT(normal); AT(max_distance); AT(max_distance_point); AT(reserved);
+        AT(follows); AT(space_point);
+        break;
 #undef TYPE
     default: break;
     }

@@ -20,6 +20,9 @@ program layout
     type(hm_c_executor), target :: executor
     type(hm_c_mesh), target :: mesh
     type(hm_c_points), target :: points
+    type(hm_c_space_points), target :: space_points
+    type(hm_c_space_mesh), target :: space_mesh
+    type(hm_c_plane_info), target :: plane_info
     type(hm_c_curve), target :: curve
     type(hm_c_curves), target :: curves
     type(hm_c_fit_options), target :: fit_options
@@ -122,7 +125,7 @@ program layout
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
-        hm_cells_mixed, &
+        hm_cells_mixed, hm_space_auto, hm_planes, hm_wedge, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &
         hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, &
         hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
@@ -139,6 +142,21 @@ program layout
         c_loc(points%stride)])
     call compare("hm_points_out", 22, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
         c_loc(points%stride)])
+
+    call compare("hm_space_points", 23, c_sizeof(space_points), c_loc(space_points), [c_loc(space_points%x), &
+        c_loc(space_points%y), c_loc(space_points%z), c_loc(space_points%stride)])
+    call compare("hm_space_points_out", 24, c_sizeof(space_points), c_loc(space_points), [c_loc(space_points%x), &
+        c_loc(space_points%y), c_loc(space_points%z), c_loc(space_points%stride)])
+    call compare("hm_space_mesh", 25, c_sizeof(space_mesh), c_loc(space_mesh), [c_loc(space_mesh%struct_size), &
+        c_loc(space_mesh%index_base), c_loc(space_mesh%n_points), c_loc(space_mesh%points), c_loc(space_mesh%kind), &
+        c_loc(space_mesh%n_faces), c_loc(space_mesh%face_start), c_loc(space_mesh%face_points), &
+        c_loc(space_mesh%n_sides), c_loc(space_mesh%side_points), c_loc(space_mesh%side_markers), &
+        c_loc(space_mesh%axis_point), c_loc(space_mesh%axis), c_loc(space_mesh%tolerance)])
+    call compare("hm_plane_info", 26, c_sizeof(plane_info), c_loc(plane_info), [c_loc(plane_info%struct_size), &
+        c_loc(plane_info%kind), c_loc(plane_info%n_points), c_loc(plane_info%n_space_points), &
+        c_loc(plane_info%layers), c_loc(plane_info%origin), c_loc(plane_info%x_direction), c_loc(plane_info%y_direction), &
+        c_loc(plane_info%normal), c_loc(plane_info%max_distance), c_loc(plane_info%max_distance_point), &
+        c_loc(plane_info%reserved), c_loc(plane_info%follows), c_loc(plane_info%space_point)])
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop

@@ -49,6 +49,12 @@ solver_lines() {   # as they stand in the example, up to indentation
     block fortran 2 | sed '/^$/d' | sort >"$dir/shown"
     sed -n 's/ *!hm$//p' fortran/examples/inverse.f90 | sed 's/^ *//' | sort | diff - "$dir/shown"
 }
+example_lines() {   # language, number of the block, example: lines between README and end, up to indentation
+    block "$1" "$2" >"$dir/shown"
+    awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$3" | sed '/^$/d; s/^    //' | diff - "$dir/shown"
+}
+check "the lines of c_api/examples/plane.c" example_lines c 2 c_api/examples/plane.c
+check "the lines of fortran/examples/plane.f90" example_lines fortran 3 fortran/examples/plane.f90
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
 check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"
 check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; the mesh could follow"
@@ -75,7 +81,7 @@ check "commands stand in blocks that are run" no_other_commands
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
 export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
 several_processes() {
-    block fortran 3 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
+    block fortran 4 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
     (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
         for file in "$build/harmorph.f90" "$source/fortran/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -c "$file" || exit 1

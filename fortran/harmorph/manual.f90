@@ -59,6 +59,20 @@
 !               pieces, conditions, parts, and all of them in errors. points(x, y, first=0): points and cells count from
 !               0 in the caller's lists and in reports.
 !
+! THREE DIMENSIONS
+!
+! hm_plane      Solvers with three dimensions and a mesh one cell thick: between parallel planes of any direction, in
+!               any number of layers, or a wedge about an axis. Arrays are x(:), y(:), z(:) or x(:,:,:), y(:,:,:), z(:,:,:).
+!                   type(hm_plane) :: plane
+!                   call plane%points(x, y, z)           copied until find
+!                   call plane%faces(faces)              (3,n) or (4,n) of one symmetry plane: the plane's cells
+!                   call plane%sides(sides, markers)     (4,n) faces of the boundary from one layer to the next
+!                   call plane%find()                    or kind=hm_wedge, axis_point=, axis=, tolerance=
+!                   call plane%mesh(mesh)                then curves, plan, basis; plane must outlive mesh
+!                   call plane%morph(basis, move, x, y, z);  call plane%adjoint(basis, gx, gy, gz, gradient)
+!               displacement, velocity; spread and gather for displacements from elsewhere; info: who follows whom.
+!               See hm_plane_init in harmorph.h for what is refused.
+!
 ! CURVES AND CONDITIONS
 !
 ! curves%fit    B-spline by least squares through ordered points; loop: the last is joined to the first, which is not

@@ -33,6 +33,30 @@
         type(c_ptr) :: quad_points = c_null_ptr
     end type
 
+    type, bind(c), public :: hm_c_space_points  ! hm_space_points and hm_space_points_out
+        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr, z = c_null_ptr
+        integer(c_int64_t) :: stride = 1
+    end type
+
+    type, bind(c), public :: hm_c_space_mesh
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: index_base = 0, n_points = 0
+        type(hm_c_space_points) :: points
+        integer(c_int32_t) :: kind = 0, n_faces = 0
+        type(c_ptr) :: face_start = c_null_ptr, face_points = c_null_ptr
+        integer(c_int32_t) :: n_sides = 0
+        type(c_ptr) :: side_points = c_null_ptr, side_markers = c_null_ptr
+        real(c_double) :: axis_point(3) = 0, axis(3) = 0, tolerance = 0
+    end type
+
+    type, bind(c), public :: hm_c_plane_info
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: kind = 0, n_points = 0, n_space_points = 0, layers = 0
+        real(c_double) :: origin(3) = 0, x_direction(3) = 0, y_direction(3) = 0, normal(3) = 0, max_distance = 0
+        integer(c_int32_t) :: max_distance_point = 0, reserved = 0
+        type(c_ptr) :: follows = c_null_ptr, space_point = c_null_ptr
+    end type
+
     type, bind(c), public :: hm_c_curve
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: degree = 0, n_indices = 0

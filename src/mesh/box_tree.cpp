@@ -47,10 +47,14 @@ void select(Span<BoxTree::Entry> entries, Index k, bool vertical) noexcept {
 }  // namespace
 
 void BoxTree::lay_out(Arena& arena, Index n_items) noexcept {
-    n = n_items;
-    for (levels = 0; (n >> levels) > leaf_items; ++levels) {}
+    set_count(n_items);
     arena.take(entry, n);
     arena.take(box, Size{2} << levels);
+}
+
+void BoxTree::set_count(Index n_items) noexcept {
+    n = n_items;
+    for (levels = 0; (n >> levels) > leaf_items; ++levels) {}
 }
 
 void BoxTree::halve() noexcept {

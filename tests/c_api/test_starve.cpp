@@ -3,6 +3,7 @@
 
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/extruded.hpp>
 #include <fixtures/mixed.hpp>
 
 #include <set>
@@ -117,6 +118,30 @@ TEST_CASE("fit: at every size below the required one") {
         CHECK((curves != nullptr) == (status >= 0));
         return status;
     });
+}
+
+TEST_CASE("plane: at every size below the required one; the smallest block moves all points") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    std::vector<double> const move = some_move(4, 0.1, 1);
+    for (Placement const& place : {along_axis(1), wedge(5)}) {
+        Extruded const space(its.mesh, place, 2);
+        hm_space_mesh const view = space.view();
+        std::size_t need = 0;
+        REQUIRE(hm_plane_size(&view, &need, nullptr) == HM_OK);
+        starve(need, [&](void* block, std::size_t bytes, hm_error& error) {
+            hm_plane* plane = nullptr;
+            hm_status const status = hm_plane_init(&plane, block, bytes, &view, &error);
+            CHECK((plane != nullptr) == (status >= 0));
+            if (status < 0) return status;
+            std::vector<double> x = space.x, y = space.y, z = space.z, gradient(8);
+            hm_space_points const from = space.points();
+            hm_space_points_out const to{x.data(), y.data(), z.data(), 1};
+            REQUIRE(hm_plane_morph(plane, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_plane_adjoint(plane, solved.basis, &from, gradient.data(), nullptr, nullptr) == HM_OK);
+            return status;
+        });
+    }
 }
 
 TEST_CASE("blocks of exactly the stated size carry the whole way, at every alignment, on every kind of mesh") {

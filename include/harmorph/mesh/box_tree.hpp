@@ -45,6 +45,7 @@ struct BoxTree {
     Span<Box> box;      // [2^(levels + 1)]
 
     void lay_out(Arena& arena, Index n_items) noexcept;
+    void set_count(Index n_items) noexcept;  // of a tree that was laid out for at least as many
 
     // box_of(item) for items 0 .. n-1. Ranges are halved at the median of the centres, across their larger extent.
     template <class BoxOf>

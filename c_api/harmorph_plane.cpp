@@ -1,0 +1,229 @@
+// The C interface: meshes of three dimensions that are one cell thick.
+#include "handles.hpp"
+#include "harmorph/morph/adjoint.hpp"
+#include "harmorph/morph/morph.hpp"
+#include "harmorph/space/plane_search.hpp"
+
+namespace harmorph {
+namespace {
+
+Status view_space(const hm_space_mesh* given, SpaceMesh& mesh, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"space", given}}, fault));
+    hm_space_mesh m;
+    if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "space.struct_size is not set");
+    if (asks_for_more(given)) {
+        return fault.refuse(Status::unsupported,
+                            "space: fields are set that this version of the library does not know");
+    }
+    if (m.kind < HM_SPACE_AUTO || m.kind > HM_WEDGE) {
+        return fault.refuse(Status::bad_argument, "space.kind # is unknown", Counts::from_zero, m.kind);
+    }
+    mesh.index_base = fault.bases.mesh = m.index_base;
+    mesh.n_points = m.n_points;
+    mesh.points = {m.points.x, m.points.y, m.points.z, stride_of(m.points.stride)};
+    mesh.kind = static_cast<SpaceKind>(m.kind);
+    mesh.n_faces = m.n_faces;
+    mesh.face_start = m.face_start;
+    mesh.face_points = m.face_points;
+    mesh.n_sides = m.n_sides;
+    mesh.side_points = m.side_points;
+    mesh.side_markers = m.side_markers;
+    mesh.axis_point = {m.axis_point[0], m.axis_point[1], m.axis_point[2]};
+    mesh.axis = {m.axis[0], m.axis[1], m.axis[2]};
+    mesh.tolerance = m.tolerance;
+    return check_counts(mesh, fault);
+}
+
+struct PlaneBlock : InBlock<Plane> {
+    PlaneSearch search;
+
+    void lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
+        InBlock<Plane>::lay_out(arena, mesh);
+        search.lay_out(arena, mesh);
+    }
+};
+
+// hm_plane and Plane, both const or neither.
+template <class Handle, class Object>
+Status open_plane_mesh(Handle* handle, Object*& plane, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"plane", handle}}, fault));
+    plane = reinterpret_cast<Object*>(handle);
+    fault.bases.mesh = plane->index_base;
+    return Status::ok;
+}
+
+template <class Given, class View>
+Status view_space_points(const Given* given, const char* name, View& points, Fault& fault) noexcept {
+    if (given == nullptr) return fault.refuse_argument(name, "% is NULL");
+    if (given->x == nullptr || given->y == nullptr || given->z == nullptr) {
+        return fault.refuse_argument(name, "%.x, %.y or %.z is NULL");
+    }
+    if (given->stride < 0) return fault.refuse_argument(name, "%.stride is negative");
+    points = {given->x, given->y, given->z, stride_of(given->stride)};
+    return Status::ok;
+}
+
+// All functions, of the plane's mesh.
+Status open_basis_of(Plane const& plane, const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_complete(handle, basis, fault));
+    if (basis.n_points() == plane.n_points) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis has # points, but the plane @", Counts::from_zero,
+                        basis.n_points(), plane.n_points);
+}
+
+void put(Vec3 from, double (&to)[3]) noexcept {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_plane_size(const hm_space_mesh* space, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        SpaceMesh mesh;
+        PlaneBlock block;
+        HARMORPH_TRY(view_space(space, mesh, fault));
+        return count_bytes(bytes, fault, [&](Arena& arena) { block.lay_out(arena, mesh); });
+    });
+}
+
+hm_status hm_plane_init(hm_plane** plane, void* block, size_t bytes, const hm_space_mesh* space, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        SpaceMesh mesh;
+        PlaneBlock its;
+        HARMORPH_TRY(require({{"plane", plane}}, fault));
+        HARMORPH_TRY(view_space(space, mesh, fault));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { its.lay_out(arena, mesh); }));
+        HARMORPH_TRY(check_space_mesh(mesh, fault));
+        HARMORPH_TRY(its.search.run(mesh, its.object, fault));
+        its.give(plane);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_info_get(const hm_plane* plane, hm_plane_info* info, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plane* its = nullptr;
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(check_report(info, fault));
+        hm_plane_info filled = {};
+        filled.kind = static_cast<std::int32_t>(its->frame.kind);
+        filled.n_points = its->n_points;
+        filled.n_space_points = its->n_space_points;
+        filled.layers = its->layers;
+        put(its->frame.origin, filled.origin);
+        put(its->frame.x, filled.x_direction);
+        put(its->frame.y, filled.y_direction);
+        put(its->frame.normal, filled.normal);
+        filled.max_distance = its->max_distance;
+        filled.max_distance_point = numbered(its->max_distance_point, its->index_base);
+        filled.follows = its->follows.data();
+        filled.space_point = its->space_point.data();
+        write_struct(filled, info);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_mesh(const hm_plane* plane, hm_mesh* mesh, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plane* its = nullptr;
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(check_report(mesh, fault));
+        Mesh const from = its->mesh();
+        hm_mesh filled = {};
+        filled.index_base = from.index_base;
+        filled.n_points = from.n_points;
+        filled.points = {from.points.x, from.points.y, 1};
+        filled.cell_layout = HM_CELLS_ROWS;
+        filled.n_cells = from.n_cells;
+        filled.cell_start = from.cell_start;
+        filled.cell_points = from.cell_points;
+        filled.n_faces = from.n_faces;
+        filled.face_points = from.face_points;
+        filled.face_markers = from.face_markers;
+        write_struct(filled, mesh);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_morph(hm_plane* plane, const hm_basis* basis, const double* move, const hm_space_points* from,
+                         const hm_space_points_out* to, const hm_executor* executor, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Plane* its = nullptr;
+        Basis b;
+        Executor threads;
+        SpacePoints before;
+        MutableSpacePoints after;
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(open_basis_of(*its, basis, b, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        HARMORPH_TRY(check_move(b, move, fault));
+        if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
+        HARMORPH_TRY(view_space_points(to, "to", after, fault));
+        MutablePoints const displacement{its->work_x.data(), its->work_y.data(), 1};
+        morph(b, move, {}, displacement, threads);
+        its->spread(displacement, before, after, threads);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_adjoint(hm_plane* plane, const hm_basis* basis, const hm_space_points* dj, double* gradient,
+                           const hm_executor* executor, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Plane* its = nullptr;
+        Basis b;
+        Executor threads;
+        SpacePoints by_points;
+        HARMORPH_TRY(require({{"gradient", gradient}}, fault));
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(open_basis_of(*its, basis, b, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        HARMORPH_TRY(view_space_points(dj, "dj", by_points, fault));
+        MutablePoints const sums{its->work_x.data(), its->work_y.data(), 1};
+        its->gather(by_points, sums, threads);
+        adjoint_morph(b, sums, gradient, threads);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_spread(const hm_plane* plane, const hm_points* displacement, const hm_space_points* from,
+                          const hm_space_points_out* to, const hm_executor* executor, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plane* its = nullptr;
+        Executor threads;
+        Points steps;
+        SpacePoints before;
+        MutableSpacePoints after;
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        HARMORPH_TRY(view_points(displacement, "displacement", steps, fault));
+        if (from != nullptr) HARMORPH_TRY(view_space_points(from, "from", before, fault));
+        HARMORPH_TRY(view_space_points(to, "to", after, fault));
+        its->spread(steps, before, after, threads);
+        return Status::ok;
+    });
+}
+
+hm_status hm_plane_gather(const hm_plane* plane, const hm_space_points* dj, const hm_points_out* plane_dj,
+                          const hm_executor* executor, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plane* its = nullptr;
+        Executor threads;
+        SpacePoints by_points;
+        MutablePoints sums;
+        HARMORPH_TRY(open_plane_mesh(plane, its, fault));
+        HARMORPH_TRY(view_executor(executor, threads, fault));
+        HARMORPH_TRY(view_space_points(dj, "dj", by_points, fault));
+        HARMORPH_TRY(view_points(plane_dj, "plane_dj", sums, fault));
+        its->gather(by_points, sums, threads);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

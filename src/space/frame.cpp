@@ -1,0 +1,220 @@
+#include "harmorph/space/frame.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real default_tolerance = 1e-5;  // of the extent: numbers of six digits are that accurate
+constexpr Real parallel = 1e-4;           // sine of the angle between planes that count as parallel
+
+// A coordinate, with all its bits where the direction is an axis.
+Real along(Vec3 point, Vec3 direction) noexcept {
+    for (Index axis = 0; axis < 3; ++axis) {
+        if (direction[axis] == 1) return point[axis];
+    }
+    return dot(point, direction);
+}
+
+// Of the component that is largest in size.
+Index largest_axis(Vec3 v) noexcept {
+    Index axis = absolute(v.y) > absolute(v.x) ? 1 : 0;
+    return absolute(v.z) > absolute(v[axis]) ? 2 : axis;
+}
+
+// The points of the faces, or all others.
+struct Group {
+    SpaceMesh const& mesh;
+    Span<const std::uint8_t> in_faces;
+    std::uint8_t faces;
+
+    // visit(point) until it returns true; none if it never does.
+    template <class Visit>
+    Index find(Visit visit) const noexcept {
+        for (Index k = 0; k < mesh.n_points; ++k) {
+            if (in_faces[k] == faces && visit(k)) return k;
+        }
+        return none;
+    }
+    // The point for which value(point) is largest.
+    template <class Value>
+    Index largest(Value value) const noexcept {
+        Index best = none;
+        Real most = -1;
+        find([&](Index k) {
+            Real const its = value(mesh.points[k]);
+            if (its > most) {
+                most = its;
+                best = k;
+            }
+            return false;
+        });
+        return best;
+    }
+};
+
+struct Flat {
+    bool exists = false;  // false: the points lie on a line, or there are none
+    Vec3 point, normal;
+};
+
+// The plane through three points that are far apart.
+Flat plane_through(Group const& group) noexcept {
+    Flat flat;
+    Index const first = group.find([](Index) { return true; });
+    if (first == none) return flat;
+    Vec3 const a = group.mesh.points[first];
+    Vec3 const b = group.mesh.points[group.largest([&](Vec3 p) { return length(p - a); })];
+    Vec3 const line = direction(b - a);
+    Vec3 const c = group.mesh.points[group.largest([&](Vec3 p) { return length(cross(p - a, line)); })];
+    flat.point = a;
+    flat.normal = direction(cross(line, c - a));
+    flat.exists = length(cross(line, direction(c - a))) > 1e-12;
+    return flat;
+}
+
+Real extent(SpaceMesh const& mesh) noexcept {
+    Real most = 0;
+    for (Index axis = 0; axis < 3; ++axis) {
+        Real low = infinity, high = -infinity;
+        for (Index k = 0; k < mesh.n_points; ++k) {
+            low = smaller(low, mesh.points[k][axis]);
+            high = larger(high, mesh.points[k][axis]);
+        }
+        most = larger(most, high - low);
+    }
+    return most;
+}
+
+// A coordinate plane where all points agree in one coordinate, within the tolerance: z first, then y, then x.
+void snap_to_coordinates(Group const& group, Real tolerance, Flat& flat) noexcept {
+    for (Index axis = 2; axis >= 0; --axis) {
+        Real const at = flat.point[axis];
+        if (group.find([&](Index k) { return absolute(group.mesh.points[k][axis] - at) > tolerance; }) != none)
+            continue;
+        flat.normal = unit_vector(axis);
+        return;
+    }
+}
+
+Index first_outside(Group const& group, Flat const& flat, Real tolerance) noexcept {
+    return group.find(
+        [&](Index k) { return absolute(along(group.mesh.points[k] - flat.point, flat.normal)) > tolerance; });
+}
+
+void directions_of_planes(Flat const& flat, Frame& frame) noexcept {
+    Vec3 n = flat.normal;
+    Index const largest = largest_axis(n);
+    if ((n[largest] < 0) != (largest == 1)) n = -1.0 * n;  // x-z has the normal -y
+    Index const first = largest == 0 ? 1 : 0, second = largest == 2 ? 1 : 2;
+    Index const axis = absolute(n[first]) <= absolute(n[second]) ? first : second;
+    frame.x = direction(unit_vector(axis) - n[axis] * n);
+    frame.y = cross(n, frame.x);
+    frame.normal = n;
+    frame.origin = along(flat.point, flat.normal) * flat.normal;
+}
+
+// The line that two planes have in common.
+struct Line {
+    Vec3 point, direction;
+};
+
+bool contains(Flat const& flat, Line const& line, Real size, Real tolerance) noexcept {
+    return absolute(along(line.point - flat.point, flat.normal)) <= tolerance &&
+           absolute(dot(line.direction, flat.normal)) * size <= tolerance;
+}
+
+Line common_line(Flat const& a, Flat const& b, Real size, Real tolerance) noexcept {
+    for (Index axis = 0; axis < 3; ++axis) {
+        Line const coordinate{{}, unit_vector(axis)};
+        if (contains(a, coordinate, size, tolerance) && contains(b, coordinate, size, tolerance)) return coordinate;
+    }
+    Vec3 const both = cross(a.normal, b.normal);
+    Real const away = dot(b.point - a.point, b.normal) / dot(both, both);
+    Vec3 const line = direction(both);
+    return {a.point + away * cross(both, a.normal), line[largest_axis(line)] < 0 ? -1.0 * line : line};
+}
+
+Status directions_of_wedge(Group const& faces, Flat const& flat, Line const& axis, Frame& frame,
+                           Fault& fault) noexcept {
+    frame.origin = axis.point;
+    frame.x = axis.direction;
+    frame.y = direction(cross(flat.normal, axis.direction));
+    Index const far = faces.largest([&](Vec3 p) { return absolute(dot(p - axis.point, frame.y)); });
+    if (dot(faces.mesh.points[far] - axis.point, frame.y) < 0) frame.y = -1.0 * frame.y;
+    frame.normal = cross(frame.x, frame.y);
+    Index const beyond =
+        faces.find([&](Index k) { return frame.in_plane(faces.mesh.points[k]).y < -frame.tolerance; });
+    if (beyond == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "the axis of the wedge crosses the mesh: point # is on its other side",
+                        Counts::mesh, beyond);
+}
+
+// The axis that the caller gives.
+Status given_axis(SpaceMesh const& mesh, Flat const& flat, Real size, Real tolerance, Line& line,
+                  Fault& fault) noexcept {
+    line = {mesh.axis_point, direction(mesh.axis)};
+    if (!contains(flat, line, size, tolerance)) {
+        return fault.refuse(Status::bad_argument, "space.axis does not lie in the plane of the faces");
+    }
+    return Status::ok;
+}
+
+}  // namespace
+
+PlacedPoint Frame::placed(Vec3 point) const noexcept {
+    PlacedPoint out;
+    if (kind != SpaceKind::wedge) {
+        out.place = in_plane(point);
+        out.across = dot(point - origin, normal);
+        return out;
+    }
+    Vec3 const from_axis = point - origin;
+    Vec2 const radius{dot(from_axis, y), dot(from_axis, normal)};
+    Real const r = length(Vec3{radius.x, radius.y, 0});
+    out.place = {along(from_axis, x), r};
+    if (r > tolerance) out.turn = (1 / r) * radius;
+    out.across = out.turn.y >= 0 ? 1 - out.turn.x : 3 + out.turn.x;  // grows with the angle
+    return out;
+}
+
+Vec2 Frame::in_plane(Vec3 point) const noexcept {
+    if (kind != SpaceKind::wedge) return {along(point, x), along(point, y)};
+    return {along(point - origin, x), along(point - origin, y)};
+}
+
+Status find_frame(SpaceMesh const& mesh, Span<const std::uint8_t> in_faces, Frame& frame, Fault& fault) noexcept {
+    Group const faces{mesh, in_faces, 1}, others{mesh, in_faces, 0};
+    Real const size = extent(mesh);
+    frame.tolerance = mesh.tolerance > 0 ? mesh.tolerance : default_tolerance * size;
+    Flat flat = plane_through(faces);
+    if (!flat.exists) return fault.refuse(Status::bad_mesh, "all points of space.face_points lie on one line");
+    snap_to_coordinates(faces, frame.tolerance, flat);
+    Index const outside = first_outside(faces, flat, frame.tolerance);
+    if (outside != none) {
+        return fault.refuse(Status::bad_mesh, "point # of the faces is ~ outside the plane of the others",
+                            Counts::mesh, outside, none,
+                            absolute(dot(mesh.points[outside] - flat.point, flat.normal)));
+    }
+    Flat second = plane_through(others);
+    bool const flat_too = second.exists && first_outside(others, second, frame.tolerance) == none;
+    bool const inclined = flat_too && length(cross(flat.normal, second.normal)) > parallel;
+    bool const has_axis = length(mesh.axis) > 0;
+    frame.kind = mesh.kind != SpaceKind::found ? mesh.kind : inclined ? SpaceKind::wedge : SpaceKind::planes;
+    if (frame.kind == SpaceKind::planes) {
+        directions_of_planes(flat, frame);
+        return Status::ok;
+    }
+    if (!has_axis && !inclined) {
+        return fault.refuse(
+            Status::bad_argument,
+            "space.axis is 0, but the other points lie in no inclined plane that would tell the axis");
+    }
+    Line axis;
+    if (has_axis) {
+        HARMORPH_TRY(given_axis(mesh, flat, size, frame.tolerance, axis, fault));
+    } else {
+        axis = common_line(flat, second, size, frame.tolerance);
+    }
+    return directions_of_wedge(faces, flat, axis, frame, fault);
+}
+
+}  // namespace harmorph

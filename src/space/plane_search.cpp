@@ -1,0 +1,206 @@
+#include "harmorph/space/plane_search.hpp"
+
+#include "harmorph/base/sort.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real tiny_square = 1e-300;
+
+Vec2 place_of(Plane const& plane, Index p) noexcept { return {plane.x[p], plane.y[p]}; }
+
+bool same(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
+
+}  // namespace
+
+void PlaneSearch::lay_out(Arena& arena, SpaceMesh const& mesh) noexcept {
+    Index const most = mesh.max_plane_points();
+    arena.take(in_faces, mesh.n_points);
+    arena.take(reach, most);
+    arena.take(first_at_place, most);
+    arena.take(next_at_place, most);
+    arena.take(ambiguous, mesh.n_points);
+    tree.lay_out(arena, most);
+}
+
+Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept {
+    plane.index_base = mesh.index_base;
+    plane.n_space_points = mesh.n_points;
+    plane.n_faces = mesh.n_faces;
+    fill(in_faces, std::uint8_t{0});
+    for (Index i = 0; i < mesh.n_faces; ++i) {
+        SpaceFace const face = mesh.face(i);
+        for (Index k = 0; k < face.n; ++k) in_faces[face.point[k]] = 1;
+    }
+    HARMORPH_TRY(find_frame(mesh, in_faces, plane.frame, fault));
+    if (plane.frame.kind != SpaceKind::wedge) plane.turn = {};
+    number_points(mesh, plane);
+    copy_cells(mesh, plane);
+    find_reach(plane);
+    tree.set_count(plane.n_points);
+    tree.build([&](Index p) {
+        Box box;
+        box.include(place_of(plane, p));
+        return box;
+    });
+    find_places(plane);
+    HARMORPH_TRY(follow(mesh, plane, fault));
+    HARMORPH_TRY(list_followers(plane, fault));
+    return copy_sides(mesh, plane, fault);
+}
+
+// In the order of the points of space.
+void PlaneSearch::number_points(SpaceMesh const& mesh, Plane& plane) noexcept {
+    plane.n_points = 0;
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        if (in_faces[k] == 0) continue;
+        Index const p = plane.n_points++;
+        Vec2 const place = plane.frame.in_plane(mesh.points[k]);
+        plane.x[p] = place.x;
+        plane.y[p] = place.y;
+        plane.space_point[p] = k + plane.index_base;
+        plane.follows[k] = p + plane.index_base;
+        if (!plane.turn.empty()) plane.turn[k] = {1, 0};
+    }
+}
+
+void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
+    Index n = 0;
+    for (Index i = 0; i < mesh.n_faces; ++i) {
+        SpaceFace const face = mesh.face(i);
+        plane.cell_start[i] = n + plane.index_base;
+        for (Index k = 0; k < face.n; ++k) plane.cell_points[n++] = plane.follows[face.point[k]];
+    }
+    plane.cell_start[mesh.n_faces] = n + plane.index_base;
+}
+
+// A quarter of the shortest edge, and the tolerance.
+void PlaneSearch::find_reach(Plane const& plane) noexcept {
+    fill(reach, plane.frame.tolerance * plane.frame.tolerance);
+    plane.mesh().for_each_cell([&](Index, Cell const& cell) {
+        for (Index k = 0; k < cell.n; ++k) {
+            Index const a = cell.point[k], b = cell.next(k);
+            Real const its = square(place_of(plane, b) - place_of(plane, a)) / 16;
+            if (its == 0) continue;
+            reach[a] = smaller(reach[a], its);
+            reach[b] = smaller(reach[b], its);
+        }
+    });
+}
+
+// Lists of the points with the same coordinates.
+void PlaneSearch::find_places(Plane const& plane) noexcept {
+    for (Index p = 0; p < plane.n_points; ++p) {
+        Vec2 const here = place_of(plane, p);
+        Index first = p;
+        tree.nearest(here, {none, tiny_square}, [&](Index other) {
+            if (other < first && same(place_of(plane, other), here)) first = other;
+            return infinity;  // so that all others are visited
+        });
+        first_at_place[p] = first;
+        next_at_place[p] = none;
+    }
+    for (Index p = plane.n_points; p-- > 0;) {
+        Index const first = first_at_place[p];
+        if (first == p) continue;
+        next_at_place[p] = next_at_place[first];
+        next_at_place[first] = p;
+    }
+}
+
+Status PlaneSearch::follow(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept {
+    Size n_ambiguous = 0;
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        if (in_faces[k] != 0) continue;
+        PlacedPoint const its = plane.frame.placed(mesh.points[k]);
+        auto const squared = [&](Index p) { return square(place_of(plane, p) - its.place); };
+        Nearest const near = tree.nearest(its.place, {}, squared);
+        if (near.item == none || !(near.squared <= reach[near.item])) {
+            return fault.refuse(
+                Status::bad_mesh,
+                "point # is ~ away from being opposite to a point of the faces: the mesh is not a plane one, "
+                "extruded",
+                Counts::mesh, k, none, square_root(near.squared));
+        }
+        Real const distance = square_root(near.squared);
+        if (distance > plane.max_distance) {
+            plane.max_distance = distance;
+            plane.max_distance_point = k;
+        }
+        Index const first = first_at_place[near.item];
+        plane.follows[k] = first + plane.index_base;
+        if (!plane.turn.empty()) plane.turn[k] = its.turn;
+        if (next_at_place[first] != none) ambiguous[n_ambiguous++] = {first, k, its.across};
+    }
+    resolve(plane, n_ambiguous);
+    return Status::ok;
+}
+
+// Of n points at one place of the plane, each layer has n points opposite: in the order of their numbers they follow in
+// the order of the plane's. A layer that has joined them has fewer, which follow the first.
+void PlaneSearch::resolve(Plane& plane, Size n_ambiguous) noexcept {
+    Span<Ambiguous> const all = ambiguous.first(n_ambiguous);
+    sort(all, [](Ambiguous const& a, Ambiguous const& b) {
+        if (a.place != b.place) return a.place < b.place;
+        return a.across != b.across ? a.across < b.across : a.point < b.point;
+    });
+    for (Size begin = 0; begin < n_ambiguous;) {
+        Index const place = all[begin].place;
+        Size n = 0, end = begin;
+        for (Index p = place; p != none; p = next_at_place[p]) ++n;
+        while (end < n_ambiguous && all[end].place == place) ++end;
+        for (Size layer = begin; (end - begin) % n == 0 && layer < end; layer += n) {
+            Span<Ambiguous> const its = all.from(layer, n);
+            sort(its, [](Ambiguous const& a, Ambiguous const& b) { return a.point < b.point; });
+            Index p = place;
+            for (Ambiguous const& one : its) {
+                plane.follows[one.point] = p + plane.index_base;
+                p = next_at_place[p];
+            }
+        }
+        begin = end;
+    }
+}
+
+Status PlaneSearch::list_followers(Plane& plane, Fault& fault) noexcept {
+    Span<Index> const start = plane.follower_start.first(plane.n_points + 1);
+    fill(start, Index{0});
+    for (Index k = 0; k < plane.n_space_points; ++k) ++start[plane.follows[k] - plane.index_base];
+    plane.layers = 0;
+    for (Index p = 0; p < plane.n_points; ++p) plane.layers = larger(plane.layers, start[p]);
+    for (Index p = 0; p < plane.n_points; ++p) {
+        bool const on_axis = plane.frame.kind == SpaceKind::wedge && plane.y[p] <= plane.frame.tolerance;
+        if (start[p] > 1 || plane.layers == 1 || on_axis) continue;
+        return fault.refuse(Status::bad_mesh, "point # of the faces has no point opposite in another layer",
+                            Counts::mesh, plane.space_point[p] - plane.index_base);
+    }
+    counts_to_starts(start);
+    for (Index k = 0; k < plane.n_space_points; ++k) plane.follower[start[plane.follows[k] - plane.index_base]++] = k;
+    rewind_starts(start);
+    return Status::ok;
+}
+
+Status PlaneSearch::copy_sides(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexcept {
+    plane.n_sides = mesh.n_sides;
+    for (Index i = 0; i < mesh.n_sides; ++i) {
+        Index ends[4] = {};
+        Index n = 0;
+        for (Index k = 0; k < 4; ++k) {
+            Index const p = plane.follows[mesh.side_points[Offset{4} * i + k] - mesh.index_base];
+            bool known = false;
+            for (Index earlier = 0; earlier < n; ++earlier) known = known || ends[earlier] == p;
+            if (!known) ends[n++] = p;
+        }
+        if (n != 2) {
+            return fault.refuse(Status::bad_mesh,
+                                "side # has points of ~ different points of the plane; 2 are possible", Counts::mesh,
+                                i, none, static_cast<Real>(n));
+        }
+        plane.side_points[2 * i] = ends[0];
+        plane.side_points[2 * i + 1] = ends[1];
+        plane.side_markers[i] = mesh.side_markers[i];
+    }
+    return Status::ok;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,120 @@
+#include "harmorph/space/space_mesh.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index from_zero(Index number, Index index_base) noexcept {
+    return static_cast<Index>(static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(index_base));
+}
+
+Status check_rows(SpaceMesh const& mesh, Fault& fault) noexcept {
+    if (mesh.face_start == nullptr) return Status::ok;
+    if (mesh.face_start[0] != mesh.index_base) {
+        return fault.refuse(Status::bad_mesh, "space.face_start must begin with index_base, not #", Counts::from_zero,
+                            mesh.face_start[0]);
+    }
+    for (Index i = 0; i < mesh.n_faces; ++i) {
+        Offset const n = Offset{mesh.face_start[i + 1]} - mesh.face_start[i];
+        if (n == 3 || n == 4) continue;
+        return fault.refuse(Status::bad_mesh, "face # has ~ points; only 3 or 4 are possible", Counts::mesh, i, none,
+                            static_cast<Real>(n));
+    }
+    return Status::ok;
+}
+
+Status check_faces(SpaceMesh const& mesh, Fault& fault) noexcept {
+    for (Index i = 0; i < mesh.n_faces; ++i) {
+        SpaceFace const face = mesh.face(i);
+        for (Index k = 0; k < face.n; ++k) {
+            if (face.point[k] >= 0 && face.point[k] < mesh.n_points) continue;
+            return fault.refuse(Status::bad_mesh, "face # names point @, which does not exist", Counts::mesh, i,
+                                face.point[k]);
+        }
+    }
+    for (Index i = 0; i < mesh.n_sides; ++i) {
+        for (Index k = 0; k < 4; ++k) {
+            Index const point = from_zero(mesh.side_points[Offset{4} * i + k], mesh.index_base);
+            if (point >= 0 && point < mesh.n_points) continue;
+            return fault.refuse(Status::bad_mesh, "side # names point @, which does not exist", Counts::mesh, i,
+                                point);
+        }
+    }
+    return Status::ok;
+}
+
+Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
+    for (Index k = 0; k < mesh.n_points; ++k) {
+        Vec3 const p = mesh.points[k];
+        Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
+        if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
+            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+        }
+        if (size <= largest_coordinate) continue;
+        return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100",
+                            Counts::mesh, k, none, size);
+    }
+    return Status::ok;
+}
+
+bool are_finite(Vec3 p) noexcept { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
+
+}  // namespace
+
+SpaceFace SpaceMesh::face(Index i) const noexcept {
+    Offset const begin = face_start == nullptr ? Offset{4} * i : Offset{face_start[i]} - index_base;
+    Index const n = face_start == nullptr ? 4 : face_start[i + 1] - face_start[i];
+    SpaceFace out{n, {}};
+    for (Index k = 0; k < n; ++k) out.point[k] = from_zero(face_points[begin + k], index_base);
+    if (n == 4 && out.point[3] == out.point[2]) out.n = 3;
+    return out;
+}
+
+Status check_counts(SpaceMesh const& mesh, Fault& fault) noexcept {
+    if (mesh.index_base != 0 && mesh.index_base != 1) {
+        return fault.refuse(Status::bad_argument, "space.index_base must be 0 or 1, not #", Counts::from_zero,
+                            mesh.index_base);
+    }
+    if (mesh.n_points < 3 || mesh.n_points > SpaceMesh::max_points) {
+        return fault.refuse(Status::bad_mesh, "space.n_points must be between 3 and 2^30, not #", Counts::from_zero,
+                            mesh.n_points);
+    }
+    if (mesh.n_faces < 1 || mesh.n_faces > SpaceMesh::max_faces) {
+        return fault.refuse(Status::bad_mesh, "space.n_faces must be between 1 and 2^29, not #", Counts::from_zero,
+                            mesh.n_faces);
+    }
+    if (mesh.n_sides < 0 || mesh.n_sides > SpaceMesh::max_faces) {
+        return fault.refuse(Status::bad_argument, "space.n_sides must be between 0 and 2^29, not #",
+                            Counts::from_zero, mesh.n_sides);
+    }
+    if (mesh.n_corners() < 3 || mesh.n_corners() > smaller(Offset{4} * mesh.n_faces, Offset{INT32_MAX} - 1)) {
+        return fault.refuse(Status::bad_mesh, "space.face_start says there are ~ corners of faces", Counts::from_zero,
+                            none, none, static_cast<Real>(mesh.n_corners()));
+    }
+    return Status::ok;
+}
+
+Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
+    HARMORPH_TRY(check_counts(mesh, fault));
+    if (mesh.points.x == nullptr || mesh.points.y == nullptr || mesh.points.z == nullptr) {
+        return fault.refuse(Status::bad_argument, "space.points.x, y or z is NULL");
+    }
+    if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "space.points.stride is negative");
+    if (mesh.face_points == nullptr) return fault.refuse(Status::bad_argument, "space.face_points is NULL");
+    if (mesh.n_sides > 0 && (mesh.side_points == nullptr || mesh.side_markers == nullptr)) {
+        return fault.refuse(Status::bad_argument, "space.side_points or space.side_markers is NULL");
+    }
+    if (!(mesh.tolerance >= 0 && is_finite(mesh.tolerance))) {
+        return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~", Counts::from_zero, none,
+                            none, mesh.tolerance);
+    }
+    bool const has_axis = length(mesh.axis) > 0 || length(mesh.axis_point) > 0;
+    if (!are_finite(mesh.axis) || !are_finite(mesh.axis_point) || (has_axis && mesh.kind != SpaceKind::wedge)) {
+        return fault.refuse(Status::bad_argument,
+                            "space.axis or axis_point is not finite, or the kind is not HM_WEDGE");
+    }
+    HARMORPH_TRY(check_rows(mesh, fault));
+    HARMORPH_TRY(check_faces(mesh, fault));
+    return check_coordinates(mesh, fault);
+}
+
+}  // namespace harmorph
