@@ -168,7 +168,7 @@ TEST_CASE("it converges to the direct engine's functions, on stretched cells too
         INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps << " steps");
         CHECK(difference(found, expected) < 1e-8);
         CHECK(found.report.residual <= 1e-10);
-        CHECK(found.report.fine_sweeps == 2 * found.report.iterations);   // one before and one after the correction
+        CHECK(found.report.fine_sweeps == 4 * found.report.iterations);   // two before and two after the correction
         CHECK(found.report.levels >= 3);
     }
 }
@@ -184,22 +184,20 @@ TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
     CHECK(difference(one, five) < 1e-8);
 }
 
-TEST_CASE("the number of cycles hardly grows with the mesh") {
-    hm_options options = fas();
-    std::int32_t fewest = 1000;
-    for (int const n_side : {20, 40, 80}) {   // 1400 to 22 000 points
-        double const step = 1.02 / n_side;
-        Case its = airfoil_case(40, 12, Cells::quads);
-        its.mesh = o_mesh(naca4({}, n_side), stretched(step, 8, static_cast<int>(std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side)));
+TEST_CASE("the number of cycles does not grow with the mesh") {
+    hm_options const options = fas();
+    auto const cycles = [&](int n_side, double wall_spacing, double layers_to_those_of_squares) {
+        double const along_wall = 1.02 / n_side, squares = std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side;
+        Case its = airfoil_case(40, 4, Cells::quads);
+        its.mesh = o_mesh(naca4({}, n_side), stretched(wall_spacing * along_wall, 8, static_cast<int>(layers_to_those_of_squares * squares)));
         Solved const solved(its, &options);
-        INFO(its.mesh.n_points() << " points: " << solved.report.iterations << " cycles, " << solved.report.levels << " levels");
-        fewest = std::min(fewest, solved.report.iterations);
-        CHECK(solved.report.iterations <= 60);
-        CHECK(solved.report.iterations <= 3 * fewest / 2);
-    }
+        return solved.report.iterations;
+    };
+    CHECK(cycles(215, 1, 1) < 1.3 * cycles(68, 1, 1));             // squares, 10 000 and 100 000 points
+    CHECK(cycles(68, 1e-3, 1.2) < 1.3 * cycles(22, 1e-3, 1.2));    // thin cells at the wall, 1200 and 12 000 points
 }
 
-TEST_CASE("the start from the coarsest level is worth two cycles at least") {
+TEST_CASE("the start from the coarsest level is worth a cycle at least") {
     Case its = two_body_case(Cells::hybrid, 16, 10);
     std::vector<double> history(400);
     hm_options options = fas();
@@ -210,7 +208,7 @@ TEST_CASE("the start from the coarsest level is worth two cycles at least") {
     double const last = history[static_cast<std::size_t>(solved.report.iterations)];
     double const cycle = std::pow(last / history[1], 1.0 / (solved.report.iterations - 1));
     INFO("one cycle: " << cycle << ", the start and one: " << history[1]);
-    CHECK(history[1] < std::pow(cycle, 3));
+    CHECK(history[1] < std::pow(cycle, 2));
     for (std::int32_t k = 1; k < solved.report.iterations; ++k)
         CHECK(history[static_cast<std::size_t>(k) + 1] < 1.5 * history[static_cast<std::size_t>(k)]);
 }

@@ -15,7 +15,7 @@ namespace harmorph {
 
 struct FullApproximation : BlockIteration {
     static constexpr Index default_cycles = 2000, default_steps = 200000;  // steps: with a single level
-    static constexpr Index finest_vectors = 4, coarse_vectors = 5;         // of a worker: block_width numbers a cell
+    static constexpr Index finest_vectors = 5, coarse_vectors = 6;         // of a worker: block_width numbers a cell
     // dt_P = cfl (0.5 shortest edge)^2, but at most the step with which the scheme damps all eigenvectors.
     static constexpr Real cfl = 4;
     // Nodal gradients without correction have small eigenvalues for short waves: on squares the largest eigenvalue is a
