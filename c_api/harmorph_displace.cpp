@@ -41,6 +41,18 @@ struct DisplaceCall {
         return Status::ok;
     }
 
+    // body(first field, views of the fields of a block)
+    template <class Given, class Body>
+    static Status for_each_block(const Given* given, Index n_fields, Body const& body) noexcept {
+        View<Given> views[GivenWall::fields_at_once];
+        for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
+            Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
+            for (Index i = 0; i < n; ++i) views[i] = {given[first + i].x, given[first + i].y, stride_of(given[first + i].stride)};
+            HARMORPH_TRY(body(first, Span<const View<Given>>{views, static_cast<Size>(n)}));
+        }
+        return Status::ok;
+    }
+
     void write(SolveReport const& solved, hm_solve_report* report) const noexcept {
         if (report == nullptr) return;
         hm_solve_report filled = {};
@@ -124,11 +136,15 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
             HARMORPH_TRY(displacement.set(*call.plan, call.list, i, points_of(wall[i]), fault));
         }
         SolveReport solved;
-        HARMORPH_TRY(displacement.solve(*call.plan, solved, fault));
+        HARMORPH_TRY(displacement.solve(*call.plan, report != nullptr, solved, fault));
         for (Index i = 0; i < n_fields && start.given(); ++i) {
             HARMORPH_TRY(displacement.check_target(*call.plan, i, start, fault));
         }
-        for (Index i = 0; i < n_fields; ++i) displacement.write(*call.plan, i, start, points_of(to[i]));
+        auto const write = [&](Index first, Span<const MutablePoints> fields) {
+            displacement.write(*call.plan, first, start, fields);
+            return Status::ok;
+        };
+        HARMORPH_TRY(call.for_each_block(to, n_fields, write));
         call.write(solved, report);
         return fault.status;
     });
@@ -143,11 +159,11 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
         HARMORPH_TRY(call.view_fields(dj, n_fields, "dj", fault));
         HARMORPH_TRY(call.view_fields(gradient, n_fields, "gradient", fault));
         Displacement const& displacement = call.displacement;
-        for (Index i = 0; i < n_fields; ++i) {
-            HARMORPH_TRY(displacement.set_derivatives(*call.plan, i, points_of(dj[i]), fault));
-        }
+        HARMORPH_TRY(call.for_each_block(dj, n_fields, [&](Index first, Span<const Points> fields) {
+            return displacement.set_derivatives(*call.plan, first, fields, fault);
+        }));
         SolveReport solved;
-        HARMORPH_TRY(displacement.solve_transposed(*call.plan, solved, fault));
+        HARMORPH_TRY(displacement.solve_transposed(*call.plan, report != nullptr, solved, fault));
         for (Index i = 0; i < n_fields; ++i) {
             displacement.write_gradient(*call.plan, call.list, i, points_of(gradient[i]));
         }

@@ -17,10 +17,14 @@ Index slot_of(Plan const& plan, Index point) noexcept {
     return slot >= plan.given.first_slot ? slot : none;
 }
 
-struct First {
-    Index point = none;
-    void merge(First const& later) noexcept { point = point != none ? point : later.point; }
+// The first derivative that is not.
+struct NotFinite {
+    Index point = none, field = 0;
+    void merge(NotFinite const& later) noexcept { *this = point != none ? *this : later; }
 };
+
+// Where nothing moves, no bit changes: -0 + 0 is not -0.
+Vec2 moved(Vec2 at, Vec2 by) noexcept { return {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y}; }
 
 bool equal(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
@@ -106,8 +110,10 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
     return Status::ok;
 }
 
-// In place: the right-hand sides of the unknowns become values.
-Status Displacement::solve_inside(Plan& plan, DofValues const& values, SolveReport& report, Fault& fault) noexcept {
+// In place: the right-hand sides of the unknowns become values. A trusted factor needs no refinement, and where derivatives
+// are rough, residuals relative to them are large although nothing can be improved.
+Status Displacement::solve_inside(Plan& plan, DofValues const& values, bool measured, SolveReport& report,
+                                  Fault& fault) noexcept {
     Progress const& progress = plan.progress;
     Equations const& equations = plan.equations;
     SolveReport of_block;
@@ -117,19 +123,24 @@ Status Displacement::solve_inside(Plan& plan, DofValues const& values, SolveRepo
     HARMORPH_TRY(plan.engine.solve(equations, values, progress, of_block.iteration, fault));
     HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
     HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
-    HARMORPH_TRY(plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
+    bool const refined = !plan.engine.trusted() || !equations.method.traits().factors;
+    if (refined) {
+        HARMORPH_TRY(plan.refinement.run(equations, plan.engine, values, progress, of_block, fault));
+        HARMORPH_TRY(judge(of_block, equations.method, fault));
+    } else if (measured) {
+        plan.refinement.measure(equations, values, of_block);
+    }
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
-    HARMORPH_TRY(judge(of_block, equations.method, fault));
     report.take(of_block);
     return Status::ok;
 }
 
-Status Displacement::solve(Plan& plan, SolveReport& report, Fault& fault) const noexcept {
+Status Displacement::solve(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept {
     Matrix const& matrix = plan.equations.matrix;
     report.functions = n_fields;
     return for_each_block(plan, fault, [&](Block const&, DofValues const& values) {
         subtract_couplings(matrix, values);
-        HARMORPH_TRY(solve_inside(plan, values, report, fault));
+        HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
         plan.turn_slipping_points(values);
         for (Index const point : plan.given.joined) values.copy_row(plan.same_point(point), point);
         return Status::ok;
@@ -150,42 +161,50 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from, Fa
                         Counts::mesh, crossing.first[0], crossing.second[0]);
 }
 
-void Displacement::write(Plan const& plan, Index field, Points from, MutablePoints to) const noexcept {
-    Points const displacement = block_of(plan, field).field(field);
+void Displacement::write(Plan const& plan, Index first, Points from, Span<const MutablePoints> to) const noexcept {
+    Block const block = block_of(plan, first);
     plan.executor.for_ranges(plan.mesh.n_points, points_of_a_task, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
-            Vec2 const by = displacement[k];
-            if (!from.given()) {
-                to.set(k, by);
-                continue;
+            const Real* const row = block.row(k) + (first - block.first);
+            for (Index i = 0; i < to.count(); ++i) {
+                Vec2 const by{row[i], row[block.n + i]};
+                to[i].set(k, from.given() ? moved(from[k], by) : by);
             }
-            Vec2 const at = from[k];  // -0 + 0 is not -0
-            to.set(k, {by.x == 0 ? at.x : at.x + by.x, by.y == 0 ? at.y : at.y + by.y});
         }
     });
 }
 
-Status Displacement::set_derivatives(Plan const& plan, Index field, Points derivatives, Fault& fault) const noexcept {
-    MutablePoints const to = block_of(plan, field).field(field);
-    First const bad = reduce_ranges<First>(plan.mesh.n_points, plan.executor, [&](Index begin, Index end, First& first) {
+Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const Points> derivatives,
+                                     Fault& fault) const noexcept {
+    Block const block = block_of(plan, first);
+    auto const range = [&](Index begin, Index end, NotFinite& found) {
         for (Index k = begin; k < end; ++k) {
-            Vec2 const by = derivatives[k];
-            if (first.point == none && !(is_finite(by.x) && is_finite(by.y))) first.point = k;
-            to.set(k, by);
+            Real* const row = block.row(k) + (first - block.first);
+            for (Index i = 0; i < derivatives.count(); ++i) {
+                Vec2 const by = derivatives[i][k];
+                row[i] = by.x;
+                row[block.n + i] = by.y;
+                if (found.point == none && !(is_finite(by.x) && is_finite(by.y))) found = {k, first + i};
+            }
         }
-    });
+    };
+    NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh.n_points, plan.executor, range);
     if (bad.point != none) {
         return fault.refuse(Status::bad_argument, "the derivative by point # is not finite (field @ from 0)",
-                            Counts::mesh_and_marker, bad.point, field);
+                            Counts::mesh_and_marker, bad.point, bad.field);
     }
     for (Index const point : plan.given.joined) {  // it moves with the other point
         Index const same = plan.same_point(point);
-        if (same != none && same != point) to.set(same, to[same] + derivatives[point]);
+        if (same == none || same == point) continue;
+        for (Index i = 0; i < derivatives.count(); ++i) {
+            MutablePoints const to = block.field(first + i);
+            to.set(same, to[same] + derivatives[i][point]);
+        }
     }
     return Status::ok;
 }
 
-Status Displacement::solve_transposed(Plan& plan, SolveReport& report, Fault& fault) const noexcept {
+Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept {
     report.functions = n_fields;
     return for_each_block(plan, fault, [&](Block const& block, DofValues values) {
         plan.turn_slipping_points_back(values);
@@ -195,7 +214,7 @@ Status Displacement::solve_transposed(Plan& plan, SolveReport& report, Fault& fa
             return rows.from(Offset{point} * block.length(), block.length());
         };
         for (Index const point : plan.wall_point) fill(row(block.rows, point), 0.0);
-        HARMORPH_TRY(solve_inside(plan, values, report, fault));
+        HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
         subtract_transposed_couplings(plan.equations.matrix, values);
         for (Index const point : plan.given.point) {
             for (Index k = 0; k < block.length(); ++k) row(block.rows, point)[k] += row(source, point)[k];

@@ -214,6 +214,21 @@ Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues 
     return Run(*this, equations, engine, dofs, progress).run(report, fault);
 }
 
+void Refinement::measure(Equations const& equations, DofValues const& dofs, SolveReport& report) const noexcept {
+    Index const n_columns = dofs.columns(equations.matrix);
+    bool const in_rows = equations.matrix.kind == MatrixKind::coupled_xy;
+    for (Index first = 0, n = 0; first < n_columns; first += n) {
+        n = smaller(in_rows ? residual.width : Residual::widest, n_columns - first);
+        Residual::Norms const norms = in_rows ? residual.compute(equations.matrix, dofs, first, n)
+                                              : residual.measure(equations.matrix, dofs, first, n);
+        for (Index k = 0; k < n; ++k) {
+            if (!exceeds(norms.relative(k), report.residual)) continue;
+            report.residual = norms.relative(k);
+            report.residual_function = dofs.first_function + (first + k) % dofs.n_functions;
+        }
+    }
+}
+
 Status judge(SolveReport const& report, Method const& method, Fault& fault) noexcept {
     if (!(report.missed <= method.tolerance)) {
         return fault.refuse(Status::not_converged,

@@ -28,15 +28,16 @@ struct Displacement {
     // One field at the points of the list. Refused: displacements that are not finite or beyond the range of coordinates,
     // and different ones for the same point.
     Status set(Plan const& plan, PointList const& list, Index field, Points wall, Fault& fault) const noexcept;
-    Status solve(Plan& plan, SolveReport& report, Fault& fault) const noexcept;
+    // measured: the report has residuals. Where the engine's factor is trusted, they take longer than they are worth.
+    Status solve(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept;
     // Refused: a boundary that crosses itself, or coordinates beyond the range, at from + displacement.
     Status check_target(Plan const& plan, Index field, Points from, Fault& fault) const noexcept;
-    // from + displacement; from not given: the displacement.
-    void write(Plan const& plan, Index field, Points from, MutablePoints to) const noexcept;
+    // from + displacement, of fields first .. first + number of arrays - 1 of one block; from not given: the displacement.
+    void write(Plan const& plan, Index first, Points from, Span<const MutablePoints> to) const noexcept;
 
-    // Derivatives of one field by all mesh points. Refused where they are not finite.
-    Status set_derivatives(Plan const& plan, Index field, Points derivatives, Fault& fault) const noexcept;
-    Status solve_transposed(Plan& plan, SolveReport& report, Fault& fault) const noexcept;
+    // Derivatives by all mesh points, of fields of one block. Refused where they are not finite.
+    Status set_derivatives(Plan const& plan, Index first, Span<const Points> derivatives, Fault& fault) const noexcept;
+    Status solve_transposed(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept;
     // Derivatives by the points of the list: complete where a point stands first, 0 where it is repeated.
     void write_gradient(Plan const& plan, PointList const& list, Index field, MutablePoints gradient) const noexcept;
 
@@ -56,7 +57,8 @@ private:
     template <class Body>
     Status for_each_block(Plan const& plan, Fault& fault, Body const& body) const noexcept;
     static DofValues dofs(Plan const& plan, Block const& block) noexcept;
-    static Status solve_inside(Plan& plan, DofValues const& values, SolveReport& report, Fault& fault) noexcept;
+    static Status solve_inside(Plan& plan, DofValues const& values, bool measured, SolveReport& report,
+                               Fault& fault) noexcept;
 };
 
 }  // namespace harmorph

@@ -35,6 +35,8 @@ struct Refinement {
     // report. On Status::cancelled some functions have not been refined to the end.
     Status run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
                SolveReport& report, Fault& fault) noexcept;
+    // Residuals of all functions, without refinement.
+    void measure(Equations const& equations, DofValues const& dofs, SolveReport& report) const noexcept;
 };
 
 // Are residuals and errors within the method's tolerance?

@@ -1,0 +1,181 @@
+// One displacement of the wall, as a time step has it: against factor and solution of 20 functions, and against linear
+// elasticity by conjugate gradients, which is what mesh deformation in flow solvers usually is.
+#include "clock.hpp"
+#include "elasticity.hpp"
+#include "ours.hpp"
+#include "settings.hpp"
+
+#include <map>
+
+namespace bench {
+namespace {
+
+constexpr Index functions = 20;
+constexpr Index several = 12;   // fields of one substitution
+
+struct Operator {
+    char const* name;
+    Index number;
+    double largest_share;   // of factor and solution that a displacement may cost
+};
+constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0.12}, {"conformal", HM_CONFORMAL, 0.20}};
+
+// An analysis and a plan with one condition on the body.
+class Plan {
+public:
+    Plan(Case const& its_case, Workspace& workspace, Settings const& settings, Index operator_kind, hm_curves const* curves)
+        : workspace_(workspace) {
+        hm_condition condition{};
+        condition.struct_size = sizeof condition;
+        condition.marker = fixtures::body;
+        condition.kind = curves != nullptr ? HM_ON_CURVE : HM_GIVEN;
+        condition.n_curves = curves != nullptr ? curves->n_curves : 0;
+        hm_mesh const mesh = its_case.mesh.view();
+        hm_problem problem{};
+        problem.struct_size = sizeof problem;
+        problem.mesh = &mesh;
+        problem.curves = curves;
+        problem.n_conditions = 1;
+        problem.conditions = &condition;
+        hm_options options{};
+        options.struct_size = sizeof options;
+        options.operator_kind = operator_kind;
+        options.executor = settings.executor;
+        options.kernel = settings.kernel;
+        options.precision = settings.precision;
+        std::size_t bytes = 0;
+        done(hm_analysis_size(&problem, &options, &bytes, &error_), "hm_analysis_size");
+        void* block = workspace_.analysis.give(bytes);
+        done(hm_analysis_init(&analysis_, block, bytes, &problem, &options, &error_), "hm_analysis_init");
+        done(hm_plan_size(analysis_, &bytes, &error_), "hm_plan_size");
+        block = workspace_.plan.give(bytes);
+        done(hm_plan_init(&plan_, block, bytes, analysis_, &error_), "hm_plan_init");
+        done(hm_basis_size(analysis_, &bytes, &error_), "hm_basis_size");
+        done(hm_basis_init(&basis_, basis_block_.give(bytes), bytes, analysis_, &error_), "hm_basis_init");
+    }
+
+    void factor() { done(hm_plan_factor(plan_, nullptr, &error_), "hm_plan_factor"); }
+    void solve() { done(hm_plan_solve(plan_, basis_, nullptr, &error_), "hm_plan_solve"); }
+    hm_plan* get() const { return plan_; }
+    std::vector<Index> given_points() {
+        Index n = 0;
+        hm_given_points(plan_, nullptr, 0, &n, nullptr);
+        std::vector<Index> out(at(n));
+        done(hm_given_points(plan_, out.data(), n, &n, &error_), "hm_given_points");
+        return out;
+    }
+
+private:
+    Workspace& workspace_;
+    Block basis_block_;
+    hm_analysis* analysis_ = nullptr;
+    hm_plan* plan_ = nullptr;
+    hm_basis* basis_ = nullptr;
+    hm_error error_{};
+
+    void done(hm_status status, char const* call) const { require(status, error_, call); }
+};
+
+// A flexible trailing edge, a tenth of the chord up; and the arrays of all calls.
+class Movement {
+public:
+    Movement(Case const& its_case, Plan& plan)
+        : plan_(plan.get()), points_(plan.given_points()), n_(its_case.mesh.x.size()), fields_(2 * n_ * several) {
+        for (Index const point : points_) {
+            double const x = its_case.mesh.x[at(point)];
+            wall_.push_back(0);
+            wall_.push_back(x > 0.6 ? 0.1 * (x - 0.6) * (x - 0.6) / 0.16 : 0);
+        }
+        for (std::size_t k = 0; k < several; ++k) {
+            given_.push_back({wall_.data(), wall_.data() + 1, 2});
+            to_.push_back({&fields_[2 * n_ * k], &fields_[2 * n_ * k + n_], 1});
+            dj_.push_back({&fields_[2 * n_ * k], &fields_[2 * n_ * k + n_], 1});
+        }
+    }
+
+    void displace(Index fields) {
+        std::size_t bytes = 0;
+        done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
+        void* const block = work_.give(bytes);
+        done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(), nullptr, to_.data(), block,
+                         bytes, nullptr, &error_), "hm_displace");
+    }
+    // Of what displace() has left in the fields.
+    void adjoint(Index fields) {
+        std::size_t bytes = 0;
+        done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
+        void* const block = work_.give(bytes);
+        std::vector<double> gradient(2 * points_.size());
+        std::vector<hm_points_out> const to(at(fields), {gradient.data(), gradient.data() + points_.size(), 1});
+        done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields, dj_.data(), to.data(), block, bytes,
+                                 nullptr, &error_), "hm_displace_adjoint");
+    }
+    std::vector<Index> const& points() const { return points_; }
+    std::vector<double> const& wall() const { return wall_; }
+
+private:
+    hm_plan* plan_;
+    std::vector<Index> points_;
+    std::size_t n_;
+    std::vector<double> wall_, fields_;
+    std::vector<hm_points> given_, dj_;
+    std::vector<hm_points_out> to_;
+    Block work_;
+    hm_error error_{};
+
+    void done(hm_status status, char const* call) const { require(status, error_, call); }
+};
+
+}  // namespace
+
+void bench_displace(Settings const& settings, Report& report) {
+    std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
+    Table ours{"One displacement of the wall [s]" + threads,
+               {"mesh", "operator", "factor", "20 functions", "displacement", "% of both", "allowed %", "adjoint", "12 fields",
+                "us/node", "growth"}, {}, {}};
+    Table against{"Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky to 1e-6 [s]" + threads,
+                  {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement", "ratio of displacements",
+                   "ratio with set-up"}, {}, {}};
+    ours.begin();
+    std::map<std::string, double> first;   // per node, of the smallest mesh of a kind
+    Others others;
+    for (std::string const& kind : settings.kinds)
+        for (Index const size : settings.sizes) {
+            Case const its_case = make_case(kind, size);
+            double const nodes = its_case.mesh.n_points();
+            for (Operator const& its : operators) {
+                say(its_case.name() + ": " + its.name);
+                Workspace workspace;
+                Fit const fit(its_case, functions);
+                double factor = 0, solve = 0;
+                {
+                    Plan curves(its_case, workspace, settings, its.number, &fit.curves());
+                    factor = time_of([&] { curves.factor(); });
+                    solve = time_of([&] { curves.solve(); });
+                }
+                Plan plan(its_case, workspace, settings, its.number, nullptr);
+                plan.factor();
+                Movement movement(its_case, plan);
+                double const one = time_of([&] { movement.displace(1); });
+                double const adjoint = time_of([&] { movement.adjoint(1); });
+                double const many = time_of([&] { movement.displace(several); });
+                double& per_node = first[kind + its.name];
+                if (per_node == 0) per_node = one / nodes;
+                ours.add({its_case.name(), its.name, seconds(factor), seconds(solve), seconds(one),
+                          percent(one / (factor + solve)), percent(its.largest_share), seconds(adjoint), seconds(many),
+                          {1e6 * one / nodes, "%.3f"}, ratio(one / nodes / per_node)});
+                if (its.number != HM_LAPLACE) continue;
+                ElasticTimes const elastic = solve_elasticity(its_case, movement.points(), movement.wall());
+                against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations), seconds(elastic.solve),
+                             seconds(factor), seconds(one), ratio(elastic.solve / one),
+                             ratio((elastic.set_up + elastic.solve) / (factor + one))});
+            }
+        }
+    ours.notes.push_back("Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of the kind.");
+    ours.notes.push_back(others.text());
+    against.notes.push_back(elasticity_note());
+    report.finish(ours);
+    report.finish(against);
+}
+
+}  // namespace bench
