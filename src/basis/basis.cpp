@@ -50,8 +50,8 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(reversed, counts.cells);
     bool const in_single = counts.storage == Precision::in_single;
     Offset const length = Offset{numbers_of(counts.kind)} * counts.stored;
-    arena.take(value, (in_single ? counts.wall : counts.points) * length);
-    arena.take(single, (in_single ? counts.points : 0) * length);
+    arena.take(value, whole_blocks(in_single ? counts.wall : counts.points) * length);
+    arena.take(single, whole_blocks(in_single ? counts.points : 0) * length);
 }
 
 Size Basis::bytes(BasisCounts const& counts) noexcept {

@@ -22,7 +22,7 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
         BoundaryFunctions const functions = basis.stored_boundary_functions(slot);
-        const Real* const values = basis.row(point);
+        auto const values = basis.row(point);
         for (Index plane = 0; plane < numbers_of(kind); ++plane) {
             Real sum = 0;
             for (Index i = 0; i < n_functions; ++i) {
@@ -43,9 +43,10 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
         measures.distance.include(length(points[point] - foot), point);
     }
     for (Index point = 0; point < basis.n_points(); ++point) {
-        for (Real const value : Span<const Real>(basis.row(point), static_cast<Size>(n_control))) {
-            measures.min_value = smaller(measures.min_value, value);
-            measures.max_value = larger(measures.max_value, value);
+        auto const values = basis.row(point);
+        for (Index i = 0; i < n_control; ++i) {
+            measures.min_value = smaller(measures.min_value, values[i]);
+            measures.max_value = larger(measures.max_value, values[i]);
         }
     }
     return measures;

@@ -37,11 +37,9 @@ Status check_label(ParcelLabel const& label, Basis const& rows, Fault& fault) no
 void pack_parcel(Basis const& share, PointList const& list, Real* parcel) noexcept {
     ParcelLabel const label = label_of(share, list.count());
     std::memcpy(parcel, &label, sizeof label);
-    Size const length = static_cast<Size>(share.row_length());
+    Index const length = share.row_length();
     Real* to = parcel + label_words;
-    for (Index k = 0; k < list.count(); ++k, to += length) {
-        copy(Span<Real>(to, length), Span<const Real>(share.row(list[k]), length));
-    }
+    for (Index k = 0; k < list.count(); ++k, to += length) copy_row(to, share.row(list[k]), length);
 }
 
 Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault& fault) noexcept {
@@ -55,9 +53,9 @@ Status unpack_parcel(Basis const& rows, const Real* parcel, Offset words, Fault&
 
     const Real* from = parcel + label_words;
     for (Index k = 0; k < label.points; ++k) {
+        auto const row = rows.row(k);
         for (Index plane = 0; plane < label.numbers; ++plane, from += label.n) {
-            Real* const to = rows.row(k) + plane * rows.n_functions() + label.first;
-            copy(Span<Real>(to, static_cast<Size>(label.n)), Span<const Real>(from, static_cast<Size>(label.n)));
+            for (Index i = 0; i < label.n; ++i) row[plane * rows.n_functions() + label.first + i] = from[i];
         }
     }
     BasisHeader& header = *rows.header;

@@ -127,15 +127,14 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
 }
 
 void Extract::copy_rows(Basis const& whole, PointList const& list) const noexcept {
-    Size const length = static_cast<Size>(basis.row_length());
-    auto const copy_row = [&](auto* to, auto* from) { std::memcpy(to, from, length * sizeof *to); };
+    Index const length = basis.row_length();
     if (basis.in_single()) {
-        for (Index k = 0; k < list.count(); ++k) copy_row(basis.single_row(k), whole.single_row(list[k]));
+        for (Index k = 0; k < list.count(); ++k) copy_row(basis.single_row(k), whole.single_row(list[k]), length);
         for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
-            if (slot[whole_slot] != none) copy_row(basis.row(slot[whole_slot]), whole.row(whole_slot));
+            if (slot[whole_slot] != none) copy_row(basis.row(slot[whole_slot]), whole.row(whole_slot), length);
         }
     } else {
-        for (Index k = 0; k < list.count(); ++k) copy_row(basis.row(k), whole.row(list[k]));
+        for (Index k = 0; k < list.count(); ++k) copy_row(basis.row(k), whole.row(list[k]), length);
     }
     basis.header->filled = basis.n_functions();
     basis.seal(whole.header->largest);

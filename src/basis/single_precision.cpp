@@ -34,11 +34,14 @@ Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
     to.header->counts = counts;
     to.header->bytes = Basis::bytes(counts);
     copy_problem(from, to);
-    Size const length = static_cast<Size>(from.row_length());
+    Index const length = from.row_length();
     for (Size k = 0; k < from.value.size(); ++k) to.single[k] = static_cast<float>(from.value[k]);
-    auto const clear = [&](Index point) { fill(Span<float>(to.single_row(point), length), 0.0f); };
+    auto const clear = [&](Index point) {
+        auto const row = to.single_row(point);
+        for (Index k = 0; k < length; ++k) row[k] = 0;
+    };
     for (Index slot = 0; slot < from.wall_point.count(); ++slot) {
-        copy(Span<Real>(to.row(slot), length), Span<const Real>(from.row(from.wall_point[slot]), length));
+        copy_row(to.row(slot), from.row(from.wall_point[slot]), length);
         clear(from.wall_point[slot]);
     }
     for (Index const point : from.joined_point) clear(point);

@@ -5,63 +5,109 @@
 namespace harmorph {
 namespace {
 
-constexpr Index block_points = 1024;
+constexpr Index chunk_blocks = 128;  // so many points' factors are on the stack at a time
 constexpr Index most_ranges = 16;    // their sums are on the stack
-constexpr Index least_range = 2048;  // points that are worth a thread
+constexpr Index least_range = 128;   // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
-// body(begin, end, i) for ranges of points; returns the number of ranges, on which the sums do not depend.
+// body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of ranges, on which the
+// sums do not depend.
 template <class Body>
-Index for_point_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
-    Index const ranges = executor.is_serial() ? 1 : clamp(n_points / least_range, Index{1}, most_ranges);
-    auto const bound = [&](Index i) { return static_cast<Index>(Offset{n_points} * i / ranges); };
+Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
+    Index const blocks = blocks_of(n_points);
+    Index const ranges = executor.is_serial() ? 1 : clamp(blocks / least_range, Index{1}, most_ranges);
+    auto const bound = [&](Index i) { return static_cast<Index>(Offset{blocks} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
     return ranges;
 }
 
-// Adds the products of numbers first .. first+width-1 of n consecutive rows with the gradients by their points,
-// gradient(i).
-template <class Number, class Gradient>
-void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, BinaryScale scale,
-              Index first, Index width, Gradient const& gradient, FixedSums& total) noexcept {
-    Offset const length = basis.row_length();
-    BinaryScale const units = scale.units();
-    for (Index begin = 0; begin < n; begin += block_points) {
-        Index const count = smaller(block_points, n - begin);
-        Vec2 by[block_points];
-        for (Index i = 0; i < count; ++i) {
-            Vec2 const by_point = gradient(begin + i);
-            by[i] = {units.down(by_point.x), units.down(by_point.y)};
-        }
-        ValueRows<Number> const block{rows + begin * length + first, length, count, width};
-        kernels.of(block).multiply_transposed(block, by, total);
-    }
-}
+// Some numbers of the values: first .. first+width-1.
+struct Part {
+    Index first, width;
+};
 
-// The sums of as many numbers of the rows as fit in one block.
-struct SumsBlock {
+// The gradients by the points of some blocks in units of the fixed-point sums, 0 behind the last point.
+struct ChunkGradient {
+    Real x[chunk_blocks * block_points], y[chunk_blocks * block_points];
+
+    void take(Points from, Index begin, Index n, BinaryScale::Factor unit) noexcept {
+        if (from.stride == 1) {
+            for (Index i = 0; i < n; ++i) x[i] = unit.times(from.x[begin + i]);
+            for (Index i = 0; i < n; ++i) y[i] = unit.times(from.y[begin + i]);
+        } else {
+            for (Index i = 0; i < n; ++i) set(i, from[begin + i], unit);
+        }
+        for (Index i = n; i < whole_blocks(n); ++i) x[i] = y[i] = 0;
+    }
+    void set(Index i, Vec2 gradient, BinaryScale::Factor unit) noexcept {
+        x[i] = unit.times(gradient.x);
+        y[i] = unit.times(gradient.y);
+    }
+};
+
+// The sums of a part of the numbers of a basis in fixed point.
+struct Adder {
+    ProductKernels const& kernels;
+    Basis const& basis;
+    Points by_points;
+    BinaryScale::Factor unit;
+    Part part;
+
+    template <class Number>
+    void add(Span<Number> values, Index first_block, Index n_blocks, ChunkGradient const& by,
+             FixedSums& total) const noexcept {
+        Offset const stride = Offset{basis.row_length()} * block_points;
+        ValueBlocks<Number> const blocks{values.data() + first_block * stride + Offset{part.first} * block_points, stride,
+                                         n_blocks, part.width};
+        kernels.of(blocks).multiply_transposed(blocks, {by.x, by.y}, total);
+    }
+
+    // Of the points of blocks begin .. end-1.
+    template <class Number>
+    void add_points(Span<Number> values, Index begin, Index end, FixedSums& total) const noexcept {
+        for (Index block = begin; block < end; block += chunk_blocks) {
+            Index const n_blocks = smaller(chunk_blocks, end - block), point = block * block_points;
+            ChunkGradient by;
+            by.take(by_points, point, smaller(n_blocks * block_points, basis.n_points() - point), unit);
+            add(values, block, n_blocks, by, total);
+        }
+    }
+
+    // Single-precision storage: the rows of the wall are 0 among the points' and stand in double precision apart.
+    void add_wall(FixedSums& total) const noexcept {
+        Index const slots = basis.wall_point.count();
+        for (Index begin = 0; begin < slots; begin += block_points) {
+            ChunkGradient by;
+            for (Index i = 0; i < block_points; ++i) {
+                by.set(i, begin + i < slots ? by_points[basis.wall_point[begin + i]] : Vec2{}, unit);
+            }
+            add(basis.value, begin / block_points, 1, by, total);
+        }
+        for (Index k = 0; k < basis.joined_point.count(); ++k) {
+            Index const slot = basis.joined_slot[k];
+            ChunkGradient by;
+            for (Index i = 0; i < block_points; ++i) by.set(i, {}, unit);
+            by.set(slot % block_points, by_points[basis.joined_point[k]], unit);
+            add(basis.value, slot / block_points, 1, by, total);
+        }
+    }
+};
+
+// The sums of a part of the numbers.
+struct PartSums {
     FixedSum x[Movements::most], y[Movements::most];
 
-    SumsBlock(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, Index first,
-              Index width, Executor const& executor) noexcept {
-        auto const add = [&](auto* rows, Index n, auto const& gradient, FixedSums& total) {
-            add_rows(kernels, basis, rows, n, scale, first, width, gradient, total);
-        };
+    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, Part numbers,
+             Executor const& executor) noexcept {
         FixedSums part[most_ranges];
-        Index const ranges = for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-            auto const gradient = [&](Index k) { return by_points[begin + k]; };
+        Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
+        Index const ranges = for_block_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
             part[i] = {};
-            if (basis.in_single()) add(basis.single_row(begin), end - begin, gradient, part[i]);
-            else add(basis.row(begin), end - begin, gradient, part[i]);
+            if (basis.in_single()) adder.add_points(basis.single, begin, end, part[i]);
+            else adder.add_points(basis.value, begin, end, part[i]);
         });
-        if (basis.in_single()) {  // the rows of the wall are 0 there and stand in double precision apart
-            auto const of_slot = [&](Index slot) { return by_points[basis.wall_point[slot]]; };
-            add(basis.row(0), basis.wall_point.count(), of_slot, part[0]);
-            for (Index k = 0; k < basis.joined_point.count(); ++k) {
-                auto const of_joined = [&](Index) { return by_points[basis.joined_point[k]]; };
-                add(basis.row(basis.joined_slot[k]), 1, of_joined, part[0]);
-            }
-        }
+        if (basis.in_single()) adder.add_wall(part[0]);
+        Index const width = numbers.width;
         for (Index k = 0; k < width; ++k) {
             for (Index i = 0; i < ranges; ++i) {
                 x[k] += part[i].x[k];
@@ -87,13 +133,14 @@ void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
 }
 
 ProductKernels const& kernels_for(Basis const& basis) noexcept {
-    return product_kernels_for(Offset{basis.n_points()} * basis.row_length());
+    constexpr Offset worth_asking = Offset{1} << 15;
+    return product_kernels_for(Offset{basis.n_points()} * basis.row_length(), worth_asking);
 }
 
 template <class Body>
-void for_each_block(Index row_length, Body const& body) noexcept {
+void for_each_part(Index row_length, Body const& body) noexcept {
     for (Index first = 0; first < row_length; first += Movements::most) {
-        body(first, smaller(Movements::most, row_length - first));
+        body(Part{first, smaller(Movements::most, row_length - first)});
     }
 }
 
@@ -101,16 +148,18 @@ void for_each_block(Index row_length, Body const& body) noexcept {
 
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
     LargestMagnitude largest[most_ranges];
-    for_point_ranges(basis.n_points(), executor, [&](Index begin, Index end, Index i) {
-        LargestMagnitude independent[4];  // four chains instead of one: no number waits for the one before it
-        for (Index p = begin; p < end; p += 2) {
-            Vec2 const one = gradient_by_points[p], next = gradient_by_points[smaller(p + 1, end - 1)];
-            independent[0].include(one.x);
-            independent[1].include(one.y);
-            independent[2].include(next.x);
-            independent[3].include(next.y);
+    ProductKernels const& kernels = kernels_for(basis);
+    for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
+        Index const begin = first * block_points, end = smaller(behind * block_points, basis.n_points());
+        if (gradient_by_points.stride == 1) {
+            largest[i].include_bits(kernels.largest_bits(gradient_by_points.x + begin, end - begin));
+            largest[i].include_bits(kernels.largest_bits(gradient_by_points.y + begin, end - begin));
+            return;
         }
-        for (LargestMagnitude const one : independent) largest[i].include(one.value());
+        for (Index point = begin; point < end; ++point) {
+            largest[i].include(gradient_by_points[point].x);
+            largest[i].include(gradient_by_points[point].y);
+        }
     });
     LargestMagnitude gradient;
     for (LargestMagnitude const one : largest) gradient.include(one.value());
@@ -123,14 +172,14 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
     ProductKernels const& kernels = kernels_for(basis);
-    for_each_block(basis.row_length(), [&](Index first, Index width) {
-        SumsBlock const block(kernels, basis, gradient_by_points, scale, first, width, executor);
-        for (Index k = 0; k < width; ++k) {
-            std::int64_t* const to = sums + first + k;
-            to[0] = block.x[k].coarse;
-            to[n] = block.x[k].fine;
-            to[2 * n] = block.y[k].coarse;
-            to[3 * n] = block.y[k].fine;
+    for_each_part(basis.row_length(), [&](Part part) {
+        PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
+        for (Index k = 0; k < part.width; ++k) {
+            std::int64_t* const to = sums + part.first + k;
+            to[0] = of.x[k].coarse;
+            to[n] = of.x[k].fine;
+            to[2 * n] = of.y[k].coarse;
+            to[3 * n] = of.y[k].fine;
         }
     });
 }
@@ -150,9 +199,11 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);
     ProductKernels const& kernels = kernels_for(basis);
-    for_each_block(basis.row_length(), [&](Index first, Index width) {
-        SumsBlock const block(kernels, basis, gradient_by_points, scale, first, width, executor);
-        for (Index k = 0; k < width; ++k) add_to_gradient(basis, first + k, scale, block.x[k], block.y[k], gradient);
+    for_each_part(basis.row_length(), [&](Part part) {
+        PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
+        for (Index k = 0; k < part.width; ++k) {
+            add_to_gradient(basis, part.first + k, scale, of.x[k], of.y[k], gradient);
+        }
     });
 }
 

@@ -5,29 +5,30 @@
 namespace harmorph {
 namespace {
 
-constexpr Index block_points = 1024;     // their sums stay in the first-level cache
-constexpr Index least_range = 8192;      // points that are worth a thread
-// As ProductKernels::add_sums does.
+constexpr Index chunk_blocks = 64;  // their points' sums stay in the first-level cache
+constexpr Index chunk_points = chunk_blocks * block_points;
+constexpr Index least_range = 512;  // blocks that are worth a thread
+constexpr Offset worth_asking = Offset{1} << 17;
+// As BlockProducts::move does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
 
-// The factors of the numbers of a row of values, in blocks of Movements::most numbers. The first blocks, which are all
-// blocks of most bases, are computed once for a morph; further ones do not fit on the stack and are computed for each
-// use.
+// The factors of the numbers of a row of values, Movements::most numbers at a time. The first few, which are all of most
+// bases, are computed once for a morph; further ones do not fit on the stack and are computed for each use.
 class RowMovements {
 public:
     RowMovements(Basis const& basis, const Real* move) noexcept : basis_(basis), move_(move) {
-        for (Index block = 0; block < n_stored && block * Movements::most < basis.row_length(); ++block) {
-            stored_[block] = made(block * Movements::most);
+        for (Index part = 0; part < n_stored && part * Movements::most < basis.row_length(); ++part) {
+            stored_[part] = made(part * Movements::most);
         }
     }
 
-    // body(first number, how many, movements) for each block.
+    // body(first number, how many, movements) for each part of a row.
     template <class Body>
-    void for_each_block(Body const& body) const noexcept {
+    void for_each_part(Body const& body) const noexcept {
         Index const row_length = basis_.row_length();
         for (Index first = 0; first < row_length; first += Movements::most) {
-            Index const width = smaller(Movements::most, row_length - first), block = first / Movements::most;
-            if (block < n_stored) body(first, width, stored_[block]);
+            Index const width = smaller(Movements::most, row_length - first), part = first / Movements::most;
+            if (part < n_stored) body(first, width, stored_[part]);
             else body(first, width, made(first));
         }
     }
@@ -55,68 +56,96 @@ private:
     Movements stored_[n_stored];
 };
 
-// Adds row p of n consecutive rows times the movements to point p.
+// The sums of at most chunk_points points, or of slots of the wall.
+struct Chunk {
+    Real x[chunk_points] = {}, y[chunk_points] = {};
+
+    // Of blocks first .. first+n-1 of the values of a basis with rows of that length.
+    template <class Number>
+    void add(ProductKernels const& kernels, Span<Number> values, Index row_length, RowMovements const& move, Index first,
+             Index n) noexcept {
+        Offset const stride = Offset{row_length} * block_points;
+        move.for_each_part([&](Index number, Index width, Movements const& by) {
+            ValueBlocks<Number> const blocks{values.data() + first * stride + Offset{number} * block_points, stride, n,
+                                             width};
+            kernels.of(blocks).multiply(blocks, by, {x, y});
+        });
+    }
+    Vec2 move_point(Vec2 old, Index k) const noexcept { return {moved(old.x, x[k]), moved(old.y, y[k])}; }
+};
+
+// Moves the points of blocks first .. first+n-1, n <= chunk_blocks, of any arrays.
 template <class Number>
-void add_rows(ProductKernels const& kernels, Basis const& basis, const Number* rows, Index n, RowMovements const& move,
-              Sums const& to) noexcept {
-    move.for_each_block([&](Index first, Index width, Movements const& by) {
-        ValueRows<Number> const block{rows + first, basis.row_length(), n, width};
-        kernels.of(block).multiply(block, by, to);
+void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis, RowMovements const& move,
+                 Points from, MutablePoints to, Index first, Index n) noexcept {
+    Chunk sums;
+    sums.add(kernels, values, basis.row_length(), move, first, n);
+    Index const begin = first * block_points, n_points = smaller(n * block_points, basis.n_points() - begin);
+    for (Index k = 0; k < n_points; ++k) {
+        to.set(begin + k, sums.move_point(from.given() ? from[begin + k] : Vec2{}, k));
+    }
+}
+
+// Moves the points of blocks begin .. end-1. Coordinates that lie side by side are read and written by the kernels, but
+// those of a block that is filled in part.
+template <class Number>
+void morph_blocks(ProductKernels const& kernels, Span<Number> values, Basis const& basis, RowMovements const& move,
+                  Points from, MutablePoints to, Index begin, Index end) noexcept {
+    bool const side_by_side = (!from.given() || from.stride == 1) && to.stride == 1;
+    if (side_by_side && basis.row_length() <= Movements::most) {
+        Index const whole = smaller(end, basis.n_points() / block_points), point = begin * block_points;
+        move.for_each_part([&](Index, Index width, Movements const& by) {
+            Offset const stride = Offset{width} * block_points;
+            ValueBlocks<Number> const blocks{values.data() + begin * stride, stride, whole - begin, width};
+            PerPoint<const Real> const before = {from.given() ? from.x + point : nullptr,
+                                                 from.given() ? from.y + point : nullptr};
+            kernels.of(blocks).move(blocks, by, before, {to.x + point, to.y + point});
+        });
+        begin = whole;
+    }
+    for (Index first = begin; first < end; first += chunk_blocks) {
+        morph_chunk(kernels, values, basis, move, from, to, first, smaller(chunk_blocks, end - first));
+    }
+}
+
+// The products of one row in double precision, added up in the order of the kernels.
+Vec2 sum_of_row(Basis const& basis, RowMovements const& move, Index slot) noexcept {
+    Vec2 sum;
+    RowInBlock<Real> const row = basis.row(slot);
+    move.for_each_part([&](Index first, Index width, Movements const& by) {
+        for (Index k = 0; k < width; ++k) sum = sum + row[first + k] * Vec2{by.x[k], by.y[k]};
     });
-}
-
-void prefetch(const Real* from, Index n) noexcept {
-    for (Index i = 0; i < n; i += 8) __builtin_prefetch(from + i);
-}
-
-// Points begin .. begin+n-1, n <= block_points.
-void morph_block(ProductKernels const& kernels, Basis const& basis, RowMovements const& move, Points from,
-                 MutablePoints to,
-                 Index begin, Index n) noexcept {
-    constexpr Real zero[block_points] = {};
-    Real x[block_points] = {}, y[block_points] = {};
-    bool const in_rows = (!from.given() || from.stride == 1) && to.stride == 1;
-    const Real* const from_x = from.given() ? from.x + begin : zero;
-    const Real* const from_y = from.given() ? from.y + begin : zero;
-    if (in_rows) {  // prefetched while the sums are computed
-        prefetch(from_x, n);
-        prefetch(from_y, n);
-    }
-    if (basis.in_single()) add_rows(kernels, basis, basis.single_row(begin), n, move, {x, y});
-    else add_rows(kernels, basis, basis.row(begin), n, move, {x, y});
-    if (in_rows) {
-        kernels.add_sums(from_x, to.x + begin, x, n);
-        kernels.add_sums(from_y, to.y + begin, y, n);
-        return;
-    }
-    for (Index p = 0; p < n; ++p) {
-        Vec2 const old = from.given() ? from[begin + p] : Vec2{};
-        to.set(begin + p, {moved(old.x, x[p]), moved(old.y, y[p])});
-    }
+    return sum;
 }
 
 // In single-precision storage the rows of points on the wall are 0, so these points have not moved yet.
 void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements const& move,
                 MutablePoints to) noexcept {
-    auto const move_point = [&](Index point, Index slot) {
-        Vec2 const old = to[point];
-        Vec2 sum;
-        add_rows(kernels, basis, basis.row(slot), 1, move, {&sum.x, &sum.y});
-        to.set(point, {moved(old.x, sum.x), moved(old.y, sum.y)});
-    };
-    for (Index slot = 0; slot < basis.wall_point.count(); ++slot) move_point(basis.wall_point[slot], slot);
-    for (Index k = 0; k < basis.joined_point.count(); ++k) move_point(basis.joined_point[k], basis.joined_slot[k]);
+    Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
+    for (Index first = 0; first < n_blocks; first += chunk_blocks) {
+        Index const n = smaller(chunk_blocks, n_blocks - first), begin = first * block_points;
+        Chunk sums;
+        sums.add(kernels, basis.value, basis.row_length(), move, first, n);
+        for (Index k = 0; k < n * block_points && begin + k < n_slots; ++k) {
+            Index const point = basis.wall_point[begin + k];
+            to.set(point, sums.move_point(to[point], k));
+        }
+    }
+    for (Index k = 0; k < basis.joined_point.count(); ++k) {
+        Index const point = basis.joined_point[k];
+        Vec2 const old = to[point], by = sum_of_row(basis, move, basis.joined_slot[k]);
+        to.set(point, {moved(old.x, by.x), moved(old.y, by.y)});
+    }
 }
 
 }  // namespace
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
-    ProductKernels const& kernels = product_kernels_for(Offset{basis.n_points()} * basis.row_length());
+    ProductKernels const& kernels = product_kernels_for(Offset{basis.n_points()} * basis.row_length(), worth_asking);
     RowMovements const movements(basis, move);
-    executor.for_ranges(basis.n_points(), least_range, [&](Index range_begin, Index range_end) {
-        for (Index begin = range_begin; begin < range_end; begin += block_points) {
-            morph_block(kernels, basis, movements, from, to, begin, smaller(block_points, range_end - begin));
-        }
+    executor.for_ranges(blocks_of(basis.n_points()), least_range, [&](Index begin, Index end) {
+        if (basis.in_single()) morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);
+        else morph_blocks(kernels, basis.value, basis, movements, from, to, begin, end);
     });
     if (basis.in_single()) morph_wall(kernels, basis, movements, to);
 }

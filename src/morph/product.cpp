@@ -7,8 +7,7 @@ namespace harmorph {
 
 ProductKernels const& product_kernels(Kernel kernel) noexcept { return simd::table_of<ProductKernels>(kernel); }
 
-ProductKernels const& product_kernels_for(Offset values) noexcept {
-    constexpr Offset worth_asking = Offset{1} << 16;
+ProductKernels const& product_kernels_for(Offset values, Offset worth_asking) noexcept {
     return product_kernels(values < worth_asking ? Kernel::baseline : best_kernel());
 }
 

@@ -3,15 +3,19 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_range = 4096;  // points that are worth a thread
+constexpr Index least_range = 256;  // blocks of points that are worth a thread
+constexpr Index width = block_points;
 
-// Two planes of values that act on x and y of a movement together; turn: +1 where the second one multiplies i.
-void add_pair(const Real* from, Real* to, Index plane, Span<const Vec2> weight, Real turn) noexcept {
-    for (Index i = 0; i < weight.count(); ++i) {
-        Vec2 const w{weight[i].x, turn * weight[i].y};
-        Vec2 const added = product({from[i], from[plane + i]}, w);
-        to[i] += added.x;
-        to[plane + i] += added.y;
+void add_real(const Real* from, Real* to, Real weight) noexcept {
+    for (Index p = 0; p < width; ++p) to[p] += weight * from[p];
+}
+
+// Two numbers that act on x and y of a movement together, of all points of a block.
+void add_pair(const Real* from, Real* to, Offset plane, Vec2 weight) noexcept {
+    for (Index p = 0; p < width; ++p) {
+        Vec2 const added = product({from[p], from[plane + p]}, weight);
+        to[p] += added.x;
+        to[plane + p] += added.y;
     }
 }
 
@@ -19,20 +23,21 @@ void add_pair(const Real* from, Real* to, Index plane, Span<const Vec2> weight, 
 
 void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight, Executor const& executor) noexcept {
     Index const n = basis.n_functions();
-    executor.for_ranges(basis.n_points(), least_range, [&](Index begin, Index end) {
-        for (Index point = begin; point < end; ++point) {
-            const Real* const from = basis.row(point);
-            Real* const to = sum.row(point);
-            switch (basis.kind()) {
-                case ValueKind::real:
-                    for (Index i = 0; i < n; ++i) to[i] += weight[i].x * from[i];
-                    break;
-                case ValueKind::complex: add_pair(from, to, n, weight, 1); break;
-                case ValueKind::matrix:  // xx + xy of a turned movement: (xx - i xy) w, with the other sign of i
-                    add_pair(from, to, n, weight, -1);
-                    add_pair(from + 2 * n, to + 2 * n, n, weight, -1);
-                    break;
-            }
+    Offset const plane = Offset{n} * width, block = Offset{basis.row_length()} * width;
+    auto const add = [&](const Real* from, Real* to, Vec2 w) {
+        switch (basis.kind()) {
+            case ValueKind::real: return add_real(from, to, w.x);
+            case ValueKind::complex: return add_pair(from, to, plane, w);
+            case ValueKind::matrix:  // xx + xy of a turned movement: (xx - i xy) w, with the other sign of i
+                add_pair(from, to, plane, {w.x, -w.y});
+                return add_pair(from + 2 * plane, to + 2 * plane, plane, {w.x, -w.y});
+        }
+    };
+    executor.for_ranges(blocks_of(basis.n_points()), least_range, [&](Index begin, Index end) {
+        for (Index number = begin; number < end; ++number) {
+            const Real* const from = basis.value.data() + number * block;
+            Real* const to = sum.value.data() + number * block;
+            for (Index i = 0; i < n; ++i) add(from + Offset{i} * width, to + Offset{i} * width, weight[i]);
         }
     });
 }

@@ -14,6 +14,7 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
+    arena.take(rows_in_work, RowsToBlocks::work_numbers(Offset{numbers_of(counts.kind)} * counts.functions()));
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
@@ -71,6 +72,7 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
     HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
     turn_slipping_points(dofs);
     for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
+    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work.data()}.run(executor);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
     basis.seal();

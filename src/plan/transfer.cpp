@@ -74,10 +74,9 @@ public:
     }
 
     void copy_joined_points() const noexcept {
-        Size const length = static_cast<Size>(row_length_);
         for (Index point = 0; point < fine_.n_points(); ++point) {
             Index const same = analysis_.topology.representative[point];
-            if (same != point) copy(Span<Real>(fine_.row(point), length), Span<const Real>(fine_.row(same), length));
+            if (same != point) copy_row(fine_.row(point), fine_.row(same), row_length_);
         }
     }
 
@@ -91,13 +90,13 @@ private:
         met.add(point, location);
         transfer_.reach[slot] = location.longest_side;
         interpolate(location.weights, correction(slot));
-        Real* const row = fine_.row(point);
+        auto const row = fine_.row(point);
         set_boundary_functions(slot, row);
         for (Index k = 0; k < row_length_; ++k) correction(slot)[k] = row[k] - correction(slot)[k];
     }
 
-    void set_boundary_functions(Index slot, Real* row) const noexcept {
-        for (Index k = 0; k < row_length_; ++k) row[k] = 0;
+    // Adds them to a row of zeros.
+    void set_boundary_functions(Index slot, RowInBlock<Real> row) const noexcept {
         BoundaryFunctions const functions = fine_.boundary_functions(slot);
         for (Index k = 0; k < functions.order; ++k) {
             Numbers const numbers = numbers_of(fine_.kind(), functions.value[k]);
@@ -109,12 +108,8 @@ private:
 
     void set_point(Index point, Tally& met) const noexcept {
         PointKind const kind = analysis_.kinds[point];
-        if (kind == PointKind::on_wall) return;
-        Real* const row = fine_.row(point);
-        if (!is_unknown(kind)) {
-            for (Index k = 0; k < row_length_; ++k) row[k] = 0;
-            return;
-        }
+        if (!is_unknown(kind)) return;
+        auto const row = fine_.row(point);
         Location const location = transfer_.locator.locate(points_[point], met.cell);
         ++met.points;
         met.add(point, location);
@@ -123,17 +118,16 @@ private:
         if (kind == PointKind::slip) keep_on_line(analysis_.tangent[point], row);
     }
 
-    void interpolate(CellWeights const& weights, Real* row) const noexcept {
-        const Real* from[4] = {};
-        for (Index c = 0; c < weights.n; ++c) from[c] = coarse_.row(weights.point[c]);
+    template <class Row>
+    void interpolate(CellWeights const& weights, Row row) const noexcept {
         for (Index k = 0; k < row_length_; ++k) {
             Real sum = 0;
-            for (Index c = 0; c < weights.n; ++c) sum += weights.weight[c] * from[c][k];
+            for (Index c = 0; c < weights.n; ++c) sum += weights.weight[c] * coarse_.row(weights.point[c])[k];
             row[k] = sum;
         }
     }
 
-    void move_along_with_wall(Index point, Real* row) const noexcept {
+    void move_along_with_wall(Index point, RowInBlock<Real> row) const noexcept {
         Index group = 0;  // no guess: which of two feet at equal distance is chosen must not depend on the threads
         FaceDistance::Foot const foot = transfer_.wall.foot(points_[point], group);
         if (foot.face == none) return;
@@ -152,7 +146,7 @@ private:
     }
 
     // A row of matrix values has the movements along x in the first half, those along y in the second one.
-    void keep_on_line(Vec2 tangent, Real* row) const noexcept {
+    void keep_on_line(Vec2 tangent, RowInBlock<Real> row) const noexcept {
         Index const half = row_length_ / 2;
         for (Index k = 0; k < half; ++k) {
             Real const along = tangent.x * row[k] + tangent.y * row[half + k];
@@ -183,6 +177,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
                      TransferReport& report, Fault& fault) noexcept {
     HARMORPH_TRY(check_alike(coarse, fine, fault));
     fine.unseal();
+    fill(fine.value, 0.0);
     Points const points = analysis.problem.mesh.points;
     locator.build({coarse_mesh, coarse.reversed});
     Kernel const kernel = analysis.problem.method.kernel;

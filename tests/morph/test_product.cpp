@@ -1,4 +1,4 @@
-// The products of morphing against plain loops, and kernel against kernel to the bit.
+// The products of morphing, kernel by kernel: against plain loops, and kernel against kernel to the bit.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -10,51 +10,59 @@
 #include <limits>
 
 using namespace fixtures;
+using harmorph::block_points;
 using harmorph::Index;
 using harmorph::Kernel;
 using harmorph::Movements;
-using harmorph::Vec2;
+using harmorph::RowInBlock;
 
 namespace {
 
 struct Product {
-    Index points, functions;
-    std::vector<double> values;   // rows side by side; what follows the last one is poisoned
+    Index blocks, points, numbers;
+    std::vector<double> values;
     Movements by{};
-    std::vector<Vec2> weight;
+    std::vector<double> weight_x, weight_y;  // of each point
 
-    Product(Index n_points, Index n_functions, unsigned seed) : points(n_points), functions(n_functions) {
+    Product(Index n_blocks, Index n_numbers, unsigned seed)
+        : blocks(n_blocks), points(n_blocks * block_points), numbers(n_numbers) {
         std::mt19937 random(seed);
-        for (Index k = 0; k < points * functions; ++k) values.push_back(2 * uniform(random) - 1);
-        for (Index k = 0; k < functions; ++k) {
-            by.x[k] = 2 * uniform(random) - 1;
-            by.y[k] = 2 * uniform(random) - 1;
+        auto const any = [&] { return 2 * uniform(random) - 1; };
+        for (Index k = 0; k < points * numbers; ++k) values.push_back(any());
+        for (Index k = 0; k < numbers; ++k) {
+            by.x[k] = any();
+            by.y[k] = any();
         }
-        for (Index p = 0; p < points; ++p) weight.push_back({2 * uniform(random) - 1, 2 * uniform(random) - 1});
+        for (Index p = 0; p < points; ++p) {
+            weight_x.push_back(any());
+            weight_y.push_back(any());
+        }
     }
-    harmorph::ValueRows<double> rows() const { return {values.data(), functions, points, functions}; }
-    double value(Index p, Index k) const { return values[static_cast<std::size_t>(p * functions + k)]; }
+    harmorph::ValueBlocks<double> whole() const { return {values.data(), numbers * block_points, blocks, numbers}; }
+    RowInBlock<const double> row(Index p) const { return {values.data(), numbers, p}; }
+    RowInBlock<double> row(Index p) { return {values.data(), numbers, p}; }
+    std::size_t n_points() const { return static_cast<std::size_t>(points); }
 
     // All x, then all y.
-    std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, rows()); }
+    std::vector<double> multiply(Kernel kernel) const { return multiply(kernel, whole()); }
     template <class Number>
-    std::vector<double> multiply(Kernel kernel, harmorph::ValueRows<Number> const& its) const {
-        std::vector<double> x(static_cast<std::size_t>(points), 0.5), y(x.size(), -0.25);   // is added to
-        harmorph::product_kernels(kernel).of(its).multiply(its, by, {x.data(), y.data()});
+    std::vector<double> multiply(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+        std::vector<double> x(n_points(), 0.5), y(n_points(), -0.25);   // is added to
+        harmorph::product_kernels(kernel).of(of).multiply(of, by, {x.data(), y.data()});
         x.insert(x.end(), y.begin(), y.end());
         return x;
     }
-    std::vector<double> transposed(Kernel kernel) const { return transposed(kernel, rows()); }
+    std::vector<double> transposed(Kernel kernel) const { return transposed(kernel, whole()); }
     template <class Number>
-    std::vector<double> transposed(Kernel kernel, harmorph::ValueRows<Number> const& its) const {
-        std::vector<Vec2> in_units;
-        for (Vec2 const w : weight) in_units.push_back({std::ldexp(w.x, 63), std::ldexp(w.y, 63)});
+    std::vector<double> transposed(Kernel kernel, harmorph::ValueBlocks<Number> const& of) const {
+        std::vector<double> x, y, out;
+        for (double const w : weight_x) x.push_back(std::ldexp(w, 63));
+        for (double const w : weight_y) y.push_back(std::ldexp(w, 63));
         harmorph::FixedSums total{};
-        harmorph::product_kernels(kernel).of(its).multiply_transposed(its, in_units.data(), total);
-        std::vector<double> out;
-        for (Index k = 0; k < functions; ++k) out.push_back(total.x[k].value());
-        for (Index k = 0; k < functions; ++k) out.push_back(total.y[k].value());
-        for (Index k = functions; k < Movements::most; ++k) {
+        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()}, total);
+        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
+        for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
+        for (Index k = of.n_numbers; k < Movements::most; ++k) {
             CHECK(total.x[k].value() == 0);
             CHECK(total.y[k].value() == 0);
         }
@@ -64,82 +72,88 @@ struct Product {
 
 }  // namespace
 
-TEST_CASE("any number of functions and points: right to rounding, and the same bits from every kernel") {
-    for (Index functions = 1; functions <= Movements::most; functions += functions < 40 ? 1 : 11)
-        for (Index const points : {1, 2, 3, 4, 5, 9, 15, 64}) {
-            Product const product(points, functions, static_cast<unsigned>(functions));
-            INFO(functions << " functions, " << points << " points");
-            std::vector<double> exact(2 * static_cast<std::size_t>(points)),
-                exact_transposed(2 * static_cast<std::size_t>(functions));
-            for (Index p = 0; p < points; ++p) {
-                long double x = 0.5L, y = -0.25L;
-                for (Index k = 0; k < functions; ++k) {
-                    x += static_cast<long double>(product.value(p, k)) * product.by.x[k];
-                    y += static_cast<long double>(product.value(p, k)) * product.by.y[k];
-                }
-                exact[static_cast<std::size_t>(p)] = static_cast<double>(x);
-                exact[static_cast<std::size_t>(points + p)] = static_cast<double>(y);
+TEST_CASE("a point's products are added up in the order of the numbers: the same bits from every kernel") {
+    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
+        Product const product(3, numbers, static_cast<unsigned>(numbers));
+        INFO(numbers << " numbers");
+        std::vector<double> in_order(2 * product.n_points());
+        for (Index p = 0; p < product.points; ++p) {
+            double x = 0.5, y = -0.25;
+            for (Index k = 0; k < numbers; ++k) {
+                // No compiler may fuse product and sum here: the product is stored.
+                double volatile const by_x = product.row(p)[k] * product.by.x[k], by_y = product.row(p)[k] * product.by.y[k];
+                x += by_x;
+                y += by_y;
             }
-            for (Index k = 0; k < functions; ++k) {
-                long double x = 0, y = 0;
-                for (Index p = 0; p < points; ++p) {
-                    x += static_cast<long double>(product.value(p, k)) * product.weight[static_cast<std::size_t>(p)].x;
-                    y += static_cast<long double>(product.value(p, k)) * product.weight[static_cast<std::size_t>(p)].y;
-                }
-                exact_transposed[static_cast<std::size_t>(k)] = static_cast<double>(x);
-                exact_transposed[static_cast<std::size_t>(functions + k)] = static_cast<double>(y);
-            }
-            std::vector<double> const there = product.multiply(Kernel::baseline),
-                                      back = product.transposed(Kernel::baseline);
-            CHECK(largest_difference(there, exact) < 1e-15 * (1 + functions));
-            CHECK(largest_difference(back, exact_transposed) < 1.2e-16 * (1 + points));   // each product rounded once
-            for (Kernel const kernel : usable_kernels()) {
-                CHECK(same_bits(product.multiply(kernel), there));
-                CHECK(same_bits(product.transposed(kernel), back));
-            }
+            in_order[static_cast<std::size_t>(p)] = x;
+            in_order[static_cast<std::size_t>(product.points + p)] = y;
         }
-}
-
-TEST_CASE("numbers behind the last one are not read, at any address") {
-    // A heap block that ends with the last value: AddressSanitizer sees reads beyond it. Without it, NaN would spread.
-    for (Index const functions : {1, 3, 5, 7, 8, 9, 15, 17})
-        for (Kernel const kernel : usable_kernels()) {
-            Product product(3, functions, 1);
-            std::vector<double> const expected = product.multiply(kernel), back = product.transposed(kernel);
-            std::vector<double> shifted(1, std::numeric_limits<double>::quiet_NaN());
-            shifted.insert(shifted.end(), product.values.begin(), product.values.end());
-            shifted.resize(shifted.size() + 16, std::numeric_limits<double>::quiet_NaN());
-            harmorph::ValueRows<double> const its{shifted.data() + 1, functions, 3, functions};
-            CHECK(same_bits(product.multiply(kernel, its), expected));
-            CHECK(same_bits(product.transposed(kernel, its), back));
-        }
-}
-
-TEST_CASE("rows may be longer than what is used of them") {
-    Product const product(6, 20, 2);
-    Product used(6, 13, 2);
-    used.values.clear();
-    for (Index p = 0; p < 6; ++p)
-        for (Index k = 0; k < 13; ++k) used.values.push_back(product.value(p, k));
-    for (Kernel const kernel : usable_kernels()) {
-        harmorph::ValueRows<double> const its{product.values.data(), 20, 6, 13};
-        CHECK(same_bits(used.multiply(kernel, its), used.multiply(kernel)));
-        CHECK(same_bits(used.transposed(kernel, its), used.transposed(kernel)));
+        CHECK(same_bits(product.multiply(Kernel::baseline), in_order));
+        for (Kernel const kernel : usable_kernels()) CHECK(same_bits(product.multiply(kernel), in_order));
     }
+}
+
+TEST_CASE("the transpose is right to the rounding of each product, and the same bits from every kernel") {
+    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11)
+        for (Index const blocks : {1, 2, 5}) {
+            Product const product(blocks, numbers, static_cast<unsigned>(numbers));
+            INFO(numbers << " numbers, " << blocks << " blocks");
+            std::vector<double> exact(2 * static_cast<std::size_t>(numbers));
+            for (Index k = 0; k < numbers; ++k) {
+                long double x = 0, y = 0;
+                for (Index p = 0; p < product.points; ++p) {
+                    std::size_t const at = static_cast<std::size_t>(p);
+                    x += static_cast<long double>(product.row(p)[k]) * product.weight_x[at];
+                    y += static_cast<long double>(product.row(p)[k]) * product.weight_y[at];
+                }
+                exact[static_cast<std::size_t>(k)] = static_cast<double>(x);
+                exact[static_cast<std::size_t>(numbers + k)] = static_cast<double>(y);
+            }
+            std::vector<double> const back = product.transposed(Kernel::baseline);
+            CHECK(largest_difference(back, exact) < 1.2e-16 * (1 + product.points));
+            for (Kernel const kernel : usable_kernels()) CHECK(same_bits(product.transposed(kernel), back));
+        }
+}
+
+TEST_CASE("of the numbers of a block some may be used, at any address; no others are read") {
+    // A heap block that ends with the last value used: AddressSanitizer sees reads beyond it. Without it, NaN would spread.
+    Index const blocks = 2, numbers = 20;
+    Product const product(blocks, numbers, 2);
+    for (Index const first : {0, 3, 19})
+        for (Index const n : {1, 2, 7, 17}) {
+            if (first + n > numbers) continue;
+            Product used(blocks, n, 2);
+            used.weight_x = product.weight_x;
+            used.weight_y = product.weight_y;
+            std::size_t const one = 1, size = static_cast<std::size_t>(numbers * block_points);
+            std::vector<double> shifted(one + size + static_cast<std::size_t>((first + n) * block_points),
+                                        std::numeric_limits<double>::quiet_NaN());
+            for (Index p = 0; p < product.points; ++p)
+                for (Index k = 0; k < n; ++k) {
+                    used.row(p)[k] = product.row(p)[first + k];
+                    RowInBlock<double>(shifted.data() + 1, numbers, p)[first + k] = product.row(p)[first + k];
+                }
+            harmorph::ValueBlocks<double> const part{shifted.data() + 1 + first * block_points, numbers * block_points,
+                                                     blocks, n};
+            for (Kernel const kernel : usable_kernels()) {
+                CHECK(same_bits(used.multiply(kernel, part), used.multiply(kernel)));
+                CHECK(same_bits(used.transposed(kernel, part), used.transposed(kernel)));
+            }
+        }
 }
 
 TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the rounded products, from every kernel") {
     // Each product is a multiple of 2^-63 near 1 or -1, so that all sums are exact, and their whole parts large.
-    Index const points = 4096;
     for (int const signs : {1, 2, 3}) {
-        Product product(points, 3, 5);
+        Product product(256, 3, 5);
         std::int64_t units[3] = {};
-        for (Index p = 0; p < points; ++p) {
+        for (Index p = 0; p < product.points; ++p) {
             double const w = 1 - 0x1p-30;
-            product.weight[static_cast<std::size_t>(p)] = {w, -w};
+            product.weight_x[static_cast<std::size_t>(p)] = w;
+            product.weight_y[static_cast<std::size_t>(p)] = -w;
             for (Index k = 0; k < 3; ++k) {
                 double const f = (p % signs == 0 ? 1 : -1) * (1 - 0x1p-20 * ((p + k) % 7));
-                product.values[static_cast<std::size_t>(3 * p + k)] = f;
+                product.row(p)[k] = f;
                 units[k] += static_cast<std::int64_t>(std::ldexp(f * w, 50));   // 2^-50: their last bit
             }
         }
@@ -153,40 +167,61 @@ TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the ro
     }
 }
 
-TEST_CASE("sums are added in place or elsewhere; where they are 0 all bits are kept") {
-    std::vector<double> const from{1, -0.0, 0, std::nan(""), 2, -0.0, 5, 7, -0.0, 3, -0.0},
-        sum{0.5, 0, -0.0, 0, -2, -0.0, 0x1p-60, 1, 3, -0.0, 0};
-    for (Index n = 0; n <= 11; ++n)
+TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {
+    for (Index const numbers : {1, 2, 9, 20})
         for (Kernel const kernel : usable_kernels()) {
-            std::vector<double> in_place = from, elsewhere(from.size(), -7), expected = from;
-            for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-                if (sum[k] != 0) expected[k] += sum[k];
-            harmorph::product_kernels(kernel).add_sums(in_place.data(), in_place.data(), sum.data(), n);
-            harmorph::product_kernels(kernel).add_sums(from.data(), elsewhere.data(), sum.data(), n);
-            CHECK(same_bits(in_place, expected));
-            for (std::size_t k = static_cast<std::size_t>(n); k < from.size(); ++k) expected[k] = -7;
-            CHECK(same_bits(elsewhere, expected));
+            Product product(3, numbers, 7);
+            for (Index k = 0; k < numbers; ++k) product.row(5)[k] = product.row(20)[k] = product.row(33)[k] = k % 2 ? 0.0 : -0.0;
+            std::size_t const n = product.n_points();
+            std::vector<double> from(2 * n, 3), sum(2 * n, 0.0), zero(2 * n, 0.0);
+            from[5] = -0.0;
+            from[n + 20] = std::nan("");
+            harmorph::BlockProducts<double> const& products = harmorph::product_kernels(kernel).of(product.whole());
+            products.multiply(product.whole(), product.by, {sum.data(), sum.data() + n});
+            auto const expected = [&](std::vector<double> out) {
+                for (std::size_t k = 0; k < 2 * n; ++k)
+                    if (sum[k] != 0) out[k] += sum[k];
+                return out;
+            };
+            std::vector<double> in_place = from, elsewhere(2 * n, -7), displacement(2 * n, -7);
+            products.move(product.whole(), product.by, {in_place.data(), in_place.data() + n},
+                          {in_place.data(), in_place.data() + n});
+            products.move(product.whole(), product.by, {from.data(), from.data() + n},
+                          {elsewhere.data(), elsewhere.data() + n});
+            products.move(product.whole(), product.by, {nullptr, nullptr}, {displacement.data(), displacement.data() + n});
+            CHECK(same_bits(in_place, expected(from)));
+            CHECK(same_bits(elsewhere, expected(from)));
+            CHECK(same_bits(displacement, expected(zero)));
         }
 }
 
-TEST_CASE("numbers in single precision give the bits that they give as double ones, and none behind the last is read") {
-    for (Index functions = 1; functions <= Movements::most; functions += functions < 40 ? 1 : 11)
-        for (Index const points : {1, 3, 4, 9}) {
-            Product product(points, functions, static_cast<unsigned>(functions));
-            std::vector<float> singles(1, std::numeric_limits<float>::quiet_NaN());   // so that rows begin at odd places
-            for (double& value : product.values) {
-                singles.push_back(static_cast<float>(value));
-                value = static_cast<double>(singles.back());
-            }
-            for (Kernel const kernel : usable_kernels()) {
-                for (std::size_t const behind : {std::size_t{0}, std::size_t{16}}) {   // the heap's end, or NaN
-                    std::vector<float> rows = singles;
-                    rows.resize(rows.size() + behind, std::numeric_limits<float>::quiet_NaN());
-                    rows.shrink_to_fit();
-                    harmorph::ValueRows<float> const its{rows.data() + 1, functions, points, functions};
-                    CHECK(same_bits(product.multiply(kernel, its), product.multiply(kernel)));
-                    CHECK(same_bits(product.transposed(kernel, its), product.transposed(kernel)));
+TEST_CASE("the largest number, infinities and NaN above all others, wherever it stands") {
+    for (Index const n : {1, 3, 31, 32, 33, 100})
+        for (double const largest : {-2.0, 3.0, -std::numeric_limits<double>::infinity(), std::nan("")})
+            for (Index at = 0; at < n; ++at)
+                for (Kernel const kernel : usable_kernels()) {
+                    std::vector<double> numbers(static_cast<std::size_t>(n), -1);
+                    numbers[static_cast<std::size_t>(at)] = largest;
+                    harmorph::LargestMagnitude expected, found;
+                    expected.include(largest);
+                    found.include_bits(harmorph::product_kernels(kernel).largest_bits(numbers.data(), n));
+                    CHECK(same_bits<double>({found.value()}, {expected.value()}));
                 }
-            }
+}
+
+TEST_CASE("numbers in single precision give the bits that they give as double ones") {
+    for (Index numbers = 1; numbers <= Movements::most; numbers += numbers < 40 ? 1 : 11) {
+        Product product(3, numbers, static_cast<unsigned>(numbers));
+        std::vector<float> singles(1, std::numeric_limits<float>::quiet_NaN());   // so that blocks begin at odd places
+        for (double& value : product.values) {
+            singles.push_back(static_cast<float>(value));
+            value = static_cast<double>(singles.back());
         }
+        singles.shrink_to_fit();
+        harmorph::ValueBlocks<float> const narrow{singles.data() + 1, numbers * block_points, 3, numbers};
+        for (Kernel const kernel : usable_kernels()) {
+            CHECK(same_bits(product.multiply(kernel, narrow), product.multiply(kernel)));
+            CHECK(same_bits(product.transposed(kernel, narrow), product.transposed(kernel)));
+        }
+    }
 }

@@ -38,7 +38,8 @@ struct FixedSum {
 // The largest magnitude of some numbers; infinities, and above them NaN, are larger than all others.
 class LargestMagnitude {
 public:
-    void include(Real x) noexcept { bits_ = larger(bits_, bits_of(x) & ~sign); }
+    void include(Real x) noexcept { include_bits(bits_of(x) & ~sign); }
+    void include_bits(std::uint64_t without_sign) noexcept { bits_ = larger(bits_, without_sign); }
     Real value() const noexcept {
         Real out;
         std::memcpy(&out, &bits_, sizeof out);
@@ -74,7 +75,12 @@ struct BinaryScale {
     bool valid() const noexcept { return !finite() || (exponent >= 2 * least - 1 && exponent <= most); }
 
     // x / 2^exponent, and back; in two steps, as one power of two might not be a number.
-    Real down(Real x) const noexcept { return x * power(-exponent / 2) * power(exponent / 2 - exponent); }
+    struct Factor {
+        Real first, second;
+        Real times(Real x) const noexcept { return x * first * second; }
+    };
+    Factor downwards() const noexcept { return {power(-exponent / 2), power(exponent / 2 - exponent)}; }
+    Real down(Real x) const noexcept { return downwards().times(x); }
     Real up(Real x) const noexcept { return x * power(exponent / 2) * power(exponent - exponent / 2); }
 
 private:

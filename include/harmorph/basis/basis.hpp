@@ -4,6 +4,7 @@
 #include "harmorph/base/arena.hpp"
 #include "harmorph/bspline/bspline.hpp"
 #include "harmorph/basis/options.hpp"
+#include "harmorph/basis/point_blocks.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
 
 namespace harmorph {
@@ -49,7 +50,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 4, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 5, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -88,8 +89,9 @@ struct Basis {
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
     Span<std::uint8_t> reversed;   // [cells]
-    Span<Real> value;              // [points x row_length()], see ValueKind; in single storage [wall x row_length()]
-    Span<float> single;            // [points x row_length()] in single storage, 0 at the wall and what is joined to it
+    // In blocks of points, see point_blocks.hpp; the numbers of a point, row_length() of them, see ValueKind.
+    Span<Real> value;              // of the points; in single storage of the slots of the wall
+    Span<float> single;            // in single storage, of the points; 0 at the wall and what is joined to the wall
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
     static Size bytes(BasisCounts const& counts) noexcept;
@@ -103,9 +105,9 @@ struct Basis {
     Index row_length() const noexcept { return numbers_of(kind()) * n_functions(); }
     bool in_single() const noexcept { return header->counts.storage == Precision::in_single; }
     // Of values in double precision: of a point, or in single storage of a slot of the wall.
-    Real* row(Index point) const noexcept { return value.data() + Offset{point} * row_length(); }
-    float* single_row(Index point) const noexcept { return single.data() + Offset{point} * row_length(); }
-    // Column `number` of the matrix whose rows are row(point), for all points.
+    RowInBlock<Real> row(Index point) const noexcept { return {value.data(), row_length(), point}; }
+    RowInBlock<float> single_row(Index point) const noexcept { return {single.data(), row_length(), point}; }
+    // Number `number` of the rows of all points.
     void column(Index number, Real* out) const noexcept;
     // Refuses single storage: for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;

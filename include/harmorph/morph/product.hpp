@@ -1,60 +1,67 @@
-// The two products of morphing, for a few rows of function values: rows times movements, and the transpose. All kernels
-// add in the same order, or in fixed point, and round alike: results do not depend on the kernel.
+// The two products of morphing, for a few numbers of the values in blocks of points (basis/point_blocks.hpp): values
+// times movements, and the transpose. All kernels add in the same order, or in fixed point, and round alike: results do
+// not depend on the kernel.
 #pragma once
 
 #include "harmorph/base/fixed_sum.hpp"
+#include "harmorph/basis/point_blocks.hpp"
 #include "harmorph/simd/cpu.hpp"
-#include "harmorph/base/vec2.hpp"
 
 namespace harmorph {
 
-// Factors of a block of function values for the sums along x and y; 0 behind the last function.
+// Factors of some numbers of the values, for the sums along x and y.
 struct Movements {
     static constexpr Index most = 128;
     Real x[most], y[most];
 };
 
-// Rows of consecutive points, of which n_functions <= Movements::most numbers are used. Numbers in single precision
-// (float) are converted when they are loaded: products and sums are in double precision.
+// Consecutive blocks, of which n_numbers <= Movements::most numbers are used. Numbers in single precision (float) are
+// converted when they are loaded: products and sums are in double precision.
 template <class Number>
-struct ValueRows {
-    const Number* values = nullptr;
-    Offset row = 0;  // numbers from one row to the next
-    Index n_points = 0, n_functions = 0;
+struct ValueBlocks {
+    const Number* values = nullptr;  // the first number used, of the first block
+    Offset stride = 0;               // from one block to the next
+    Index n_blocks = 0, n_numbers = 0;
 };
 
-// Of a block of points: x[p], y[p].
-struct Sums {
-    Real *x, *y;
+// A number for each point of the blocks along x and along y.
+template <class Number>
+struct PerPoint {
+    Number *x, *y;
 };
 
-// Sums for a block of functions in fixed point.
+// Sums for some numbers of the values in fixed point.
 struct FixedSums {
     FixedSum x[Movements::most], y[Movements::most];
 };
 
 // For values of one type.
 template <class Number>
-struct RowProducts {
-    // to[p] += values of point p . movements
-    void (*multiply)(ValueRows<Number> const& rows, Movements const& by, Sums const& to) noexcept;
-    // total += sum over the points of their values times by[p]; no product may reach 2^63, and n_points not 2^20.
-    void (*multiply_transposed)(ValueRows<Number> const& rows, const Vec2* by, FixedSums& total) noexcept;
+struct BlockProducts {
+    // sums += values . movements, for each point in the order of the numbers.
+    void (*multiply)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<Real> sums) noexcept;
+    // to = from + values . movements, and the bits of from where that sum is 0: -0.0 + 0.0 would not keep them. from may
+    // be to, or 0 for all points: x and y null.
+    void (*move)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const Real> from,
+                 PerPoint<Real> to) noexcept;
+    // total += sum over the points of their values times by; no product may reach 2^63, and n_blocks not 2^16.
+    void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by,
+                                FixedSums& total) noexcept;
 };
 
 struct ProductKernels {
-    RowProducts<Real> in_double;
-    RowProducts<float> in_single;
-    // to[i] = from[i] + sum[i], and the bits of from[i] where the sum is 0: -0.0 + 0.0 would not keep them. from may be
-    // to.
-    void (*add_sums)(const Real* from, Real* to, const Real* sum, Index n) noexcept;
+    BlockProducts<Real> in_double;
+    BlockProducts<float> in_single;
+    // The largest of the numbers' bits without their signs; see LargestMagnitude.
+    std::uint64_t (*largest_bits)(const Real* numbers, Index n) noexcept;
 
-    RowProducts<Real> const& of(ValueRows<Real> const&) const noexcept { return in_double; }
-    RowProducts<float> const& of(ValueRows<float> const&) const noexcept { return in_single; }
+    BlockProducts<Real> const& of(ValueBlocks<Real> const&) const noexcept { return in_double; }
+    BlockProducts<float> const& of(ValueBlocks<float> const&) const noexcept { return in_single; }
 };
 
 ProductKernels const& product_kernels(Kernel kernel) noexcept;
-// The fastest kernels for so many values; below 2^16 values CPUID costs more time than a better kernel saves.
-ProductKernels const& product_kernels_for(Offset values) noexcept;
+// The fastest kernels for so many values. Below worth_asking values CPUID, which may take ten microseconds on a virtual
+// machine, costs more time than a better kernel saves.
+ProductKernels const& product_kernels_for(Offset values, Offset worth_asking) noexcept;
 
 }  // namespace harmorph

@@ -11,8 +11,9 @@
 namespace harmorph {
 
 // Values at all points as the equations see them: the numbers of a dof (matrix.hpp) stand side by side, one column for
-// each right-hand side. They are a row of a point, or half a row where a point has two dofs. Of complex values all real
-// parts come first, then all imaginary parts.
+// each right-hand side. They are the row of a point, or half a row where a point has two dofs. Of complex values all real
+// parts come first, then all imaginary parts. A basis has rows while its functions are being solved; then they become
+// blocks (RowsToBlocks).
 struct DofValues {
     Span<Real> value;             // the rows of all points
     Span<const Index> of;         // [n] dof of each position

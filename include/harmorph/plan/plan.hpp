@@ -22,6 +22,7 @@ struct Plan {
     std::uint64_t conditions = 0;   // fingerprint of the problem
     std::uint64_t coordinates = 0;  // fingerprint of the coordinates that the factor belongs to
     RegionCounts region_counts;     // for untangling
+    Span<Real> rows_in_work;        // while solved rows become blocks
     Offset factor_entries = 0;
     bool factored = false;
 
