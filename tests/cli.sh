@@ -95,7 +95,7 @@ awk 'BEGIN { for (i = 1; i <= 12; i++) print i, 9, 0 }' >"$tmp/large.txt"
 runs "--help" 0 --help
 check "--help names the commands" says 'harmorph COMMAND --help'
 runs "--version" 0 --version
-for command in fit solve morph export check transfer explore demo; do
+for command in fit solve morph displace export check transfer explore demo; do
     runs "$command --help" 0 $command --help
     check "$command --help has an example" says "  harmorph $command "
 done
@@ -269,6 +269,57 @@ check "morph: the boundary picture has a circle for each point" test "$(grep -c 
 for window in 1,2,3 1,2,3,4,5 1,1,1,2 2,0,1,1 a,b,c,d ,,,; do
     refuses "a window $window" 2 '--window expects' export "$ring" "$basis" --function 1 --svg "$tmp/x" --window $window
 done
+
+# ---- Given displacements ---------------------------------------------------------------------------------------------
+
+# The displacements of the wall that a morph has made, given point by point, make the same mesh: wall points bit by bit.
+wall_field() { # wall_field MESH MOVED: lines "point dx dy" of the first 48 points, which are on the wall
+    awk 'FNR == 1 { file++ } /NPOIN=/ { n = 48; k = 0; next } n-- > 0 {
+        if (file == 1) { x[k] = $1; y[k] = $2 } else printf "%d %.17g %.17g\n", k, $1 - x[k], $2 - y[k]
+        k++ }' "$1" "$2"
+}
+for operator in conformal laplace weighted; do
+    runs "displace: $operator: functions" 0 solve "$ring" --curve "body=$curve" --operator $operator -o "$tmp/by.basis"
+    runs "displace: $operator: morph" 0 morph "$ring" "$tmp/by.basis" --move "$tmp/small.txt" -o "$tmp/by_curve.su2"
+    wall_field "$ring" "$tmp/by_curve.su2" >"$tmp/wall.txt"
+    runs "displace: $operator" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator $operator \
+        -o "$tmp/displaced.su2" --json
+    has_keys "displace: $operator: keys" inverted admissible_step self_crossing min_quality mean_quality factor_seconds \
+        displace_seconds
+    check "displace: $operator: the mesh of the morph" awk 'NF == 3 && index($0, ".") { getline other <FILE2
+        split(other, b); d = $1 - b[1]; e = $2 - b[2]; if (d * d + e * e > 1e-18) wrong++; n++; next }
+        { getline other <FILE2 } END { exit wrong > 0 || n < 600 }' FILE2="$tmp/by_curve.su2" "$tmp/displaced.su2"
+done
+runs "displace: for people" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --repeat 3 --vtu "$tmp/displaced.vtu"
+check "displace: says seconds" says 'for the displacement'
+check "displace: ParaView's file" grep -q displacement "$tmp/displaced.vtu"
+sed '$d' "$tmp/wall.txt" >"$tmp/short.txt"
+refuses "displace: a point is missing" 2 'point 47 is on a marker of given displacements, but is not in the list' \
+    displace "$ring" --given body --wall "$tmp/short.txt" -o "$tmp/x"
+{ cat "$tmp/wall.txt"; echo 60 0 0; } >"$tmp/foreign.txt"
+refuses "displace: a point of no such marker" 2 'point 60 is on no marker whose displacements are given' \
+    displace "$ring" --given body --wall "$tmp/foreign.txt" -o "$tmp/x"
+{ cat "$tmp/wall.txt"; echo 3 1 1; } >"$tmp/twice.txt"
+refuses "displace: two displacements" 2 'point 3 has two displacements' \
+    displace "$ring" --given body --wall "$tmp/twice.txt" -o "$tmp/x"
+echo '3 nan 0' >"$tmp/nan.txt"
+refuses "displace: not a number" 3 "$tmp/nan.txt:1: expected a finite number, found 'nan'" \
+    displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
+echo '624 0 0' >"$tmp/nan.txt"
+refuses "displace: no such point" 3 'between 0 and 623' displace "$ring" --given body --wall "$tmp/nan.txt" -o "$tmp/x"
+refuses "displace: no marker" 2 '--given is missing' displace "$ring" --wall "$tmp/wall.txt"
+refuses "displace: a marker both given and slipping" 2 'two conditions' \
+    displace "$ring" --given body --slip body --wall "$tmp/wall.txt"
+awk '{ t = 2 * atan2(0, -1) * $1 / 48; print $1, cos(t + 2) - cos(t), sin(t + 2) - sin(t) }' "$tmp/wall.txt" >"$tmp/turn.txt"
+refuses "displace: inverted cells" 1 'of this displacement is admissible' \
+    displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace -o "$tmp/x"
+leaves_nothing "displace: inverted cells: no file" "$tmp/x"
+runs "displace: inverted cells: by force" 1 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace \
+    -o "$tmp/forced.su2" --force
+check "displace: inverted cells: the file by force" test -f "$tmp/forced.su2"
+awk '{ $2 = $1 == 0 ? -9 : 0; $3 = 0; print }' "$tmp/wall.txt" >"$tmp/through.txt"
+refuses "displace: a wall that crosses itself" 1 'the moved boundary crosses itself' \
+    displace "$ring" --given body --wall "$tmp/through.txt" -o "$tmp/x"
 
 # ---- Coarse to fine ----------------------------------------------------------------------------------------------
 

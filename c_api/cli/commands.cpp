@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-const Command* const commands[] = {&fit_command,    &solve_command, &morph_command,
+const Command* const commands[] = {&fit_command,    &solve_command, &morph_command, &displace_command,
                                    &export_command, &check_command, &transfer_command, &explore_command,
                                    &convert_command, &demo_command};
 

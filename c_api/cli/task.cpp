@@ -171,6 +171,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
             }
         }
     };
+    add("--given", HM_GIVEN);
     add("--slip", HM_SLIP);
     add("--free", HM_FREE);
     return task;
@@ -187,7 +188,7 @@ Task task_of(const Basis& basis) {
     task.conditions = basis.conditions();
     task.curves = copied(basis.curves());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
-        if (info.point_curve[k] >= info.curves) continue; // on a rigid body
+        if (info.point_curve[k] >= info.curves) continue; // on no curve
         task.given_points.push_back(info.curve_point[k]);
         task.given_curves.push_back(info.point_curve[k]);
         task.given_u.push_back(info.point_u[k]);
