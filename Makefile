@@ -19,7 +19,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules unit test mpi check-link bench bench-mpi deform paper demo install uninstall clean
+.PHONY: all rules deform-driver unit test mpi check-link bench bench-mpi deform paper demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -82,9 +82,15 @@ rules:
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
+	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
+	    objects cli "$$cli tests/deform/movements.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk
+
+# The driver of `make deform`; the tests build and run it, too.
+deform-driver: all
+	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver
 
 unit: all
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
@@ -110,8 +116,9 @@ bench: all
 	    sh tests/bench/run.sh
 
 deform: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
-	    sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' sh tests/deform/run.sh
+	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver
+	@BUILD='$(BUILD)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
+	    sh tests/deform/run.sh
 
 paper: all
 	@BUILD='$(BUILD)' MESHES='$(MESHES)' \

@@ -40,6 +40,10 @@ is_picture() { # is_picture FILE TITLE PANELS
 check "check: mesh" "$harmorph" check "$bodies" --svg "$tmp/mesh.svg"
 check "the mesh is a picture" is_picture "$tmp/mesh.svg" "The mesh" 1
 check "the mesh: each marker is in the legend" sh -c "grep -q '>left</text>' '$tmp/mesh.svg' && grep -q '>right</text>' '$tmp/mesh.svg'"
+check "check: boundaries and curves" "$harmorph" check "$bodies" --boundaries --curve "$meshes/two_bodies_left.curve" \
+    --curve "$meshes/two_bodies_right.curve" --svg "$tmp/boundaries.svg"
+check "boundaries are a picture" is_picture "$tmp/boundaries.svg" "Boundaries of the mesh and its B-spline" 1
+check "control points of all curves have their numbers" grep -q '>20</text>' "$tmp/boundaries.svg"
 check "check: control volumes" "$harmorph" check "$bodies" --dual-volumes 700,701 --svg "$tmp/dual.svg"
 check "control volumes are a picture" is_picture "$tmp/dual.svg" "Control volumes" 1
 check "check: gradient volumes" "$harmorph" check "$bodies" --gradient-volumes 700 --svg "$tmp/gradient.svg"

@@ -41,6 +41,10 @@ compile_and_run() {   # program, compiler with flags...
     program=$1; shift
     "$@" -o "$program" && "$program"
 }
+make_and_test_figures() {
+    $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" deform-driver &&
+        sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD/deform-driver"
+}
 # The header's way to begin a struct, {sizeof it}, leaves fields to be 0 by the language.
 strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
 
@@ -56,7 +60,7 @@ step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
 step "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
 step "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
-step "page of figures" sh tests/figures_test.sh "$BUILD/figures-test"
+step "page of figures" make_and_test_figures
 step "includes point downwards" sh tests/includes.sh
 step "installation" sh tests/install.sh "$BUILD"
 step "examples" sh tests/examples.sh "$BUILD"

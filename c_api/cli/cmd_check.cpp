@@ -1,5 +1,6 @@
 // harmorph check: is a mesh well formed, and how good is it?
 #include "commands.hpp"
+#include "curve_file.hpp"
 #include "json.hpp"
 #include "mesh_analysis.hpp"
 #include "numbers.hpp"
@@ -55,7 +56,9 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     } else if (arguments.has("--gradient-volumes")) {
         out << volume_picture(mesh, points("--gradient-volumes"), Volume::gradient, window);
     } else {
-        out << mesh_picture(mesh, window);
+        Curves curves;
+        for (const std::string& path : arguments.all("--curve")) curves.append(read_curves(path));
+        out << mesh_picture(mesh, arguments.has("--boundaries"), *CurvesView(curves).get(), window);
     }
     files.commit();
 }
@@ -86,6 +89,8 @@ const Command check_command = {
     {format_option,
      zone_option,
      {"--svg", "FILE", "picture of the mesh, its markers in colours"},
+     {"--boundaries", nullptr, "--svg shows the boundaries alone"},
+     {"--curve", "CURVE", "--svg also shows these B-splines with their control points (may be repeated)"},
      {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]", "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
      {"--gradient-volumes", "P[,Q..]", "--svg shows the cells round these points, over which gradients at points are formed"},

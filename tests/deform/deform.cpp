@@ -109,7 +109,7 @@ void print_limits(const char* name, const Case& its, const Movements& movements,
         return its.limit([&](double amount) { return (movements.*kind)(amount); }, most);
     };
     const double rotation = its.limit([&](double degrees) { return movements.rotation(degrees); }, 180);
-    std::printf("  %-14s %8.3f %8.1f %8.3f %8.2f %8.2f %10.2f\n", name, limit(&Movements::camber, 4), rotation,
+    std::printf("  %-14s  %8.3f  %8.1f  %8.3f  %9.2f  %8.2f  %20.2f\n", name, limit(&Movements::camber, 4), rotation,
                 limit(&Movements::bump, 8), limit(&Movements::thickening, 99), limit(&Movements::translation, 99),
                 its.seconds() / laplace_seconds);
 }
@@ -120,7 +120,7 @@ bool print_safe(const std::string& name, const std::string& what, const Case& it
     static const char* const strategies[] = {"linear", "other", "substeps", "untangled"};
     const hm_safe_report& report = morph.safe;
     const bool good = morph.valid() && morph.refusal.empty();
-    std::printf("  %-14s %6.1f%% %6d %9d  %-10s %7d %8.3f %8.3f %9.2g %9.1f\n", name.c_str(), 100 * report.step_fraction,
+    std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n", name.c_str(), 100 * report.step_fraction,
                 report.steps, report.resolves, strategies[report.strategy], morph.quality.inverted,
                 morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
@@ -129,7 +129,8 @@ bool print_safe(const std::string& name, const std::string& what, const Case& it
 }
 
 constexpr const char* safe_heading =
-    "  --safe          target  steps  resolves  strategy   inverted  min q   mean q   boundary  time/solve\n";
+    "\ntable Safe morphs: how much of the movement was reached, quality at least and on average, distance from the B-spline\n"
+    "  movement          target   steps  resolves  strategy   inverted  min q   mean q  boundary  time/solve\n";
 
 // Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many targets were missed.
 int safe_targets(const Case& its, const Movements& movements, const std::string& stem) {
@@ -142,12 +143,13 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
     target("rotation 170", "a rotation by 170 degrees", movements.rotation(170), "-rotation");
     target("bump 1.5", "a bump of 1.5 chords", movements.bump(1.5), "-bump");
     target("rotation 30", "a rotation by 30 degrees", movements.rotation(30), "-rotation30");
+    std::printf("\n");
     const hm_safe_report turned = its.safe(movements.rotation(30)).safe;
-    std::printf("    wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at most\n",
+    std::printf("  wall angles at 30 degrees of rotation: changed by %.3g degrees on average, %.3g at most\n",
                 turned.mean_angle_change, turned.max_angle_change);
     for (const double heights : {0., 1.}) {
         const hm_safe_report bent = its.safe(movements.camber(.08), heights).safe;
-        std::printf("    first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on average\n",
+        std::printf("  first-layer heights at camber .08, %s: %.3f .. %.3f of what they were, %.3f on average\n",
                     heights > 0 ? "brought back" : "as they are", bent.min_height_ratio, bent.max_height_ratio,
                     bent.mean_height_ratio);
     }
@@ -157,10 +159,13 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
 int airfoil(const std::string& folder, const std::string& path, const std::string& marker, const cli::Threads& threads) {
     const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
     std::printf("\n== %s\n", path.c_str());
-    cli::run_command({"fit", path, "--marker", marker, "-o", curve_path, "--json"});
+    std::printf("\ntable The curve through the airfoil's points\n  what  is\n");
+    cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
     const cli::Mesh mesh = cli::read_mesh(path);
     const Movements movements{cli::read_curves(curve_path).control};
-    std::printf("  one linear morph  camber rotation     bump thickness  shift  solve time / laplace\n");
+    std::printf("\ntable Limits of one linear morph: camber and bump in chords, rotation in degrees\n"
+                "  %-14s  %8s  %8s  %8s  %9s  %8s  %20s\n", "functions", "camber", "rotation", "bump", "thickness", "shift",
+                "solve time / laplace");
     double laplace_seconds = 0;
     std::unique_ptr<Case> usual;
     for (const Operator& its_operator : operators) {
@@ -206,6 +211,7 @@ int block(const std::string& folder, const cli::Threads& threads) {
         const std::string picture = folder + "/block-" + cli::brief(quarters / 4.);
         missed += print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
     }
+    std::printf("\n");
     return missed;
 }
 

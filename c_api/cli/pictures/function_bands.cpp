@@ -13,7 +13,9 @@ namespace cli {
 
 namespace {
 
-constexpr std::size_t most_triangles = 60000; // as shapes of their own; above: a raster
+// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a raster says the same in
+// less, and contour lines hide that colours end at pixels.
+constexpr double most_triangles = 60000, least_pixels = 16;
 
 // A function is linear on each triangle. The parts of all triangles between two levels are one path: small files, and
 // bands whose edges are the function's level lines.
@@ -86,7 +88,8 @@ std::string Bands::colour(std::int32_t band) const {
 std::string paint_function(Plot& plot, const Mesh& mesh, const std::vector<double>& values, const Bands& bands) {
     std::size_t triangles = 0;
     for_each_triangle(mesh, plot.window(), [&](const Corners&) { ++triangles; });
-    const bool is_raster = triangles > most_triangles;
+    const double most = std::min(most_triangles, plot.frame().width() * plot.frame().height() / least_pixels);
+    const bool is_raster = static_cast<double>(triangles) > most;
     BandPainter painter(bands);
     Raster raster(is_raster ? plot.frame() : Box{{0, 0}, {1, 1}});
     for_each_triangle(mesh, plot.window(), [&](const Corners& corners) {

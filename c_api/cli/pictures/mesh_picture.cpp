@@ -1,5 +1,6 @@
 #include "pictures.hpp"
 
+#include "draw_curves.hpp"
 #include "mesh_lines.hpp"
 #include "numbers.hpp"
 
@@ -13,6 +14,10 @@ namespace {
 constexpr std::array<const char*, 7> marker_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                        "#e69f00", "#56b4e9", "#000000"};
 
+constexpr const char* curve_style = "stroke=\"#111\" stroke-width=\"1.2\"";
+constexpr const char* polygon_style = "stroke=\"#666\" stroke-width=\"1\"";
+constexpr const char* control_style = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.3\"";
+
 Box box_of(const Mesh& mesh) {
     Box box;
     for (std::size_t point = 0; point < mesh.x.size(); ++point) box.include(Point{mesh.x[point], mesh.y[point]});
@@ -21,22 +26,34 @@ Box box_of(const Mesh& mesh) {
 
 } // namespace
 
-std::string mesh_picture(const Mesh& mesh, const std::optional<Box>& wished) {
+std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curves& curves,
+                         const std::optional<Box>& wished) {
     const Box all = box_of(mesh), window = wished ? *wished : all.widened(.02 * std::max(all.width(), all.height()));
-    Sheet sheet(window, "The mesh",
+    const std::string title = boundaries_alone ? "Boundaries of the mesh" : "The mesh";
+    Sheet sheet(window, title + (curves.n_control > 0 ? " and its B-spline" : ""),
                 plural(mesh.points(), "point") + ", " + plural(mesh.cells(), "cell") + "; boundaries in colours");
     Plot& plot = sheet.plot();
     std::vector<std::pair<std::string, std::string>> legend; // attributes, tag
     plot.begin_inside();
-    const std::string note = draw_mesh(plot, mesh, mesh.x, mesh.y, "stroke=\"#5c6b78\" stroke-width=\".6\"");
+    std::string note;
+    if (!boundaries_alone) note = draw_mesh(plot, mesh, mesh.x, mesh.y, "stroke=\"#5c6b78\" stroke-width=\".6\"");
     for (std::int32_t marker = 0; marker < static_cast<std::int32_t>(mesh.markers.size()); ++marker) {
         const std::string shade = marker_colours[static_cast<std::size_t>(marker) % marker_colours.size()];
         const std::string style = "stroke=\"" + shade + "\" stroke-width=\"2.4\"";
         draw_boundary(plot, mesh, marker, style);
         legend.emplace_back(style, mesh.markers[static_cast<std::size_t>(marker)]);
     }
+    draw_outlines(plot, curves, curve_style);
+    draw_control_polygons(plot, curves, polygon_style);
+    draw_control_points(plot, curves, 3.5, control_style);
+    draw_numbers(plot, curves, {14, 12, "fill=\"#111\""});
     plot.end_inside();
     for (const auto& [style, name] : legend) sheet.legend_line(style, name);
+    if (curves.n_control > 0) {
+        sheet.legend_line(curve_style, "B-spline");
+        sheet.legend_line(polygon_style, "control polygon");
+        sheet.legend_disc(3.5, control_style, "control points with their numbers");
+    }
     sheet.note(note);
     return sheet.document();
 }

@@ -10,8 +10,10 @@
 
 namespace cli {
 
-// The mesh alone, its boundaries in colours.
-std::string mesh_picture(const Mesh& mesh, const std::optional<Box>& window = {});
+// The mesh with its boundaries in colours; the boundaries alone; B-splines with their control points, where there are
+// any.
+std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curves& curves,
+                         const std::optional<Box>& window = {});
 
 // The volumes round these points: of the median dual, over which fluxes are balanced, or the cells round each point,
 // over which gradients at points are formed.

@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-constexpr double width = 1200, left = 62, right_margin = 20, above = 70, axis_space = 36;
+constexpr double left = 62, right_margin = 20, above = 70, axis_space = 36;
 constexpr double heading_space = 26, gap = 18; // between panels
 constexpr double row_height = 24;              // of legend and notes
 
@@ -67,7 +67,7 @@ void Plot::end_inside() {
 }
 
 void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
-    const double step = round_step(90 / scale_);
+    double step = round_step(90 / scale_);
     for (double i = std::ceil(window_.low.x / step); i * step <= window_.high.x; ++i) {
         const double x = pixel({i * step, 0}).x;
         svg_.line({x, frame_.high.y}, {x, frame_.high.y + 5}, tick_style);
@@ -75,6 +75,7 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
         svg_.text({x, frame_.high.y + 19}, brief(i * step + 0.0),
                   std::string("text-anchor=\"middle\" ") + number_style);
     }
+    step = std::min(step, round_step(50 / scale_));
     for (double i = std::ceil(window_.low.y / step); i * step <= window_.high.y; ++i) {
         const double y = pixel({0, i * step}).y;
         svg_.line({frame_.low.x - 5, y}, {frame_.low.x, y}, tick_style);
@@ -88,12 +89,12 @@ void Plot::draw_scale(bool numbers_along_x, bool numbers_along_y) {
 }
 
 Sheet::Sheet(const Box& window, const std::string& title, const std::string& subtitle, SheetLayout layout)
-    : svg_(width, title, subtitle) {
+    : width_(columns_for(layout.panels) < 3 ? 960 : 1200), svg_(width_, title, subtitle) {
     constexpr double lowest[] = {320, 180}, highest[] = {900, 420}; // of one frame, of each of several
     const std::size_t columns = columns_for(layout.panels);
     const bool is_single = layout.panels == 1;
     const auto n = static_cast<double>(columns);
-    const double frame_width = (width - left - right_margin - layout.right - gap * (n - 1)) / n;
+    const double frame_width = (width_ - left - right_margin - layout.right - gap * (n - 1)) / n;
     const double shape = window.height() / window.width();
     const double height = std::clamp(frame_width * shape, lowest[is_single ? 0 : 1], highest[is_single ? 0 : 1]);
     for (std::size_t k = 0; k < layout.panels; ++k) {
@@ -124,7 +125,7 @@ Box Sheet::frames() const {
 double Sheet::begin_entry(const std::string& text) {
     constexpr double sign = 40;
     const double needed = sign + width_of_text(text, 14) + 22;
-    if (legend_x_ == 0 || legend_x_ + needed > width - right_margin + 22) {
+    if (legend_x_ == 0 || legend_x_ + needed > width_ - right_margin + 22) {
         legend_x_ = left;
         bottom_ += row_height;
     }

@@ -62,6 +62,7 @@ public:
 private:
     double begin_entry(const std::string& text);
 
+    double width_;
     Svg svg_;
     std::deque<Plot> plots_;
     double legend_x_ = 0, bottom_ = 0;
