@@ -67,6 +67,8 @@ int main(void) {
     HAS_SIZE_FIRST(hm_safe_report);
     HAS_SIZE_FIRST(hm_space_mesh);
     HAS_SIZE_FIRST(hm_plane_info);
+    HAS_SIZE_FIRST(hm_improve_options);
+    HAS_SIZE_FIRST(hm_improve_report);
     if (sizeof(void *) == 8) {
         SIZE(hm_points, 24);
         SIZE(hm_points_out, 24);

@@ -536,6 +536,15 @@ check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear
 runs "--safe: check of the result" 0 check "$tmp/turned.su2"
 check "--safe: the block is where it should be" near $(place 8 6 "$tmp/turned.su2") \
     $(awk 'BEGIN { a = atan2(0, -1) * 5 / 6; printf "%.17g %.17g", 6 + 2 * cos(a), 6 + 2 * sin(a) }')
+quality() { sed -n 's/.*"mean_quality": \([0-9.e-]*\).*/\1/p' "$tmp/out"; }
+poorer=$(runs "--safe: before --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe --json >/dev/null; quality)
+runs "--improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe --improve -o "$tmp/better.su2" --json
+better=$(quality)
+check "--improve: better on average" awk "BEGIN { exit !($better > $poorer) }"
+check "--improve: nothing inverted" says '"inverted": 0'
+runs "--improve: check of the result" 0 check "$tmp/better.su2"
+runs "--improve of a mesh that does not move" 0 morph "$box" "$tmp/conformal.basis" --move "$no_moves" --improve -o "$tmp/same.su2"
+check "--improve of a mesh that does not move: the same file" cmp "$box" "$tmp/same.su2"
 runs "--safe: a small move" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --json
 check "--safe: a small move: linear" says '"strategy": "linear"'
 runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe

@@ -160,6 +160,15 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         AT(follows); AT(space_point);
         break;
 #undef TYPE
+#define TYPE hm_improve_options
+    case 101: PUT(sizeof(TYPE)); AT(struct_size); AT(max_iterations); AT(reserved); AT(reference); break;
+#undef TYPE
+#define TYPE hm_improve_report
+    case 102:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(iterations); AT(movable); AT(min_quality_before); AT(mean_quality_before);
+        AT(min_quality); AT(mean_quality); AT(min_quality_cell_before); AT(min_quality_cell);
+        break;
+#undef TYPE
     default: break;
     }
     return n;

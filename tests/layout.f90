@@ -38,6 +38,8 @@ program layout
     type(hm_quality_report), target :: quality_report
     type(hm_c_safe_options), target :: safe_options
     type(hm_safe_report), target :: safe_report
+    type(hm_c_improve_options), target :: improve_options
+    type(hm_improve_report), target :: improve_report
 
     call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), c_loc(error%item), &
         c_loc(error%value), c_loc(error%text)])
@@ -120,6 +122,14 @@ program layout
         c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%heights), &
         c_loc(safe_report%angle_point), c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), &
         c_loc(safe_report%reserved)])
+    call compare("hm_improve_options", 101, c_sizeof(improve_options), c_loc(improve_options), &
+        [c_loc(improve_options%struct_size), c_loc(improve_options%max_iterations), c_loc(improve_options%reserved), &
+        c_loc(improve_options%reference)])
+    call compare("hm_improve_report", 102, c_sizeof(improve_report), c_loc(improve_report), &
+        [c_loc(improve_report%struct_size), c_loc(improve_report%iterations), c_loc(improve_report%movable), &
+        c_loc(improve_report%min_quality_before), c_loc(improve_report%mean_quality_before), &
+        c_loc(improve_report%min_quality), c_loc(improve_report%mean_quality), &
+        c_loc(improve_report%min_quality_cell_before), c_loc(improve_report%min_quality_cell)])
     call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, &
         hm_backtracks, hm_far_from_curve, hm_cancelled, &
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &

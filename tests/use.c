@@ -223,6 +223,7 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     hm_step_report step = {sizeof step};
     hm_quality_report quality = {sizeof quality};
     hm_safe_report report = {sizeof report};
+    hm_improve_report improved = {sizeof improved};
     hm_basis_info info = {sizeof info};
     hm_curves curves = {sizeof curves};
     hm_curve curve;
@@ -281,6 +282,18 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
                               &point, &error), "its wall",
             &error);
     check(boundary_error <= 1e-12, "the wall is where the B-spline is", &error);
+    free(work);
+    require(hm_improve_size(plan, &bytes, &error), "size of an improvement", &error);
+    work = block_of(bytes);
+    require(hm_improve(plan, &(hm_points){x_new, y_new, 1}, &(hm_points_out){dx, dy, 1}, work, bytes, NULL, &improved,
+                       &error), "an improvement",
+            &error);
+    check(improved.min_quality_before == report.min_quality && improved.mean_quality_before == report.mean_quality,
+          "it begins where the safe morph ended", &error);
+    require(hm_quality(laplace, problem->mesh, &(hm_points){dx, dy, 1}, &(hm_points){x, y, 1}, NULL, &quality, &error),
+            "its quality", &error);
+    check(quality.min_quality == improved.min_quality && quality.inverted == 0, "it is what the report says", &error);
+    check(improved.mean_quality > improved.mean_quality_before, "the mesh is better", &error);
     free(work);
     free(laplace_block);
     free(plan_block);

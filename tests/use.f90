@@ -1047,6 +1047,7 @@ contains
         type(hm_curves) :: curves
         type(hm_basis) :: laplace, weighted, derivative, others(1)
         type(hm_safe_report) :: report
+        type(hm_improve_report) :: improved
         type(hm_quality_report) :: quality
         real(dp), dimension(n_points) :: x_new, y_new, x_other, y_other
         real(dp) :: move(2, n_control), error, ratio, block_x(around, rings), block_y(around, rings)
@@ -1141,6 +1142,23 @@ contains
         call plan%morph_safe(weighted, real(move, c_float), block_x4, block_y4)
         call check(all(abs(reshape(block_x4, shape(x4)) - x4) <= 0) .and. &
             all(abs(reshape(block_y4, shape(y4)) - y4) <= 0), "a block of default reals")
+        x_other = x_new
+        y_other = y_new
+        call plan%improve(x_other, y_other, report=improved)
+        call check(improved%movable > 0 .and. improved%mean_quality >= improved%mean_quality_before, "an improvement")
+        call basis%quality(mesh, x_other, y_other, quality, x, y)
+        call check(abs(quality%min_quality - improved%min_quality) <= 0 .and. quality%inverted == 0, "and its report")
+        deallocate(work)
+        allocate(work(plan%improve_words()))
+        block_x = reshape(x_new, [around, rings])
+        block_y = reshape(y_new, [around, rings])
+        call plan%improve(block_x, block_y, reshape(x, [around, rings]), reshape(y, [around, rings]), work=work)
+        call check(same(reshape(block_x, [n_points]), x_other) .and. same(reshape(block_y, [n_points]), y_other), &
+            "the mesh before the movement as reference, a block, own memory")
+        call plan%improve(x_other, y_other, max_iterations=-1, stat=stat)
+        call check(stat == hm_bad_argument, "fewer steps than none")
+        call plan%improve(x_other(2:), y_other(2:), stat=stat)
+        call check(stat == hm_bad_argument, "an improvement of a point too few")
         call plan%morph_safe(weighted, move(:, 2:), x_new, y_new, stat=stat)
         call check(stat == hm_bad_argument, "a movement too few")
         call plan%morph_safe(weighted, move, x_new(2:), y_new(2:), stat=stat)

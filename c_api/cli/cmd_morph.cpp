@@ -177,7 +177,8 @@ void run(const Arguments& arguments) {
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
     if (!safe && arguments.has("--reached")) arguments.refuse("--reached goes with --safe: without it all of MOVES is reached");
-    const Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
+    Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
+    if (arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
     const bool reached = morph.valid() && morph.refusal.empty();
     Companions written;
     if (reached || arguments.has("--force")) {
@@ -220,6 +221,8 @@ const Command morph_command = {
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
+     {"--improve", nullptr, "make the morphed mesh better where it is valid: inner points move to where cells are more like those of\n"
+                            "MESH, and the worst ones are raised; the wall and the first layer stay"},
      {"--reached", "MOVES", "for --safe: where to write the movement that the mesh has (default where it falls short of the\n"
                             "target: -o with .reached behind)"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},

@@ -87,6 +87,27 @@ std::vector<double> Morph::moved_control(const Basis& basis) const {
     return control;
 }
 
+void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    const Stopwatch watch;
+    const Task task = task_of(basis);
+    Solver solver(mesh, task, threads);
+    solver.prepare();
+    std::size_t bytes = 0;
+    call(mesh, hm_improve_size, solver.plan(), &bytes);
+    Block work(bytes);
+    const hm_points from = moved.read();
+    const hm_points_out to = moved.write();
+    call(mesh, hm_improve, solver.plan(), &from, &to, work.data(), bytes, nullptr, nullptr);
+    seconds += watch.seconds();
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        displacement.x[point] = moved.x[point] - mesh.x[point];
+        displacement.y[point] = moved.y[point] - mesh.y[point];
+    }
+    const hm_step_report step_of_morph = step;
+    judge(basis, mesh, threads);
+    step = step_of_morph;
+}
+
 Curves Morph::moved_curves(const Basis& basis) const {
     const auto n = static_cast<std::size_t>(basis.info().curves);
     if (n == 0) return {};

@@ -38,6 +38,8 @@ struct Morph {
     // Solves again where it must.
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& target, hm_safe_options options,
           const Threads& threads);
+    // Puts inner points where cells are better. Walls, and so `moves`, stay.
+    void improve(const Basis& basis, const Mesh& mesh, const Threads& threads);
     bool valid() const { return quality.inverted == 0 && quality.self_crossing == 0; }
     std::vector<double> moved_control(const Basis& basis) const; // x, y pairs: control points after `moves`
     Curves moved_curves(const Basis& basis) const; // where the basis's curves are on the moved mesh

@@ -11,7 +11,7 @@
         hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
         hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, &
         hm_c_morph_safe, hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
-        hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather
+        hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather, hm_c_improve_size, hm_c_improve
 
     interface
         integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
@@ -440,6 +440,22 @@
             type(c_ptr), value, intent(in) :: plane, executor
             type(hm_c_space_points), intent(in) :: dj
             type(hm_c_points), intent(in) :: plane_dj
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_improve_size(plan, bytes, err) bind(c, name="hm_improve_size")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_improve(plan, from, to, work, bytes, options, report, err) &
+            bind(c, name="hm_improve")
+            import
+            type(c_ptr), value, intent(in) :: plan, work
+            type(hm_c_points), intent(in) :: from, to
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_improve_options), intent(in) :: options
+            type(hm_improve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
     end interface

@@ -19,6 +19,7 @@
 !     call basis%admissible_step(mesh, dx, dy, report);  call basis%quality(mesh, x, y, report);  assess: both
 !     call basis%morph(move, x, y)                 in place; also morph_to, morph_at, velocity, adjoint
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
+!     call plan%improve(x, y)                      after a movement: inner points where cells are better; needs the plan
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
@@ -107,6 +108,8 @@
 ! hm_safe_report    strategy: hm_strategy_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
 !                   hm_short); admissible, cell, point of the last step tried; steps, resolves, other (0: none),
 !                   untangled; quality, angles and first-layer heights of the mesh reached.
+! hm_improve_report min_quality_before, mean_quality_before, min_quality, mean_quality (size-skew, relative to the mesh as
+!                   analysed), min_quality_cell_before, min_quality_cell; iterations, movable points.
 ! hm_transfer_report  points, outside, max_distance, wall_correction: how well the coarse mesh resolves the functions.
 !
 ! ERRORS

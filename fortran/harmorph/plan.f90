@@ -32,11 +32,13 @@
         procedure :: level => plan_level
         ! Coordinates
 !@each form
-        procedure, private :: factor_@FORM@, morph_safe_@FORM@
+        procedure, private :: factor_@FORM@, morph_safe_@FORM@, improve_@FORM@
         generic :: factor => factor_@FORM@
         generic :: morph_safe => morph_safe_@FORM@
+        generic :: improve => improve_@FORM@
 !@end
         procedure :: morph_safe_words => plan_morph_safe_words
+        procedure :: improve_words => plan_improve_words
         ! Coarse to fine
         procedure :: transfer => plan_transfer
         procedure :: transfer_words => plan_transfer_words

@@ -1,5 +1,5 @@
 
-! ---- What a plan does with coordinates: it factors on moved ones, and moves them safely
+! ---- What a plan does with coordinates: it factors on moved ones, moves them safely, and improves them
 
 contains
 !@each form
@@ -77,6 +77,49 @@ contains
         call block%give_back()
         call to%put_back(x_new, y_new)
         call done%finish("plan%morph_safe", stat, err)
+    end subroutine
+
+    ! improve(x, y [, x_ref, y_ref]): of a mesh after a movement, inner points go where cells are more like those of the mesh
+    ! before, x_ref, y_ref; without them, of the mesh as analysed, if its arrays still hold that. Then x, y are others.
+    subroutine improve_@FORM@(self, x, y, x_ref, y_ref, max_iterations, report, work, stat, err)
+        class(hm_plan), intent(inout) :: self
+        real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@
+        real(@KIND@), intent(in), target, optional :: x_ref@SHAPE@, y_ref@SHAPE@
+        integer, intent(in), optional :: max_iterations
+        type(hm_improve_report), intent(out), optional :: report
+        real(c_double), pointer, intent(in), optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(view) :: v, ref
+        type(hm_c_points), target :: reference
+        type(hm_c_improve_options) :: options
+        type(hm_improve_report) :: its
+        type(block_of_memory) :: block
+        integer(c_size_t) :: bytes
+        v = view_of(x, y)
+        if (associated(self%data)) call read_again(self%data%arrays)
+        call done%refuse_if(.not. c_associated(self%plan), "the plan is empty: call prepare or factor first")
+        call done%refuse_if(present(x_ref) .neqv. present(y_ref), "only one of x_ref and y_ref is given")
+        if (done%ok()) call check_view(v, int(n_points_of(self), c_int64_t), done)
+        if (present(x_ref) .and. present(y_ref)) then
+            ref = view_of(x_ref, y_ref)
+            if (done%ok()) call check_view(ref, int(n_points_of(self), c_int64_t), done)
+            reference = c_points(ref)
+            options%reference = c_loc(reference)
+        end if
+        options%struct_size = int(c_sizeof(options), c_int64_t)
+        if (present(max_iterations)) options%max_iterations = int(max_iterations, c_int32_t)
+        if (done%ok()) done%status = hm_c_improve_size(self%plan, bytes, done%error)
+        call block%take(bytes, work, done)
+        its%struct_size = int(c_sizeof(its), c_int64_t)
+        if (done%ok()) done%status = hm_c_improve(self%plan, c_points(v), c_points(v), block%start, block%bytes, &
+            options, its, done%error)
+        if (present(report)) report = its
+        call block%give_back()
+        call ref%drop()
+        call v%put_back(x, y)
+        call done%finish("plan%improve", stat, err)
     end subroutine
 
 !@end

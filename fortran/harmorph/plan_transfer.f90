@@ -47,3 +47,12 @@ contains
         plan_morph_safe_words = 0
         if (hm_c_morph_safe_size(self%plan, bytes, e) >= 0) plan_morph_safe_words = words_of(bytes)
     end function
+
+    ! Working space of improve; 0 without prepare or factor.
+    integer(c_int64_t) function plan_improve_words(self)
+        class(hm_plan), intent(in) :: self
+        type(hm_c_error) :: e
+        integer(c_size_t) :: bytes
+        plan_improve_words = 0
+        if (hm_c_improve_size(self%plan, bytes, e) >= 0) plan_improve_words = words_of(bytes)
+    end function

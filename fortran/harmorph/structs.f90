@@ -175,3 +175,16 @@
         real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0, heights = 0
         integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
     end type
+
+    type, bind(c), public :: hm_c_improve_options
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: max_iterations = 0, reserved = 0
+        type(c_ptr) :: reference = c_null_ptr
+    end type
+
+    type, bind(c), public :: hm_improve_report
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: iterations = 0, movable = 0
+        real(c_double) :: min_quality_before = 0, mean_quality_before = 0, min_quality = 0, mean_quality = 0
+        integer(c_int32_t) :: min_quality_cell_before = 0, min_quality_cell = 0
+    end type

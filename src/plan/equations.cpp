@@ -12,6 +12,7 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     bool const weighted = problem.method.quarters > 0;
     arena.take(dof_of, n);
     arena.take(cells.reversed, n_cells);
+    arena.take(kinds, n_points);
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
     arena.take(delaunay_edges, n_delaunay);
     arena.take(conductivity, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
@@ -25,6 +26,7 @@ void Equations::init(Analysis const& analysis) noexcept {
     if (method.kernel == Kernel::automatic) method.kernel = best_kernel();
     for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
     copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
+    for (Index k = 0; k < kinds.count(); ++k) kinds[k] = analysis.kinds[analysis.topology.representative[k]];
     wall.kernel = method.kernel;
     wall.translations = analysis.translations;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });

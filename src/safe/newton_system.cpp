@@ -3,10 +3,6 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_rows = 512;  // for a task of its own
-// Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
-constexpr Real least_curvature = 0.1;
-
 // Entries have the size of 1 / length^2: their products are formed of parts of the size of 1.
 Block inverse_of(Block const& block) noexcept {
     Real const unit = 1 / power_of_two_at(block.a + block.d);
@@ -32,42 +28,34 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(image, n);
 }
 
-// Each row by itself, so that threads never meet: a corner is looked at once for each of its three points.
-void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Points at, Real softness,
-                                Index u) const noexcept {
+// Of what moves the points of the row and its neighbours, only the parts along their lines are left. The diagonal block
+// stays regular; across the line nothing is ever put into it.
+void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept {
     Span<const Index> const neighbours = region.of(u);
     Span<Block> const row = hessian.from(region.start[u], neighbours.size());
-    fill(row, Block{});
-    Vec2 sum;
-    for (Index const i : region.cells_of(region.point[u])) {
-        CellTriangles const corners(tangle.cell(i));
-        for (Index k = 0; k < corners.n; ++k) {
-            const Index(&point)[3] = corners.point[k];
-            Index const own = region.unknown[point[0]] == u ? 0 : region.unknown[point[1]] == u ? 1 : 2;
-            if (region.unknown[point[own]] != u) continue;
-            Triangle const reference = triangle_of(point, tangle.reference);
-            Vec2 gradients[3];
-            Distortion::Mode mode[4];
-            Distortion(reference).differentiate(triangle_of(point, at), softness, least_curvature, gradients, mode);
-            sum = sum + gradients[own];
-            for (Index other = 0; other < 3; ++other) {
-                Index const v = region.unknown[point[other]];
-                if (v == none) continue;
-                Size entry = 0;
-                while (neighbours[entry] != v) ++entry;
-                for (Distortion::Mode const& term : mode) row[entry].add(term.curvature, term.at[own], term.at[other]);
-            }
+    auto const line_of = [&](Index v) { return tangle.line[region.point[v]]; };
+    for (Index entry = 0; !tangle.line.empty() && entry < neighbours.count(); ++entry) {
+        Index const v = neighbours[entry];
+        Block& block = row[entry];
+        if (tangle.slides(region.point[v])) {
+            Vec2 const line = line_of(v), moved = block * line;
+            block = {};
+            block.add(1, moved, line);
+        }
+        if (tangle.slides(region.point[u])) {
+            Vec2 const line = line_of(u);
+            Vec2 const moved = {block.a * line.x + block.c * line.y, block.b * line.x + block.d * line.y};
+            block = {};
+            block.add(1, line, moved);
         }
     }
-    gradient[u] = sum;
-    inverse[u] = inverse_of(row[0]);
-}
-
-void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Span<const Vec2> at, Real softness,
-                            Executor const& executor) const noexcept {
-    executor.for_ranges(region.n, least_rows, [&](Index begin, Index end) {
-        for (Index u = begin; u < end; ++u) assemble_row(tangle, region, as_points(at), softness, u);
-    });
+    Block own = row[0];
+    if (tangle.slides(region.point[u])) {
+        Vec2 const line = line_of(u), across = {-line.y, line.x};
+        own.add(dot(line, own * line), across, across);
+        gradient[u] = dot(line, gradient[u]) * line;
+    }
+    inverse[u] = inverse_of(own);
 }
 
 Index NewtonSystem::solve(Region const& region, Index most_products, Executor const& executor) const noexcept {

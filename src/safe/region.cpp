@@ -3,6 +3,22 @@
 #include "harmorph/base/sort.hpp"
 
 namespace harmorph {
+namespace {
+
+// visit(representative) once for each that a cell has: in a periodic mesh one cell wide, two corners have the same.
+template <class Visit>
+void for_each_point(Tangle const& tangle, Cell const& cell, Visit visit) noexcept {
+    for (Index k = 0; k < cell.n; ++k) {
+        Index const own = tangle.representative[cell.point[k]];
+        bool is_first = true;
+        for (Index earlier = 0; earlier < k; ++earlier) {
+            is_first = is_first && tangle.representative[cell.point[earlier]] != own;
+        }
+        if (is_first) visit(own);
+    }
+}
+
+}  // namespace
 
 void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     Offset const n_points = counts.points;
@@ -20,13 +36,11 @@ void Region::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
 void Region::link(Tangle const& tangle) noexcept {
     fill(cell_start, Offset{0});
     for (Index i = 0; i < cell.count(); ++i) {
-        Cell const shape = tangle.cell(i);
-        for (Index k = 0; k < shape.n; ++k) ++cell_start[shape.point[k]];
+        for_each_point(tangle, tangle.cell(i), [&](Index its) { ++cell_start[its]; });
     }
     counts_to_starts(cell_start);
     for (Index i = 0; i < cell.count(); ++i) {
-        Cell const shape = tangle.cell(i);
-        for (Index k = 0; k < shape.n; ++k) cell_of[cell_start[shape.point[k]]++] = i;
+        for_each_point(tangle, tangle.cell(i), [&](Index its) { cell_of[cell_start[its]++] = i; });
     }
     rewind_starts(cell_start);
 }
@@ -40,6 +54,7 @@ void Region::grow(Tangle const& tangle, Index layers) noexcept {
         unknown[mesh_point] = n;
         point[n++] = mesh_point;
     }
+    for (Index k = 0; k < unknown.count(); ++k) unknown[k] = unknown[tangle.representative[k]];
     list_cells(tangle);
     list_neighbours(tangle);
 }
@@ -55,12 +70,11 @@ Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     }
     fill(reached, std::uint8_t{0});
     auto const reach = [&](Index i) {
-        Cell const shape = tangle.cell(i);
-        for (Index k = 0; k < shape.n; ++k) {
-            if (reached[shape.point[k]] != 0) continue;
-            reached[shape.point[k]] = 1;
-            queue[filled++] = shape.point[k];
-        }
+        for_each_point(tangle, tangle.cell(i), [&](Index its) {
+            if (reached[its] != 0) return;
+            reached[its] = 1;
+            queue[filled++] = its;
+        });
     };
     for (Index const i : cell.first(n_cells)) reach(i);
     Index read = 0;

@@ -3,6 +3,9 @@
 namespace harmorph {
 namespace {
 
+// Flat directions get this part of the curvature of |J|^2 / chi, so that steps stay bounded.
+constexpr Real least_curvature = 0.1;
+
 struct Least {
     Real value = infinity;
     // NaN counts as the worst there is, and stays.
@@ -27,7 +30,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
     region.choose([&](Index i) { return is_inverted({tangle.cell(i), given, false}); });
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
-    for (Index k = 0; k < now.count(); ++k) now[k] = given[tangle.representative[k]];
+    for (Index k = 0; k < now.count(); ++k) now[k] = given[k];
     region.link(tangle);
     for (Index const i : region.cell.first(region.n_cells)) {
         if (!is_stuck(i)) continue;
@@ -63,8 +66,8 @@ bool Untangling::is_stuck(Index cell) const noexcept {
     CellTriangles const corners(tangle.cell(cell));
     for (Index k = 0; k < corners.n; ++k) {
         const Index(&triangle)[3] = corners.point[k];
-        bool const held =
-            tangle.held[triangle[0]] != 0 && tangle.held[triangle[1]] != 0 && tangle.held[triangle[2]] != 0;
+        auto const is_held = [&](Index point) { return tangle.held[tangle.representative[point]] != 0; };
+        bool const held = is_held(triangle[0]) && is_held(triangle[1]) && is_held(triangle[2]);
         if (held && !(triangle_of(triangle, as_points(now)).twice_area() > 0)) return true;
     }
     return false;
@@ -90,7 +93,7 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
     for (Index k = 0; k < most_iterations; ++k) {
         Real const before = energy(now, softness);
         if (!is_finite(before)) return;
-        system.assemble(tangle, region, now, softness, executor);
+        assemble(softness);
         report.products += system.solve(region, options.most_products, executor);
         ++report.iterations;
         Real const after = descend(softness, before);
@@ -104,21 +107,34 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
     }
 }
 
+void Untangling::assemble(Real softness) const noexcept {
+    Points const at = as_points(now);
+    system.assemble(tangle, region, executor, [&](Index, const Index(&point)[3], auto const& add) {
+        Vec2 gradient[3];
+        CornerMode mode[4];
+        Distortion const distortion(triangle_of(point, tangle.reference));
+        distortion.differentiate(triangle_of(point, at), softness, least_curvature, gradient, mode);
+        add(gradient, mode);
+    });
+}
+
 // Halves the step until the energy falls enough (Armijo's rule). Returns the energy; if no step helps, nothing moves.
 Real Untangling::descend(Real softness, Real before) noexcept {
     constexpr Index most_halvings = 30;
     Real const slope = system.slope(region, executor);
-    auto const for_unknowns = [&](auto const& body) {
-        executor.for_ranges(region.n, 4096, [&](Index begin, Index end) {
-            for (Index u = begin; u < end; ++u) body(u, region.point[u]);
+    auto const for_points = [&](auto const& body) {
+        executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
+            for (Index k = begin; k < end; ++k) {
+                if (region.unknown[k] != none) body(k, system.step[region.unknown[k]]);
+            }
         });
     };
     Real length = 1;
     for (Index halvings = 0; halvings < most_halvings; ++halvings, length *= 0.5) {
-        for_unknowns([&](Index u, Index point) { trial[point] = now[point] + length * system.step[u]; });
+        for_points([&](Index point, Vec2 step) { trial[point] = now[point] + length * step; });
         Real const after = energy(trial, softness);
         if (!(after <= before + 1e-4 * length * slope)) continue;
-        for_unknowns([&](Index, Index point) { now[point] = trial[point]; });
+        for_points([&](Index point, Vec2) { now[point] = trial[point]; });
         return after;
     }
     return before;
@@ -151,8 +167,7 @@ Real Untangling::smallest_determinant() const noexcept {
 
 void Untangling::write(MutablePoints points) const noexcept {
     for (Index k = 0; k < now.count(); ++k) {
-        Index const representative = tangle.representative[k];
-        if (tangle.held[representative] == 0) points.set(k, now[representative]);
+        if (tangle.held[tangle.representative[k]] == 0) points.set(k, now[k]);
     }
 }
 

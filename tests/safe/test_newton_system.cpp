@@ -6,6 +6,7 @@
 #include <fixtures/square.hpp>
 
 #include <harmorph/safe/newton_system.hpp>
+#include <harmorph/safe/untangling_energy.hpp>
 
 using namespace fixtures;
 using harmorph::Block;
@@ -48,7 +49,15 @@ struct System {
         region.link(tangle);
         region.grow(tangle, harmorph::Region::whole);
     }
-    void assemble(double softness) { newton.assemble(tangle, region, span(at), softness, {}); }
+    void assemble(double softness) {
+        newton.assemble(tangle, region, {}, [&](Index, const Index(&point)[3], auto const& add) {
+            Vec2 gradient[3];
+            harmorph::CornerMode mode[4];
+            harmorph::Distortion const distortion(triangle_of(point, tangle.reference));
+            distortion.differentiate(triangle_of(point, harmorph::as_points(span(at))), softness, 0.1, gradient, mode);
+            add(gradient, mode);
+        });
+    }
     double energy(double softness) const {
         double sum = 0;
         for (Index i = 0; i < view.n_cells; ++i) {

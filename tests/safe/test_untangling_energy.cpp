@@ -32,14 +32,14 @@ double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k
 
 struct Derivatives {
     Vec2 gradient[3];
-    Distortion::Mode mode[4];
+    harmorph::CornerMode mode[4];
 
     Derivatives(Pair const& its, double softness, double least) {
         Distortion(its.reference).differentiate(its.now, softness, least, gradient, mode);
     }
     double hessian(int i, int j) const {
         double sum = 0;
-        for (Distortion::Mode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
+        for (harmorph::CornerMode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
         return sum;
     }
 };
@@ -111,7 +111,7 @@ TEST_CASE("smallest where the triangle is its reference, turned and moved at wil
         CHECK(distortion.energy(its.now, 0) == doctest::Approx(least).epsilon(1e-12));
         Derivatives const here(its, 0, exact);
         for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-12);
-        for (Distortion::Mode const& mode : here.mode) CHECK(mode.curvature > -1e-11);
+        for (harmorph::CornerMode const& mode : here.mode) CHECK(mode.curvature > -1e-11);
         for (int k = 0; k < 20; ++k) {
             Triangle other = its.now;
             for (Vec2& point : other.at) point = point + 0.3 * random_point(random);

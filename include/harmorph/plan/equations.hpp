@@ -10,6 +10,7 @@ namespace harmorph {
 struct Equations {
     OrientedMesh cells;           // a copy of the orientations: the analysis may be gone
     Method method;                // the kernel is never automatic here
+    Span<PointKind> kinds;        // [n_points] a copy, like the orientations; of joined points that of the representative
     Span<Index> dof_of;          // [n] dof of each position
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only

@@ -1,8 +1,8 @@
-// A Newton step for the energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
+// A Newton step for an energy of a region's corners: gradient, convex Hessian in 2 x 2 blocks, conjugate gradients.
 #pragma once
 
 #include "harmorph/base/parallel_reduce.hpp"
-#include "harmorph/safe/untangling_energy.hpp"
+#include "harmorph/safe/corner_map.hpp"
 #include "harmorph/safe/region.hpp"
 
 namespace harmorph {
@@ -26,29 +26,75 @@ struct Block {
     }
 };
 
-// Every corner counts alike. The integral over the reference mesh would weigh with areas; then viscous layers, whose
-// areas are ten orders smaller, would be as nothing beside the cells outside them, and would pay for them.
+// The unknowns are movements of points; of points that slide, along their lines.
 struct NewtonSystem {
-    // Relative residual at which a direction is good enough: the softness changes in the next step anyway.
+    // Relative residual at which a direction is good enough: the energy changes in the next step anyway.
     static constexpr Real enough = 0.2;
 
-    Span<Block> hessian;     // rows as in region.neighbour: the diagonal block first
+    Span<Block> hessian;     // rows as in region.neighbour, the diagonal block first; 0 across lines of sliding points
     Span<Block> inverse;     // [n] of the diagonal blocks
     Span<Vec2> gradient;     // [n]
     Span<Vec2> step;         // [n]
     Span<Vec2> rest, search, image;  // [n] of the conjugate gradients
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
-    void assemble(Tangle const& tangle, Region const& region, Span<const Vec2> at, Real softness,
-                  Executor const& executor) const noexcept;
+    // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner: its cell, the numbers
+    // of its three points, and what CornerMap::differentiate gives.
+    template <class Visit>
+    void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
+                  Visit const& visit) const noexcept;
     // step ~ -hessian^-1 gradient: a direction of descent. Returns the number of products.
     Index solve(Region const& region, Index most_products, Executor const& executor) const noexcept;
     // gradient . step
     Real slope(Region const& region, Executor const& executor) const noexcept;
 
 private:
-    void assemble_row(Tangle const& tangle, Region const& region, Points at, Real softness, Index u) const noexcept;
+    static constexpr Index least_rows = 512;  // for a task of its own
+
+    template <class Visit>
+    void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
+    void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
+
+template <class Visit>
+void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
+                            Visit const& visit) const noexcept {
+    executor.for_ranges(region.n, least_rows, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) assemble_row(tangle, region, u, visit);
+    });
+}
+
+// Each row by itself, so that threads never meet: a corner is looked at once for each of its three points.
+template <class Visit>
+void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Index u,
+                                Visit const& visit) const noexcept {
+    Span<const Index> const neighbours = region.of(u);
+    Span<Block> const row = hessian.from(region.start[u], neighbours.size());
+    fill(row, Block{});
+    gradient[u] = {};
+    for (Index const i : region.cells_of(region.point[u])) {
+        CellTriangles const corners(tangle.cell(i));
+        for (Index k = 0; k < corners.n; ++k) {
+            const Index(&point)[3] = corners.point[k];
+            auto const unknown = [&](Index corner) { return region.unknown[point[corner]]; };
+            if (unknown(0) != u && unknown(1) != u && unknown(2) != u) continue;
+            visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) {
+                for (Index own = 0; own < 3; ++own) {
+                    if (unknown(own) != u) continue;
+                    gradient[u] = gradient[u] + by[own];
+                    for (Index other = 0; other < 3; ++other) {
+                        Index const v = unknown(other);
+                        if (v == none) continue;
+                        Size entry = 0;
+                        while (neighbours[entry] != v) ++entry;
+                        for (CornerMode const& its : mode) row[entry].add(its.curvature, its.at[own], its.at[other]);
+                    }
+                }
+            });
+        }
+    }
+    constrain_row(tangle, region, u);
+}
 
 inline Triangle triangle_of(const Index (&point)[3], Points at) noexcept {
     return {{at[point[0]], at[point[1]], at[point[2]]}};

@@ -12,17 +12,19 @@ namespace harmorph {
 struct Tangle {
     Mesh mesh;                          // `points` is not looked at
     Points reference;                   // of valid cells: the shapes and sizes wanted
-    Span<const std::uint8_t> reversed;  // [n_cells]
-    Span<const Index> representative;   // [n_points] points of a cut move as one
-    Span<const std::uint8_t> held;      // [n_points] 1: does not move, like all boundary points; of representatives
+    Span<std::uint8_t> reversed;        // [n_cells]
+    Span<const Index> representative;   // [n_points] points of a cut, or of a periodic pair, move as one
+    Span<const std::uint8_t> held;      // [n_points] 1: does not move; of representatives
+    Span<const Vec2> line = {};         // [n_points] unit vector along the line that a representative slides on;
+                                        // (0, 0): moves anywhere. Empty: all move anywhere
 
-    // Counter-clockwise, in terms of representatives.
+    // Counter-clockwise.
     Cell cell(Index i) const noexcept {
         Cell shape = mesh.cell(i);
-        for (Index k = 0; k < shape.n; ++k) shape.point[k] = representative[shape.point[k]];
         if (reversed[i] != 0) shape.reverse();
         return shape;
     }
+    bool slides(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
 };
 
 // Each corner of a cell with its neighbours; the corners of a triangle are one and the same.
@@ -45,13 +47,13 @@ struct Region {
 
     Index n = 0;                     // points that may move: the unknowns
     Index n_cells = 0;               // cells with an unknown point
-    Span<Index> unknown;             // [n_points] number of a point, or none
-    Span<Index> point;               // [n] of each unknown
+    Span<Index> unknown;             // [n_points] number of a point, or none; points that move as one have the same
+    Span<Index> point;               // [n] representative of each unknown
     Span<Index> cell;                // [n_cells]
     Span<Offset> start;              // [n + 1]
     Span<Index> neighbour;           // unknowns that share a cell with each, itself first
     Span<Offset> cell_start;         // [n_points + 1]
-    Span<Index> cell_of;             // all cells of each point
+    Span<Index> cell_of;             // all cells of each representative
     Span<std::uint8_t> reached;      // [n_points] working space
     Span<Index> queue;               // [n_points] working space
 

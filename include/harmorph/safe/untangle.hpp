@@ -1,9 +1,10 @@
-// Moves inner points until no cell is inverted; the boundary stays. Newton's method on the energy of distortion.hpp,
+// Moves inner points until no cell is inverted; the boundary stays. Newton's method on the energy of Distortion,
 // whose softness goes to 0 by the rule of Garanzha et al. (2021), with one step for each softness. Only the
 // surroundings of inverted cells move at first.
 #pragma once
 
 #include "harmorph/safe/newton_system.hpp"
+#include "harmorph/safe/untangling_energy.hpp"
 
 namespace harmorph {
 
@@ -28,6 +29,8 @@ struct UntangleReport {
     Real smallest = 0;          // area, in units of the reference's, of a corner that could move there
 };
 
+// Every corner counts alike. The integral over the reference mesh would weigh with areas; then viscous layers, whose
+// areas are ten orders smaller, would be as nothing beside the cells outside them, and would pay for them.
 struct Untangling {
     Tangle tangle;      // set by the caller
     Executor executor;  // set by the caller
@@ -46,6 +49,7 @@ private:
     bool is_stuck(Index cell) const noexcept;
     bool is_good(Index cell, Real margin) const noexcept;
     void repair_region(UntangleOptions const& options, Index most_iterations, UntangleReport& report) noexcept;
+    void assemble(Real softness) const noexcept;
     Real descend(Real softness, Real before) noexcept;
     Real energy(Span<const Vec2> at, Real softness) const noexcept;
     Real smallest_determinant() const noexcept;

@@ -1,0 +1,86 @@
+// The C interface: better cells in a valid mesh.
+#include "handles.hpp"
+#include "harmorph/morph/quality.hpp"
+#include "harmorph/safe/mesh_improvement.hpp"
+
+namespace harmorph {
+namespace {
+
+// reference: in, the mesh's own coordinates.
+Status view_improve_options(const hm_improve_options* given, ImproveOptions& options, Points& reference,
+                            Fault& fault) noexcept {
+    constexpr Index most_iterations = 10000;
+    hm_improve_options o = {};
+    if (given == nullptr) return Status::ok;
+    if (!read_struct(given, o)) return fault.refuse(Status::bad_argument, "improve options: struct_size is not set");
+    if (asks_for_more(given)) {
+        return fault.refuse(Status::unsupported,
+                            "improve options: fields are set that this version of the library does not know");
+    }
+    if (o.max_iterations < 0 || o.max_iterations > most_iterations || o.reserved != 0) {
+        return fault.refuse(Status::bad_argument,
+                            "improve options: max_iterations is #, not 0 .. @, or reserved is not 0", Counts::from_zero,
+                            o.max_iterations, most_iterations);
+    }
+    if (o.reference != nullptr) HARMORPH_TRY(view_points(o.reference, "reference", reference, fault));
+    if (o.max_iterations != 0) options.most_iterations = o.max_iterations;
+    return Status::ok;
+}
+
+hm_improve_report report_of(ImproveReport const& improved, Quality const& before, Quality const& after,
+                            Index base) noexcept {
+    hm_improve_report filled = {};
+    filled.iterations = improved.iterations;
+    filled.movable = improved.unknowns;
+    filled.min_quality_before = before.min_quality;
+    filled.mean_quality_before = before.mean_quality();
+    filled.min_quality_cell_before = numbered(before.min_quality_cell, base);
+    filled.min_quality = after.min_quality;
+    filled.mean_quality = after.mean_quality();
+    filled.min_quality_cell = numbered(after.min_quality_cell, base);
+    return filled;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        MeshImprovement improvement;
+        return count_bytes(bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); });
+    });
+}
+
+hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* to, void* work, size_t bytes,
+                     const hm_improve_options* options, hm_improve_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Plan* p = nullptr;
+        Points before, reference;
+        MutablePoints after;
+        ImproveOptions asked;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        reference = p->mesh.points;
+        HARMORPH_TRY(view_points(from, "from", before, fault));
+        HARMORPH_TRY(view_points(to, "to", after, fault));
+        HARMORPH_TRY(view_improve_options(options, asked, reference, fault));
+        MeshImprovement improvement;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); }));
+        auto const quality_of = [&](Points points) {
+            return measure_quality(p->equations.cells, points, reference, p->executor);
+        };
+        Quality const given = quality_of(before);
+        ImproveReport improved;
+        HARMORPH_TRY(improvement.run(*p, asked, reference, before, after, improved, fault));
+        if (report != nullptr) write_struct(report_of(improved, given, quality_of(after), p->mesh.index_base), report);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

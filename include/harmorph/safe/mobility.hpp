@@ -1,0 +1,23 @@
+// Which points of a mesh an optimisation may move, and how: by the conditions of its plan.
+#pragma once
+
+#include "harmorph/plan/plan.hpp"
+#include "harmorph/safe/region.hpp"
+
+namespace harmorph {
+
+// Points inside move anywhere, sliding points along their lines, points of a cut or a periodic pair as one. Points on
+// walls, on fixed and on free boundaries are held: where a free boundary goes, the operator alone says.
+struct Mobility {
+    Span<Index> representative;
+    Span<std::uint8_t> held;
+    Span<Vec2> line;  // empty where nothing slides; see Tangle
+
+    void lay_out(Arena& arena, Plan const& plan) noexcept;
+    void find(Plan const& plan) noexcept;
+    Tangle tangle(Plan const& plan, Points reference) const noexcept {
+        return {plan.mesh, reference, plan.equations.cells.reversed, representative, held, line};
+    }
+};
+
+}  // namespace harmorph

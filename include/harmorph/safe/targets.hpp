@@ -1,0 +1,53 @@
+// What the cells of a deformed mesh should be, and the quality that no cell should fall below.
+#pragma once
+
+#include "harmorph/base/arena.hpp"
+#include "harmorph/boundary/distance.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/topology.hpp"
+#include "harmorph/safe/corner_map.hpp"
+
+namespace harmorph {
+
+// The target of a cell is the cell of the reference mesh, with two exceptions:
+//   Thin cells along walls are stretched along the wall by 1 + thinness fade (stretch - 1). They must become longer where
+//   the wall does; so their targets keep the heights, instead of trading them for the shape.
+//       stretch    length of the nearest wall face, now divided by before;
+//       thinness   max(0, 1 - a), a the extent of the reference cell normal to that face divided by that along it;
+//       fade       max(0, 1 - d / reach), d the distance from the wall, reach a quarter of the extent of all walls.
+//   Of quadrilaterals that are not thin only the area and the angles matter, as in their quality, not the ratio of their
+//   sides.
+struct Targets {
+    struct Cell {
+        Vec2 along;       // unit tangent of the wall, before
+        Real more = 0;    // factor of the stretch along it, less 1
+        Real area = 0;    // of the reference cell
+        Real least = 0;   // size-skew quality that the cell should have
+        bool is_quad = false;
+        bool any_ratio = false;  // of sides
+    };
+    // No cell should have less than the smallest quality of the reference mesh, or than this part of its own there.
+    static constexpr Real part_of_own = 0.5;
+
+    Points reference;
+    Span<Cell> cell;  // [n_cells]
+
+    void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }
+    // walls: built at `before`; may be none. Cells of `before` are valid.
+    void find(OrientedMesh const& cells, FaceDistance const& walls, Points before, Points now,
+              Executor const& executor) noexcept;
+
+    // Of the corner of a cell with these three points, whose sides are now those of `now`.
+    Triangle of(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept;
+    // The corner of best quality with the area of the reference's: of an equilateral triangle, or of a rectangle. To be
+    // it, turned, is to have the size-skew quality 1.
+    Triangle ideal(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept;
+    // Size-skew quality, as measure_quality has it.
+    Real quality(Index its_cell, CellShape const& now) const noexcept;
+
+private:
+    void find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
+                      Index& group) const noexcept;
+};
+
+}  // namespace harmorph

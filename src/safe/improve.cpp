@@ -1,0 +1,174 @@
+#include "harmorph/safe/improve.hpp"
+
+#include "harmorph/morph/admissible_step.hpp"
+#include "harmorph/safe/quality_energy.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real share_of_admissible = 0.9;  // that a step may take
+constexpr Real least_slope = 1e-4;         // Armijo's rule: part of the slope that the energy must fall by
+constexpr Index most_halvings = 30;
+constexpr Real at_rest = 1e-12;            // a step that promises less, relative to the energy, is rounding
+// Newton's step lifts a cell of the worst by a small factor only where the power is large: then farther is better.
+constexpr Index most_doublings = 8;
+
+struct Valid {
+    bool all = true;
+    void merge(Valid const& later) noexcept { all = all && later.all; }
+};
+
+}  // namespace
+
+struct Improvement::Score {
+    Real smallest = 1;  // quality / least, at most 1
+    Real sum = 0;       // of qualities
+
+    void merge(Score const& later) noexcept {
+        smallest = smaller(smallest, later.smallest);
+        sum += later.sum;
+    }
+    bool is_better_than(Score const& other) const noexcept {
+        return smallest > other.smallest || (smallest == other.smallest && sum > other.sum);
+    }
+};
+
+void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
+    region.lay_out(arena, counts);
+    system.lay_out(arena, counts);
+    targets.lay_out(arena, counts.cells);
+    arena.take(now, counts.points);
+    arena.take(change, counts.points);
+    arena.take(best, counts.points);
+}
+
+void Improvement::run(ImproveOptions const& options, Points from, MutablePoints to, ImproveReport& report) noexcept {
+    report = {};
+    begin(from);
+    report.unknowns = region.n;
+    Score highest = score();
+    copy(best, Span<const Vec2>(now));
+    for (Index const power : powers) {
+        if (region.n == 0 || (power > 0 && score().smallest >= 1)) break;
+        Real before = energy(power);
+        for (Index k = 0; k < most_for_power && report.iterations < options.most_iterations; ++k) {
+            Real const after = step(options, power, before, report);
+            Score const found = score();
+            if (found.is_better_than(highest)) {
+                highest = found;
+                copy(best, Span<const Vec2>(now));
+            }
+            bool const gains = before - after > options.least_gain * before;
+            before = after;
+            if (!gains) break;
+        }
+    }
+    for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
+}
+
+void Improvement::begin(Points points) noexcept {
+    for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
+    fill(change, Vec2{});
+    region.link(tangle);
+    region.grow(tangle, Region::whole);
+}
+
+Real Improvement::step(ImproveOptions const& options, Index power, Real before, ImproveReport& report) noexcept {
+    assemble(power);
+    report.products += system.solve(region, options.most_products, executor);
+    ++report.iterations;
+    for_points([&](Index k, Vec2 step) { change[k] = step; });
+    return descend(power, before);
+}
+
+Improvement::Score Improvement::score() const noexcept {
+    return reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
+        Index const cell = region.cell[k];
+        Real const quality = targets.quality(cell, CellShape(tangle.cell(cell), as_points(now), false));
+        result.merge({smaller(quality / targets.cell[cell].least, 1.0), quality});
+    });
+}
+
+void Improvement::assemble(Index power) const noexcept {
+    constexpr Real floor = QualityEnergy::least_curvature;
+    system.assemble(tangle, region, executor, [&](Index cell, const Index(&point)[3], auto const& add) {
+        Vec2 gradient[3];
+        CornerMode mode[4];
+        Triangle const triangle = triangle_of(point, as_points(now));
+        Real const share = targets.cell[cell].is_quad ? 0.25 : 1, least = targets.cell[cell].least;
+        QualityEnergy const relative(targets.of(cell, point, triangle));
+        relative.differentiate(triangle, 1, share, floor, gradient, mode);
+        add(gradient, mode);
+        if (power == 0) return;
+        QualityEnergy const absolute(targets.ideal(cell, point, triangle));
+        absolute.differentiate(triangle, power, share * power_of(least * least, power), floor, gradient, mode);
+        add(gradient, mode);
+    });
+}
+
+// Of the points at now + length change.
+Real Improvement::energy_at(Real length, Index power) const noexcept {
+    return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
+        Index const cell = region.cell[k];
+        CellTriangles const corners(tangle.cell(cell));
+        Real const share = targets.cell[cell].is_quad ? 0.25 : 1, least = targets.cell[cell].least;
+        for (Index corner = 0; corner < corners.n; ++corner) {
+            const Index(&point)[3] = corners.point[corner];
+            if (!region.can_move(point)) continue;
+            Triangle triangle = triangle_of(point, as_points(now));
+            for (Index end = 0; end < 3; ++end) triangle.at[end] = triangle.at[end] + length * change[point[end]];
+            sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle, 1);
+            if (power == 0) continue;
+            Real const absolute = QualityEnergy(targets.ideal(cell, point, triangle)).energy(triangle, power);
+            sum.value += share * power_of(least * least, power) * absolute;
+        }
+    }).value;
+}
+
+// Of the coordinates as they will be stored.
+bool Improvement::is_valid_at(Real length) const noexcept {
+    return reduce_cells<Valid>(region.n_cells, executor, [&](Index k, Valid& valid) {
+        Cell const cell = tangle.cell(region.cell[k]);
+        CellShape shape(cell, as_points(now), false);
+        for (Index corner = 0; corner < cell.n; ++corner) {
+            shape.at[corner] = shape.at[corner] + length * change[cell.point[corner]];
+        }
+        if (shape.n == 3) shape.at[3] = shape.at[0];
+        valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
+    }).all;
+}
+
+Real Improvement::descend(Index power, Real before) noexcept {
+    Real const slope = system.slope(region, executor);
+    if (!(-slope > at_rest * before)) return before;
+    OrientedMesh const cells{tangle.mesh, tangle.reversed};
+    Real const most = share_of_admissible * admissible_step(cells, as_points(now), as_points(change), executor).step;
+    Real length = smaller(1.0, most), after = infinity;
+    auto const falls_enough = [&] {
+        after = energy_at(length, power);
+        return after < before && after <= before + least_slope * length * slope && is_valid_at(length);
+    };
+    for (Index halvings = 0; !falls_enough(); length *= 0.5) {
+        if (++halvings > most_halvings) return before;
+    }
+    for (Index doublings = 0; doublings < most_doublings && 2 * length <= most; ++doublings) {
+        Real const farther = energy_at(2 * length, power);
+        if (!(farther < after) || !is_valid_at(2 * length)) break;
+        after = farther;
+        length *= 2;
+    }
+    for_points([&](Index k, Vec2) { now[k] = now[k] + length * change[k]; });
+    return after;
+}
+
+// visit(point, step of its unknown)
+template <class Visit>
+void Improvement::for_points(Visit const& visit) const noexcept {
+    executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            if (region.unknown[k] != none) visit(k, system.step[region.unknown[k]]);
+        }
+    });
+}
+
+}  // namespace harmorph

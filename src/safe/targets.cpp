@@ -1,0 +1,97 @@
+#include "harmorph/safe/targets.hpp"
+
+#include "harmorph/morph/quality.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Real most_of_extent = 0.25;
+constexpr Real thin = 0.5;           // height / length of cells whose ratio of sides matters
+constexpr Index least_cells = 4096;  // for a thread
+
+Real extent_along(CellShape const& shape, Vec2 direction) noexcept {
+    Real low = 0, high = 0;
+    for (Index k = 1; k < shape.n; ++k) {
+        Real const its = dot(direction, shape.at[k] - shape.at[0]);
+        low = smaller(low, its);
+        high = larger(high, its);
+    }
+    return high - low;
+}
+
+// Sides in the ratio of `now`: the area stays, and |J|^2 of the map from here to `now` is the smallest for all ratios.
+// So the derivatives of |J|^2 do not see that the target depends on `now`.
+Triangle with_ratio_of(Triangle const& now, Vec2 side, Vec2 next) noexcept {
+    Real const ratio = square(now.at[1] - now.at[0]) / square(side) * (square(next) / square(now.at[2] - now.at[1]));
+    Real const root = square_root(square_root(ratio));
+    return {{-root * side, {0, 0}, 1 / root * next}};
+}
+
+}  // namespace
+
+void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points before, Points now,
+                   Executor const& executor) noexcept {
+    reference = before;
+    Real const smallest = measure_quality(cells, before, {}, executor).min_quality;
+    executor.for_ranges(cells.mesh.n_cells, least_cells, [&](Index begin, Index end) {
+        Index group = 0;
+        for (Index i = begin; i < end; ++i) {
+            CellShape const shape(cells.cell(i), before, false);
+            CellCorners const corners(shape);
+            Cell& target = cell[i];
+            target = {};
+            target.is_quad = target.any_ratio = shape.n == 4;
+            target.area = corners.cell_area(shape.n);
+            target.least = larger(smallest, part_of_own * skew_quality(shape.n, corners));
+            if (walls.count > 0) find_stretch(target, shape, walls, now, group);
+        }
+    });
+}
+
+void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance const& walls, Points now,
+                           Index& group) const noexcept {
+    Vec2 middle;
+    for (Index k = 0; k < shape.n; ++k) middle = middle + 1 / static_cast<Real>(shape.n) * shape.at[k];
+    FaceDistance::Foot const foot = walls.foot(middle, group);
+    if (foot.face == none) return;
+    const Index(&end)[2] = walls.faces[foot.face].point;
+    Vec2 const face = reference[end[1]] - reference[end[0]];
+    Real const reach = most_of_extent * walls.extent, size = length(face);
+    Real const distance = length(middle - walls.at(foot, reference));
+    if (!(size > 0) || !(distance < reach)) return;
+    Vec2 const along = 1 / size * face;
+    Real const ratio = extent_along(shape, {-along.y, along.x}) / extent_along(shape, along);
+    if (!(ratio < 1)) return;
+    if (ratio < thin) target.any_ratio = false;
+    target.along = along;
+    target.more = (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
+}
+
+Triangle Targets::of(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept {
+    Triangle triangle = {{reference[points[0]], reference[points[1]], reference[points[2]]}};
+    Cell const& its = cell[its_cell];
+    if (its.any_ratio) return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
+    if (its.more == 0) return triangle;
+    for (Vec2& at : triangle.at) at = at + its.more * dot(its.along, at) * its.along;
+    return triangle;
+}
+
+Triangle Targets::ideal(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept {
+    constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
+    Triangle const before = {{reference[points[0]], reference[points[1]], reference[points[2]]}};
+    Real const twice_area = before.twice_area();
+    if (cell[its_cell].is_quad) {
+        Real const side = square_root(twice_area);
+        return with_ratio_of(now, {side, 0}, {0, side});
+    }
+    Real const side = square_root(twice_area / height);
+    return {{{0, 0}, {side, 0}, {0.5 * side, height * side}}};
+}
+
+Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {
+    CellCorners const corners(now);
+    Real const skew = skew_quality(now.n, corners), area = corners.cell_area(now.n), before = cell[its_cell].area;
+    return skew > 0 ? skew * square_root(smaller(area, before) / larger(area, before)) : 0;
+}
+
+}  // namespace harmorph

@@ -1,0 +1,209 @@
+// Improving the mesh of a plan: conditions hold, first layers stay, bad input is refused and nothing has moved.
+#include <doctest/doctest.h>
+
+#include <fixtures/cascade.hpp>
+#include <fixtures/check.hpp>
+#include <fixtures/executors.hpp>
+
+#include <complex>
+
+using namespace fixtures;
+
+namespace {
+
+// A solved case, a linear morph of it, and the improved mesh.
+struct Morphed {
+    Case its;
+    Solved solved;
+    std::vector<double> x, y, better_x, better_y;
+    hm_improve_report report{};
+    hm_error error{};
+    std::size_t bytes = 0;
+
+    Morphed(Case const& of, std::vector<double> const& move, hm_options const& options = options_of(HM_CONFORMAL))
+        : its(of), solved(its.problem(), &options), x(its.mesh.x.size()), y(x), better_x(x), better_y(x) {
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
+                HM_OK);
+        REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+        report.struct_size = sizeof report;
+    }
+    hm_status improve(hm_improve_options const* options = nullptr) {
+        Guarded work(bytes);
+        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(), bytes,
+                                            options, &report, &error);
+        CHECK(work.guards_intact());
+        CHECK(solved.guards_intact());
+        return status;
+    }
+    hm_quality_report quality(std::vector<double> const& at_x, std::vector<double> const& at_y) {
+        hm_quality_report out{};
+        out.struct_size = sizeof out;
+        hm_mesh const& mesh = its.mesh_view();
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(at_x, at_y), points_in(its.mesh.x, its.mesh.y), nullptr, &out,
+                           nullptr) == HM_OK);
+        return out;
+    }
+    bool stays(std::int32_t point) const {
+        auto const k = static_cast<std::size_t>(point);
+        return x[k] == better_x[k] && y[k] == better_y[k];
+    }
+};
+
+Case sliding_block() {
+    Case out;
+    out.mesh = square(20, Cells::hybrid, 4, 2);
+    out.curves = polyline({{0.4, 0.45}, {0.6, 0.45}, {0.6, 0.55}, {0.4, 0.55}});
+    out.put_on_curves(body);
+    for (std::int32_t const side : {bottom, right, top, left}) out.set_slip(side);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("hm_improve: better cells, the report is that of hm_quality, and walls and the first layer keep their bits") {
+    Case its = airfoil_case();
+    Complex const turn = std::polar(1.0, 0.6);
+    Morphed out(its, similarity_move(its.curves, turn, 0.25));
+    REQUIRE(out.improve() == HM_OK);
+    hm_quality_report const before = out.quality(out.x, out.y), after = out.quality(out.better_x, out.better_y);
+    CHECK(out.report.min_quality_before == before.min_quality);
+    CHECK(out.report.mean_quality_before == before.mean_quality);
+    CHECK(out.report.min_quality_cell_before == before.min_quality_cell);
+    CHECK(out.report.min_quality == after.min_quality);
+    CHECK(out.report.mean_quality == after.mean_quality);
+    CHECK(out.report.min_quality_cell == after.min_quality_cell);
+    CHECK(after.inverted == 0);
+    CHECK(after.self_crossing == 0);
+    CHECK(after.mean_quality > before.mean_quality);
+    CHECK(out.report.iterations > 0);
+    std::vector<std::int32_t> const on_wall = points_on(its.mesh, body);
+    std::int32_t held = its.mesh.n_points() - out.report.movable;
+    CHECK(held >= static_cast<std::int32_t>(2 * on_wall.size() - 4 + points_on(its.mesh, far_field).size()));
+    for (std::int32_t const marker : {static_cast<std::int32_t>(body), static_cast<std::int32_t>(far_field)})
+        for (std::int32_t const point : points_on(its.mesh, marker)) CHECK(out.stays(point));
+}
+
+TEST_CASE("hm_improve: a mesh where it was does not move, with each kind of condition") {
+    for (Case its : {airfoil_case(), cascade(Cells::hybrid), sliding_block()}) {
+        Morphed out(its, std::vector<double>(its.curves.control.size(), 0.0));
+        REQUIRE(out.improve() == HM_OK);
+        CHECK(out.better_x == its.mesh.x);
+        CHECK(out.better_y == its.mesh.y);
+    }
+}
+
+TEST_CASE("hm_improve: sliding points stay on their lines, corners stay") {
+    Case its = sliding_block();
+    Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.7), {0.5, 0.5}, {0.1, 0.12}));
+    REQUIRE(out.improve() == HM_OK);
+    CHECK(out.report.min_quality > out.report.min_quality_before);
+    int slid = 0;
+    for (std::int32_t const side : {bottom, right, top, left}) {
+        for (std::int32_t const point : points_on(its.mesh, side)) {
+            auto const k = static_cast<std::size_t>(point);
+            bool const level = side == bottom || side == top;
+            CHECK((level ? out.better_y : out.better_x)[k] == (level ? its.mesh.y : its.mesh.x)[k]);
+            slid += out.stays(point) ? 0 : 1;
+        }
+    }
+    CHECK(slid > 40);
+}
+
+TEST_CASE("hm_improve: periodic pairs move together, and the cut between them is not felt") {
+    for (Cells const kind : {Cells::quads, Cells::hybrid}) {
+        Case its = cascade(kind, 0.2);
+        std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}, {0.08, 0.02});
+        Morphed out(its, move);
+        REQUIRE(out.improve() == HM_OK);
+        CHECK(out.report.min_quality > out.report.min_quality_before);
+        int moved = 0;
+        for (std::int32_t const point : points_on(its.mesh, left))
+            for (std::int32_t const image : points_on(its.mesh, right)) {
+                auto const a = static_cast<std::size_t>(point), b = static_cast<std::size_t>(image);
+                if (std::fabs(its.mesh.y[a] - its.mesh.y[b]) > 1e-9) continue;
+                CHECK(out.better_x[b] - out.better_x[a] == doctest::Approx(1).epsilon(1e-14));
+                CHECK(out.better_y[b] == doctest::Approx(out.better_y[a]).epsilon(1e-14));
+                moved += out.stays(point) ? 0 : 1;
+            }
+        CHECK(moved > 4);
+        std::vector<std::int32_t> number;
+        Case const elsewhere = cut_elsewhere(kind, 2, number);
+        Case plain = cascade(kind);  // cut_elsewhere has its own amplitude
+        Morphed first(plain, move), second(elsewhere, move);
+        REQUIRE(first.improve() == HM_OK);
+        REQUIRE(second.improve() == HM_OK);
+        for (std::size_t k = 0; k < number.size(); ++k) {
+            auto const there = static_cast<std::size_t>(number[k]);
+            double const shift = elsewhere.mesh.x[there] - plain.mesh.x[k];
+            CHECK(second.better_x[there] - shift == doctest::Approx(first.better_x[k]).epsilon(1e-6));
+            CHECK(second.better_y[there] == doctest::Approx(first.better_y[k]).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("hm_improve: a periodic mesh one cell wide") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Case its = one_cell_apart(kind);
+        Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.3), {0.5, 0.5}, {0, 0.1}));
+        REQUIRE(out.improve() == HM_OK);
+        for (int row = 0; row < 4; ++row) {
+            auto const k = static_cast<std::size_t>(2 * row);
+            CHECK(out.better_x[k + 1] - out.better_x[k] == doctest::Approx(1).epsilon(1e-14));
+        }
+        CHECK(out.report.min_quality >= out.report.min_quality_before);
+    }
+}
+
+TEST_CASE("hm_improve: in place, and with threads, the same bits") {
+    Case its = sliding_block();
+    std::vector<double> const move = similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5});
+    Morphed out(its, move);
+    REQUIRE(out.improve() == HM_OK);
+    Backwards order;
+    hm_executor const executor = order.executor(3);
+    hm_options options = options_of(HM_CONFORMAL);
+    options.executor = &executor;
+    Morphed other(its, move, options);
+    Guarded work(other.bytes);
+    REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y), work.data(), other.bytes,
+                       nullptr, nullptr, nullptr) == HM_OK);
+    CHECK(other.x == out.better_x);
+    CHECK(other.y == out.better_y);
+}
+
+TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing has moved") {
+    Case its = sliding_block();
+    Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}));
+    std::vector<double> const untouched = out.better_x;
+    auto const refuses = [&](hm_status status, const char* text) {
+        INFO(out.error.text);
+        CHECK(out.improve() == status);
+        CHECK(std::string(out.error.text).find(text) != std::string::npos);
+        CHECK(out.better_x == untouched);
+    };
+    double const x = out.x[25];
+    out.x[25] = NAN;
+    refuses(HM_BAD_MESH, "point 25");
+    out.x[25] = x + 0.2;
+    refuses(HM_BAD_MESH, "is inverted");
+    out.x[25] = x;
+    CHECK(hm_improve(out.solved.plan, nullptr, points_out(out.better_x, out.better_y), nullptr, 0, nullptr, nullptr,
+                     &out.error) == HM_BAD_ARGUMENT);
+    CHECK(hm_improve_size(nullptr, &out.bytes, &out.error) == HM_BAD_ARGUMENT);
+    hm_improve_options options{};
+    options.struct_size = sizeof options;
+    for (std::int32_t const wrong : {-1, 10001}) {
+        options.max_iterations = wrong;
+        CHECK(out.improve(&options) == HM_BAD_ARGUMENT);
+    }
+    options.max_iterations = 1;
+    CHECK(out.improve(&options) == HM_OK);
+    CHECK(out.report.iterations == 1);
+    for (std::size_t const missing : {std::size_t{1}, std::size_t{64}, out.bytes}) {
+        Guarded work(out.bytes - missing);
+        CHECK(hm_improve(out.solved.plan, points_in(out.x, out.y), points_out(out.better_x, out.better_y), work.data(),
+                         out.bytes - missing, nullptr, nullptr, &out.error) == HM_BLOCK_TOO_SMALL);
+        CHECK(out.error.value == static_cast<double>(missing));
+        CHECK(work.untouched());
+    }
+}

@@ -1,0 +1,297 @@
+// Improving valid meshes: better cells, walls as they were, and never an inverted one.
+#include <doctest/doctest.h>
+
+#include <fixtures/annulus.hpp>
+#include <fixtures/c_mesh.hpp>
+#include <fixtures/airfoil.hpp>
+#include <fixtures/core.hpp>
+#include <fixtures/executors.hpp>
+#include <fixtures/guarded.hpp>
+#include <fixtures/mangle.hpp>
+#include <fixtures/square.hpp>
+
+#include <harmorph/morph/quality.hpp>
+#include <harmorph/safe/improve.hpp>
+
+using namespace fixtures;
+using harmorph::Improvement;
+using harmorph::ImproveOptions;
+using harmorph::ImproveReport;
+using harmorph::Index;
+using harmorph::Quality;
+using harmorph::Vec2;
+
+namespace {
+
+// A reference mesh and where its points are; boundary points are held, and others by request.
+struct Task {
+    Mesh reference, now;
+    std::vector<std::uint8_t> held;
+    std::vector<Vec2> line;
+
+    explicit Task(Mesh const& mesh) : reference(mesh), now(mesh), held(mesh.x.size(), 0) {
+        for (std::int32_t const point : mesh.faces) held[static_cast<std::size_t>(point)] = 1;
+    }
+    // Inner points are thrown about by up to `part` of what keeps every corner positive, with the given seed.
+    void scatter(double part, unsigned seed) { perturb(now, part, seed); }
+};
+
+// Lays out, links and runs; every check that holds for any improvement is made here.
+struct Improved {
+    Mesh mesh;
+    ImproveReport report;
+    Analysed analysed;
+    harmorph::Mesh view;
+    Quality before, after;
+    std::unique_ptr<Guarded> block;
+    Improvement improvement;
+    harmorph::FaceDistance walls;
+
+    explicit Improved(Task const& its, harmorph::Executor const& executor = {}, bool runs = true,
+                      ImproveOptions const& options = {})
+        : mesh(its.now), analysed(its.reference), view(core_mesh(its.reference)) {
+        auto const counts = harmorph::RegionCounts::of(analysed->topology);
+        auto const lay_out = [&](harmorph::Arena& arena) {
+            walls.lay_out(arena, its.reference.face_markers.size());
+            improvement.lay_out(arena, counts);
+        };
+        harmorph::Arena query;
+        lay_out(query);
+        block = std::make_unique<Guarded>(query.bytes());
+        harmorph::Arena arena(block->data(), query.bytes());
+        lay_out(arena);
+        REQUIRE(!arena.overflown());
+        walls.choose(analysed->boundary, [&](Index face) { return analysed->boundary.marker[face] == body; });
+        walls.build(view.points);
+        improvement.tangle = {view, view.points, analysed->topology.reversed, analysed->topology.representative,
+                              span(its.held), span(its.line)};
+        improvement.executor = executor;
+        improvement.targets.find(analysed->topology, walls, view.points, at(), executor);
+        before = quality();
+        if (!runs) return;
+        improvement.run(options, at(), {mesh.x.data(), mesh.y.data(), 1}, report);
+        after = quality();
+        CHECK(block->guards_intact());
+        CHECK(after.inverted == 0);
+        for (std::size_t k = 0; k < its.held.size(); ++k) {
+            if (its.held[k] == 0) continue;
+            CHECK(mesh.x[k] == its.now.x[k]);
+            CHECK(mesh.y[k] == its.now.y[k]);
+        }
+    }
+    harmorph::Points at() const { return {mesh.x.data(), mesh.y.data(), 1}; }
+    Quality quality() const { return harmorph::measure_quality(analysed->topology, at(), view.points, {}); }
+    bool same_bits(Mesh const& other) const { return mesh.x == other.x && mesh.y == other.y; }
+};
+
+// The inner circle turns and what is between shears: valid, but poor.
+Task sheared_annulus(Cells kind, double angle) {
+    Task its(annulus(12, 36, 0.5, 2, kind, true));
+    for (std::size_t k = 0; k < its.held.size(); ++k) {
+        double const radius = std::hypot(its.now.x[k], its.now.y[k]), turn = angle * (2 - radius) / 1.5;
+        double const c = std::cos(turn), s = std::sin(turn), x = its.reference.x[k], y = its.reference.y[k];
+        its.now.x[k] = c * x - s * y;
+        its.now.y[k] = s * x + c * y;
+    }
+    return its;
+}
+
+double farthest(Mesh const& a, Mesh const& b) {
+    double worst = 0;
+    for (std::size_t k = 0; k < a.x.size(); ++k) worst = std::fmax(worst, std::hypot(a.x[k] - b.x[k], a.y[k] - b.y[k]));
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("a mesh that is its own target does not move, not a bit, however bad it is") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Mesh mesh = square(12, kind);
+        perturb(mesh, 0.6, 3);
+        Improved const out{Task(mesh)};
+        CHECK(out.same_bits(mesh));
+        CHECK(out.report.iterations == 1);
+    }
+}
+
+TEST_CASE("points that were thrown about find back to the mesh that was their target") {
+    for (Cells const kind : {Cells::triangles, Cells::hybrid}) {
+        Task its(square(12, kind));
+        its.scatter(0.5, 4);
+        ImproveOptions options;
+        options.least_gain = 1e-12;
+        options.most_products = 500;
+        Improved const out(its, {}, true, options);
+        INFO(out.before.min_quality << " " << out.after.min_quality << " " << out.report.iterations);
+        CHECK(farthest(its.now, its.reference) > 0.02);
+        CHECK(farthest(out.mesh, its.reference) < 1e-5);
+    }
+}
+
+TEST_CASE("sheared rings: the smallest quality rises") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Improved const out(sheared_annulus(kind, 1.2));
+        INFO(out.before.min_quality << " " << out.before.mean_quality() << " " << out.after.min_quality << " "
+                                    << out.after.mean_quality());
+        CHECK(out.after.min_quality > 1.3 * out.before.min_quality);
+    }
+}
+
+TEST_CASE("every step lowers the energy of its power and leaves no cell inverted") {
+    Task its = sheared_annulus(Cells::hybrid, 1.5);
+    Improved out(its, {}, false);
+    out.improvement.begin(out.at());
+    int steps = 0;
+    for (Index const power : Improvement::powers) {
+        double before = out.improvement.energy(power);
+        for (int k = 0; k < 6; ++k) {
+            double const after = out.improvement.step({}, power, before, out.report);
+            CHECK(after <= before);
+            CHECK(after == out.improvement.energy(power));
+            steps += after < before;
+            before = after;
+            harmorph::Points const now = harmorph::as_points(out.improvement.now);
+            CHECK(harmorph::measure_quality(out.analysed->topology, now, {}, {}).inverted == 0);
+        }
+    }
+    CHECK(steps > 12);
+}
+
+TEST_CASE("the gradient is that of the energy, where targets depend on the mesh too") {
+    Task its(annulus(10, 30, 1, 1.8, Cells::hybrid));
+    its.scatter(0.2, 6);
+    for (std::size_t k = 0; k < 30; ++k) its.now.x[k] *= 0.98;
+    Improved out(its, {}, false);
+    for (Index const power : Improvement::powers) {
+        out.improvement.begin(out.at());
+        double const energy = out.improvement.energy(power);
+        out.improvement.step({}, power, energy, out.report);
+        std::vector<Vec2> const gradient(out.improvement.system.gradient.begin(), out.improvement.system.gradient.end());
+        double largest = 0;
+        for (Vec2 const by : gradient) largest = std::fmax(largest, length(by));
+        for (Index u = 0; u < out.improvement.region.n; u += 17) {
+            auto const point = static_cast<std::size_t>(out.improvement.region.point[u]);
+            auto const slope = [&](double& number) {
+                double const old = number, h = 1e-7;
+                number = old + h;
+                out.improvement.begin(out.at());
+                double const ahead = out.improvement.energy(power);
+                number = old - h;
+                out.improvement.begin(out.at());
+                double const behind = out.improvement.energy(power);
+                number = old;
+                return (ahead - behind) / (2 * h);
+            };
+            Vec2 const by = gradient[static_cast<std::size_t>(u)];
+            CHECK(std::fabs(by.x - slope(out.mesh.x[point])) < 1e-5 * largest);
+            CHECK(std::fabs(by.y - slope(out.mesh.y[point])) < 1e-5 * largest);
+        }
+    }
+}
+
+TEST_CASE("turned, moved and scaled meshes are improved in the same way, and a power of two changes no bit") {
+    Task const its = sheared_annulus(Cells::hybrid, 1.2);
+    Improved const expected(its);
+    struct Similarity {
+        double scale, angle, x, y;
+    };
+    for (Similarity const by : {Similarity{1, 1.1, 0, 0}, Similarity{1, 0, 3, -2}, Similarity{1e4, 0, 0, 0},
+                                Similarity{1e-7, 2, 1e-7, 0}, Similarity{0x1p20, 0, 0, 0}}) {
+        auto const image = [&](Mesh const& mesh) {
+            Mesh out = mesh;
+            double const c = by.scale * std::cos(by.angle), s = by.scale * std::sin(by.angle);
+            for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+                out.x[k] = c * mesh.x[k] - s * mesh.y[k] + by.x;
+                out.y[k] = s * mesh.x[k] + c * mesh.y[k] + by.y;
+            }
+            return out;
+        };
+        Task moved = its;
+        moved.reference = image(its.reference);
+        moved.now = image(its.now);
+        Improved const found(moved);
+        CHECK(found.report.iterations == expected.report.iterations);
+        CHECK(farthest(found.mesh, image(expected.mesh)) < 1e-8 * by.scale);
+        if (by.scale == 0x1p20) CHECK(found.same_bits(image(expected.mesh)));
+    }
+}
+
+TEST_CASE("other numberings, cells that start elsewhere and mixed orientation give the same mesh but for rounding") {
+    Task const plain = sheared_annulus(Cells::hybrid, 1.2);
+    Improved const expected(plain);
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        Mesh reference = plain.reference, now = plain.now, wanted = expected.mesh;
+        for (Mesh* const mesh : {&reference, &now, &wanted}) {
+            renumber_points(*mesh, seed);
+            shuffle_cells(*mesh, seed);
+            rotate_starts(*mesh, seed);
+            reverse_some(*mesh, seed);
+        }
+        Task its(reference);
+        its.now = now;
+        Improved const out(its);
+        CHECK(farthest(out.mesh, wanted) < 1e-6);
+    }
+}
+
+TEST_CASE("improving: the number of threads changes no bit") {
+    Task const its = sheared_annulus(Cells::hybrid, 1.2);
+    Improved const expected(its);
+    for (std::int32_t const threads : {2, 3, 8}) {
+        Backwards order;
+        CHECK(Improved(its, {Backwards::run, &order, threads}).same_bits(expected.mesh));
+        CHECK(order.tasks > 100);
+    }
+}
+
+TEST_CASE("improving: the points of a cut move as one") {
+    CMesh const c = c_mesh(naca4({}, 24), 12, 3, stretched(1e-2, 4, 16));
+    Task its(c.mesh);
+    std::size_t const ni = static_cast<std::size_t>(c.ni);
+    for (std::size_t k = 4; k < 8; ++k) {  // both copies of four points in the wake
+        for (std::size_t const point : {k, ni - 1 - k}) its.now.y[point] += 0.004;
+    }
+    Improved const out(its);
+    bool moved = false;
+    for (std::size_t k = 0; k < 12; ++k) {
+        CHECK(out.mesh.x[k] == out.mesh.x[ni - 1 - k]);
+        CHECK(out.mesh.y[k] == out.mesh.y[ni - 1 - k]);
+        moved = moved || out.mesh.y[k] != its.now.y[k];
+    }
+    CHECK(moved);
+}
+
+TEST_CASE("points that slide along an inclined line stay on it, and slide to better places than points that are held") {
+    double const c = std::cos(0.4), s = std::sin(0.4);
+    Task its(square(10, Cells::hybrid));
+    its.line.assign(its.held.size(), Vec2{});
+    std::vector<std::size_t> sliding;
+    for (std::size_t k = 0; k < its.held.size(); ++k) {
+        double const x = its.reference.x[k], y = its.reference.y[k];
+        its.now.x[k] = x + (y < 1 ? 0 : 0.25 * x * (1 - x));  // the top is squeezed to the right, and slides
+        if (y == 1 && x > 0 && x < 1) {
+            its.held[k] = 0;
+            its.line[k] = {c, s};
+            sliding.push_back(k);
+        }
+    }
+    for (Mesh* const mesh : {&its.reference, &its.now}) {
+        for (std::size_t k = 0; k < its.held.size(); ++k) {
+            double const x = mesh->x[k], y = mesh->y[k];
+            mesh->x[k] = c * x - s * y;
+            mesh->y[k] = s * x + c * y;
+        }
+    }
+    Task held = its;
+    for (std::size_t const k : sliding) held.held[k] = 1;
+    held.line.clear();
+    Improved const out(its), stiff(held);
+    double moved = 0;
+    for (std::size_t const k : sliding) {
+        double const height = -s * out.mesh.x[k] + c * out.mesh.y[k];
+        CHECK(height == doctest::Approx(1).epsilon(1e-14));
+        moved = std::fmax(moved, std::hypot(out.mesh.x[k] - its.now.x[k], out.mesh.y[k] - its.now.y[k]));
+    }
+    CHECK(moved > 0.04);
+    CHECK(out.after.min_quality > stiff.after.min_quality);
+}

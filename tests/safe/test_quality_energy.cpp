@@ -1,0 +1,133 @@
+// The energy of a corner relative to its target: derivatives against differences, where it is smallest, and the quality
+// it is a power of.
+#include <doctest/doctest.h>
+
+#include <harmorph/morph/quality.hpp>
+#include <harmorph/safe/quality_energy.hpp>
+
+#include <cmath>
+#include <random>
+
+using harmorph::Index;
+using harmorph::QualityEnergy;
+using harmorph::Triangle;
+using harmorph::Vec2;
+
+namespace {
+
+double random_number(std::mt19937& random) { return static_cast<double>(random()) / 2147483648.0 - 1; }
+
+Triangle random_triangle(std::mt19937& random) {
+    Triangle out;
+    do {
+        for (Vec2& point : out.at) point = {random_number(random), random_number(random)};
+    } while (out.twice_area() < 0.2);
+    return out;
+}
+
+double& coordinate(Triangle& triangle, int k) { return k % 2 == 0 ? triangle.at[k / 2].x : triangle.at[k / 2].y; }
+double component(const Vec2* of, int k) { return k % 2 == 0 ? of[k / 2].x : of[k / 2].y; }
+
+struct Derivatives {
+    Vec2 gradient[3];
+    harmorph::CornerMode mode[4];
+
+    Derivatives(Triangle const& target, Triangle const& now, Index power, double weight, double least) {
+        QualityEnergy(target).differentiate(now, power, weight, least, gradient, mode);
+    }
+    double hessian(int i, int j) const {
+        double sum = 0;
+        for (harmorph::CornerMode const& its : mode) sum += its.curvature * component(its.at, i) * component(its.at, j);
+        return sum;
+    }
+};
+
+constexpr double exact = -1e300;  // no curvature is raised
+
+}  // namespace
+
+TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian that of the gradient") {
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 200; ++trial) {
+        Triangle const target = random_triangle(random), now = random_triangle(random);
+        Index const power = 1 + trial % 4;
+        double const weight = 0.3 + 0.2 * (trial % 5), h = 1e-6;
+        QualityEnergy const energy(target);
+        Derivatives const here(target, now, power, weight, exact);
+        double slopes = 0, bends = 0;
+        for (int i = 0; i < 6; ++i) {
+            slopes = std::fmax(slopes, std::fabs(component(here.gradient, i)));
+            for (int j = 0; j < 6; ++j) bends = std::fmax(bends, std::fabs(here.hessian(i, j)));
+        }
+        for (int i = 0; i < 6; ++i) {
+            Triangle ahead = now, behind = now;
+            coordinate(ahead, i) += h;
+            coordinate(behind, i) -= h;
+            double const rise = weight * (energy.energy(ahead, power) - energy.energy(behind, power));
+            CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) < 1e-6 * (slopes + bends));
+            Derivatives const after(target, ahead, power, weight, exact), before(target, behind, power, weight, exact);
+            for (int j = 0; j < 6; ++j) {
+                double const bend = (component(after.gradient, j) - component(before.gradient, j)) / (2 * h);
+                CHECK(std::fabs(here.hessian(i, j) - bend) < 1e-5 * bends);
+            }
+        }
+    }
+}
+
+TEST_CASE("quality energy: curvatures are raised to a part of 4 power energy, never lowered") {
+    std::mt19937 random(2);
+    int raised = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        Triangle const target = random_triangle(random), now = random_triangle(random);
+        Index const power = 1 + trial % 3;
+        Derivatives const free(target, now, power, 1, exact), convex(target, now, power, 1, 0.25);
+        double const floor = 0.25 * 4 * power * QualityEnergy(target).energy(now, power);
+        for (int k = 0; k < 4; ++k) {
+            raised += free.mode[k].curvature < floor;
+            CHECK(convex.mode[k].curvature == doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-13));
+        }
+    }
+    CHECK(raised > 20);
+}
+
+TEST_CASE("quality energy: 1 at the target turned and moved at will, more elsewhere, infinite when inverted") {
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 50; ++trial) {
+        Triangle const target = random_triangle(random);
+        QualityEnergy const energy(target);
+        double const c = std::cos(1.0 * trial), s = std::sin(1.0 * trial);
+        Triangle now;
+        for (int k = 0; k < 3; ++k) {
+            Vec2 const p = target.at[k];
+            now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
+        }
+        for (Index const power : {1, 2, 4, 8}) {
+            CHECK(energy.energy(now, power) == doctest::Approx(1).epsilon(1e-12));
+            Derivatives const here(target, now, power, 1, exact);
+            for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-10);
+        }
+        for (int k = 0; k < 20; ++k) {
+            Triangle const other = random_triangle(random);
+            double const value = energy.energy(other, 1);
+            CHECK(value >= 1 - 1e-12);
+            CHECK(energy.energy(other, 4) == doctest::Approx(value * value * value * value).epsilon(1e-12));
+        }
+        std::swap(now.at[0], now.at[2]);
+        CHECK(energy.energy(now, 1) == HUGE_VAL);
+        now.at[0] = now.at[1];
+        CHECK(energy.energy(now, 1) == HUGE_VAL);
+    }
+}
+
+TEST_CASE("quality energy: of a triangle with the area of an equilateral target the quality to the power of -2") {
+    std::mt19937 random(4);
+    for (int trial = 0; trial < 50; ++trial) {
+        Triangle const now = random_triangle(random);
+        double const height = std::sqrt(0.75), side = std::sqrt(now.twice_area() / height);
+        QualityEnergy const energy({{{0, 0}, {side, 0}, {0.5 * side, height * side}}});
+        double const x[] = {now.at[0].x, now.at[1].x, now.at[2].x}, y[] = {now.at[0].y, now.at[1].y, now.at[2].y};
+        harmorph::CellShape const shape(harmorph::Cell{3, {0, 1, 2}}, {x, y, 1}, false);
+        double const quality = harmorph::skew_quality(3, harmorph::CellCorners(shape));
+        CHECK(energy.energy(now, 1) == doctest::Approx(1 / (quality * quality)).epsilon(1e-12));
+    }
+}
