@@ -147,10 +147,14 @@ enum {                        /* hm_mesh.cell_layout */
     HM_CELLS_TRIANGLES = 1,   /* cell_points [3*n_cells] */
     HM_CELLS_QUADS = 2,       /* cell_points [4*n_cells]; a triangle repeats its last point */
     HM_CELLS_STRUCTURED = 3,  /* no list: point (i,j) is i + ni*j, cell (i,j) is i + (ni-1)*j, i and j from 0 */
-    HM_CELLS_MIXED = 4        /* two arrays: the triangles in cell_points [3*(n_cells-n_quads)], the quadrilaterals in
+    HM_CELLS_MIXED = 4,       /* two arrays: the triangles in cell_points [3*(n_cells-n_quads)], the quadrilaterals in
                                  quad_points [4*n_quads]. The triangles are the first cells, the quadrilaterals the
                                  cells from index_base + n_cells - n_quads on */
+    HM_CELLS_BLOCKS = 5       /* no list: structured blocks one after the other, points and cells of each as in
+                                 HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts, see
+                                 below: their points exist once in each block, with equal coordinates */
 };
+enum { HM_NO_MARKER = INT32_MIN }; /* hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists */
 
 typedef struct hm_mesh {
     uint64_t struct_size;
@@ -158,7 +162,8 @@ typedef struct hm_mesh {
     int32_t  n_points;             /* 3 .. 2^30; points that no cell uses are allowed and never move */
     hm_points points;              /* [n_points] coordinates */
     int32_t  cell_layout;          /* HM_CELLS_... */
-    int32_t  n_cells;              /* 1 .. 2^29; structured: 0 or (ni-1)*(nj-1); mixed: both kinds together */
+    int32_t  n_cells;              /* 1 .. 2^29; structured and blocks: 0 or the cells of the blocks, of each
+                                      (ni-1)*(nj-1); mixed: both kinds together */
     const int32_t *cell_start;     /* [n_cells+1] rows only: where the points of a cell begin, counted from
                                       index_base */
     const int32_t *cell_points;    /* the points of each cell in order around the cell */
@@ -173,6 +178,12 @@ typedef struct hm_mesh {
     const int32_t *list_markers;   /* [n_lists] */
     int32_t  n_quads;              /* mixed only, otherwise 0: 0 .. n_cells */
     const int32_t *quad_points;    /* [4*n_quads] mixed only; a triangle repeats its last point */
+    int32_t  n_blocks;             /* blocks only, otherwise 0: 1 .. 65536. Time grows with their number; thousands of
+                                      blocks are better given as HM_CELLS_QUADS */
+    int32_t  reserved;             /* 0 */
+    const int32_t *block_sizes;    /* [2*n_blocks] ni, nj >= 2 of each block; n_points is the sum of ni*nj */
+    const int32_t *block_markers;  /* [4*n_blocks] markers of the sides i=0, i=ni-1, j=0, j=nj-1 of each block, or
+                                      HM_NO_MARKER; NULL: the boundary is given as faces or lists */
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or the wake line of a
  * C-mesh: two points of unmarked boundary edges with equal coordinates are one point for the library and move together.

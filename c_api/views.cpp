@@ -61,11 +61,27 @@ Status view_operator(hm_options const& o, Method& method, Fault& fault) noexcept
 
 }  // namespace
 
+namespace {
+
+// 0 where sizes or their sum are out of range.
+Index cells_of_blocks(hm_mesh const& mesh) noexcept {
+    Offset n = 0;
+    for (Index b = 0; mesh.block_sizes != nullptr && b < smaller(mesh.n_blocks, Mesh::max_blocks); ++b) {
+        Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
+        if (ni < 2 || nj < 2) return 0;
+        n += (ni - 1) * (nj - 1);
+        if (n > Mesh::max_cells) return 0;
+    }
+    return static_cast<Index>(n);
+}
+
+}  // namespace
+
 Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
     if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is not set");
-    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_MIXED) {
+    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_BLOCKS) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
     }
     mesh = Mesh{};
@@ -79,6 +95,10 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
         Offset const n = (Offset{m.ni} - 1) * (Offset{m.nj} - 1);
         mesh.n_cells = n <= Mesh::max_cells ? static_cast<Index>(n) : 0;
     }
+    mesh.n_blocks = m.n_blocks;
+    mesh.block_sizes = m.block_sizes;
+    if (mesh.layout == CellLayout::blocks) mesh.block_markers = m.block_markers;
+    if (mesh.layout == CellLayout::blocks && m.n_cells == 0) mesh.n_cells = cells_of_blocks(m);
     mesh.cell_start = m.cell_start;
     mesh.cell_points = m.cell_points;
     mesh.n_quads = m.n_quads;

@@ -77,7 +77,7 @@ int main(void) {
         PLACE(hm_points, stride, 16);
         PLACE(hm_points_out, stride, 16);
         PLACE(hm_mesh, points, 16);
-        SIZE(hm_mesh, 144);
+        SIZE(hm_mesh, 168);
         PLACE(hm_mesh, quad_points, 136);
         PLACE(hm_curve, indices, 16);
         PLACE(hm_options, tolerance, 24);

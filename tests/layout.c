@@ -20,6 +20,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(sizeof(TYPE)); AT(struct_size); AT(index_base); AT(n_points); AT(points); AT(cell_layout);
         AT(n_cells); AT(cell_start); AT(cell_points); AT(ni); AT(nj); AT(n_faces); AT(face_points); AT(face_markers);
         AT(n_lists); AT(list_start); AT(list_points); AT(list_markers); AT(n_quads); AT(quad_points);
+        AT(n_blocks); AT(reserved); AT(block_sizes); AT(block_markers);
         break;
 #undef TYPE
 #define TYPE hm_curve
@@ -121,6 +122,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         break;
     case 20:
         PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CELLS_MIXED);
+        PUT(HM_CELLS_BLOCKS); PUT(HM_NO_MARKER);
         PUT(HM_SPACE_AUTO); PUT(HM_PLANES); PUT(HM_WEDGE);
         PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
         PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);

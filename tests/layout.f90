@@ -50,7 +50,8 @@ program layout
         c_loc(mesh%n_cells), c_loc(mesh%cell_start), c_loc(mesh%cell_points), c_loc(mesh%ni), c_loc(mesh%nj), &
         c_loc(mesh%n_faces), c_loc(mesh%face_points), c_loc(mesh%face_markers), c_loc(mesh%n_lists), &
         c_loc(mesh%list_start), c_loc(mesh%list_points), c_loc(mesh%list_markers), c_loc(mesh%n_quads), &
-        c_loc(mesh%quad_points)])
+        c_loc(mesh%quad_points), c_loc(mesh%n_blocks), c_loc(mesh%reserved), c_loc(mesh%block_sizes), &
+        c_loc(mesh%block_markers)])
     call compare("hm_curve", 4, c_sizeof(curve), c_loc(curve), [c_loc(curve%struct_size), c_loc(curve%degree), &
         c_loc(curve%n_indices), c_loc(curve%indices), c_loc(curve%knots)])
     call compare("hm_curves", 5, c_sizeof(curves), c_loc(curves), [c_loc(curves%struct_size), &
@@ -135,7 +136,7 @@ program layout
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
-        hm_cells_mixed, hm_space_auto, hm_planes, hm_wedge, &
+        hm_cells_mixed, hm_cells_blocks, hm_no_marker, hm_space_auto, hm_planes, hm_wedge, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &
         hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, &
         hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &

@@ -32,6 +32,7 @@ program use
     call morphs()
     call layouts()
     call structured_blocks()
+    call several_blocks()
     call default_reals()
     call long_integers()
     call files()
@@ -407,6 +408,57 @@ contains
     end subroutine
 
     ! An O-mesh as a block: the first and the last column are the same points.
+    ! The mesh in three blocks, one after the other: the functions are those of the mesh in one.
+    subroutine several_blocks()
+        integer, parameter :: third = around / 3, ni = third + 1, nj = rings
+        real(dp), target :: bx(3 * ni * nj), by(3 * ni * nj)
+        real(dp) :: qx(n_points), qy(n_points), move(2, n_control)
+        integer :: sizes(2, 3), sides(4, 3), i, j, b, k, own(3 * ni * nj)
+        type(hm_mesh) :: blocks
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        type(hm_basis) :: in_blocks, in_one
+        k = 0
+        do b = 0, 2
+            do j = 0, nj - 1
+                do i = 0, ni - 1
+                    k = k + 1
+                    own(k) = 1 + modulo(b * third + i, around) + around * j
+                end do
+            end do
+            sizes(:, b + 1) = [ni, nj]
+            sides(:, b + 1) = [integer :: hm_no_marker, hm_no_marker, body, hm_no_marker]
+        end do
+        bx = x(own)
+        by = y(own)
+        call blocks%points(bx, by)
+        call blocks%blocks(sizes, sides(:, 2:), stat=stat)
+        call check(stat == hm_bad_argument, "sides of another number of blocks")
+        call blocks%blocks(sizes, sides)
+        call blocks%blocks(sizes, stat=stat)
+        call check(stat == hm_bad_argument, "blocks twice")
+        call blocks%cells(cells, stat=stat)
+        call check(stat == hm_bad_argument, "blocks and cells")
+        call blocks%line(far_field, 1, ni, nj, nj, block=4, stat=stat)
+        call check(stat == hm_bad_argument, "a line of a block that does not exist")
+        do b = 1, 3
+            call blocks%line(far_field, 1, ni, nj, nj, block=b)
+        end do
+        call curves%fit(x(:around), y(:around), .true., n_control=n_control)
+        call plan%analyse(blocks, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(in_blocks)
+        call plan%analyse(mesh, curves, [hm_condition(body)])
+        call plan%factor()
+        call plan%solve(in_one)
+        move = some_move()
+        qx = x
+        qy = y
+        call in_one%morph(move, qx, qy)
+        call in_blocks%morph(move, bx, by)
+        call check(maxval(abs(bx - qx(own))) + maxval(abs(by - qy(own))) < 1e-11_dp, "blocks move as the mesh in one")
+    end subroutine
+
     subroutine structured_blocks()
         integer, parameter :: ni = around + 1, nj = rings
         real(dp), target :: xs(ni, nj), ys(ni, nj), padded(2, 0:ni + 1, 0:nj + 1), flat(ni * nj), flat_y(ni * nj)
@@ -429,9 +481,9 @@ contains
         call block%points(xs, ys)
         call block%line(body, 1, ni, 1, 1)
         call block%line(far_field, ni, 1, nj, nj)
-        call block%line(far_field, 1, 2, 1, 2, stat)
+        call block%line(far_field, 1, 2, 1, 2, stat=stat)
         call check(stat == hm_bad_argument, "a line that is none")
-        call block%line(far_field, 1, ni + 1, 1, 1, stat)
+        call block%line(far_field, 1, ni + 1, 1, 1, stat=stat)
         call check(stat == hm_bad_argument, "a line that leaves the block")
         call curves%fit(xs(:ni - 1, 1), ys(:ni - 1, 1), .true., n_control=n_control)
         call plan%analyse(block, curves, [hm_condition(body)])

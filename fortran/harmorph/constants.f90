@@ -13,7 +13,8 @@
     integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
     integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, &
-        hm_cells_structured = 3, hm_cells_mixed = 4
+        hm_cells_structured = 3, hm_cells_mixed = 4, hm_cells_blocks = 5
+    integer(c_int32_t), parameter, public :: hm_no_marker = -huge(0_c_int32_t) - 1_c_int32_t
     integer, parameter, public :: hm_space_auto = 0, hm_planes = 1, hm_wedge = 2
     integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
     integer, parameter, public :: hm_fit_asked = 0, hm_fit_no_loop = 1, hm_fit_no_corner = 2, hm_fit_corner = 3

@@ -9,6 +9,7 @@
 !     type(hm_mesh) :: mesh;  type(hm_curves) :: curves;  type(hm_plan) :: plan;  type(hm_basis) :: basis
 !     call mesh%points(x, y)                       begins a mesh; the arrays have TARGET and are not copied
 !     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
+!     call mesh%blocks(sizes, markers)             instead of cells: ni, nj of structured blocks, their sides' markers
 !     call mesh%faces(face_points, markers)        or lists, point_types; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
 !     call curves%fit(x(wall), y(wall), loop)      or curves%set and curves%add

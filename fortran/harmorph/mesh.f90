@@ -8,6 +8,7 @@
         real(c_double), allocatable :: copy(:, :)               ! (n,2) where the library cannot use them as they lie
         integer :: layout = hm_cells_rows, ni = 0, nj = 0
         type(integers) :: cells, cell_start, face_points, face_markers, list_points, list_start, list_markers
+        type(integers) :: block_sizes, block_markers
     end type
 
     type, public :: hm_mesh
@@ -20,10 +21,12 @@
         procedure :: points_at => mesh_points_at
         procedure :: structured => mesh_structured
 !@each integer
-        procedure, private :: cells_fixed_@FORM@, cells_rows_@FORM@, faces_@FORM@, lists_@FORM@, point_types_@FORM@
+        procedure, private :: cells_fixed_@FORM@, cells_rows_@FORM@, faces_@FORM@, lists_@FORM@, point_types_@FORM@, &
+            blocks_@FORM@
         generic :: cells => cells_fixed_@FORM@, cells_rows_@FORM@
         generic :: faces => faces_@FORM@
         generic :: lists => lists_@FORM@
+        generic :: blocks => blocks_@FORM@
         generic :: point_types => point_types_@FORM@
 !@end
         procedure :: line => mesh_line
@@ -168,6 +171,9 @@ contains
         c%cell_points = arrays%cells%address()
         c%face_points = arrays%face_points%address()
         c%face_markers = arrays%face_markers%address()
+        c%n_blocks = int(arrays%block_sizes%n() / 2, c_int32_t)
+        c%block_sizes = arrays%block_sizes%address()
+        c%block_markers = arrays%block_markers%address()
         c%n_faces = int(arrays%face_markers%n(), c_int32_t)
         c%list_points = arrays%list_points%address()
         c%list_start = arrays%list_start%address()

@@ -39,6 +39,29 @@ contains
         call done%finish("mesh%cells", stat, err)
     end subroutine
 
+    ! blocks(sizes(2,n) [, markers(4,n)]): ni, nj of structured blocks whose points follow each other; markers of the
+    ! sides i=1, i=ni, j=1, j=nj of each block, or hm_no_marker. Interfaces have equal coordinates on both sides.
+    subroutine blocks_@FORM@(self, sizes, markers, stat, err)
+        class(hm_mesh), intent(inout) :: self
+        integer(@KIND@), intent(in) :: sizes(:, :)
+        integer(@KIND@), intent(in), optional :: markers(:, :)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        call prepare_to_add(self, done)
+        call done%refuse_if(size(sizes, 1) /= 2, "sizes must be (2,n)")
+        if (present(markers)) call done%refuse_if(size(markers, 1) /= 4 .or. size(markers, 2) /= size(sizes, 2), &
+            "markers must be (4,n), as many as there are blocks")
+        if (done%ok()) call done%refuse_if(self%arrays%cells%n() > 0 .or. self%arrays%block_sizes%n() > 0, &
+            "the mesh has cells already")
+        if (done%ok()) then
+            call self%arrays%block_sizes%append(small(reshape(sizes, [size(sizes)])), done)
+            if (present(markers)) call self%arrays%block_markers%append(small(reshape(markers, [size(markers)])), done)
+            self%arrays%layout = hm_cells_blocks
+        end if
+        call done%finish("mesh%blocks", stat, err)
+    end subroutine
+
 !@end
     pure integer function fixed_layout(m)
         integer, intent(in) :: m
@@ -50,7 +73,7 @@ contains
         integer, intent(in) :: m
         integer(c_int32_t), intent(in) :: points(:)
         type(outcome), intent(inout) :: done
-        call done%refuse_if(arrays%layout == hm_cells_structured, "a block has no list of cells")
+        call done%refuse_if(has_blocks(arrays), "a block has no list of cells")
         call arrays%cells%append(points, done)
         if (done%ok()) arrays%layout = fixed_layout(m)
     end subroutine
@@ -61,7 +84,7 @@ contains
         integer(c_int32_t), intent(in) :: points(:), start(:)
         type(outcome), intent(inout) :: done
         integer :: k, m
-        call done%refuse_if(arrays%layout == hm_cells_structured, "a block has no list of cells")
+        call done%refuse_if(has_blocks(arrays), "a block has no list of cells")
         call check_rows("cells", arrays%first, size(points), start, done)
         if (done%ok() .and. arrays%cells%n() > 0 .and. arrays%layout /= hm_cells_rows) then
             m = merge(3, 4, arrays%layout == hm_cells_triangles)
@@ -70,6 +93,11 @@ contains
         if (done%ok()) arrays%layout = hm_cells_rows
         call add_rows(arrays%first, arrays%cells, arrays%cell_start, points, start, done)
     end subroutine
+
+    pure logical function has_blocks(arrays)
+        type(mesh_arrays), intent(in) :: arrays
+        has_blocks = arrays%layout == hm_cells_structured .or. arrays%layout == hm_cells_blocks
+    end function
 
     pure integer function n_cells_of(arrays)
         type(mesh_arrays), intent(in) :: arrays

@@ -31,6 +31,8 @@
         type(c_ptr) :: list_start = c_null_ptr, list_points = c_null_ptr, list_markers = c_null_ptr
         integer(c_int32_t) :: n_quads = 0
         type(c_ptr) :: quad_points = c_null_ptr
+        integer(c_int32_t) :: n_blocks = 0, reserved = 0
+        type(c_ptr) :: block_sizes = c_null_ptr, block_markers = c_null_ptr
     end type
 
     type, bind(c), public :: hm_c_space_points  ! hm_space_points and hm_space_points_out

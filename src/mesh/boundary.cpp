@@ -35,7 +35,13 @@ Status check_face(BoundaryFace face, Edges const& edges, Index edge, Fault& faul
 
 Size Boundary::max_faces(Mesh const& mesh) noexcept {
     Offset const in_lists = mesh.n_lists > 0 && mesh.list_start != nullptr ? Offset{mesh.list_start[mesh.n_lists]} - mesh.index_base : 0;
-    return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists);
+    Size in_blocks = 0;
+    if (mesh.block_markers != nullptr) {
+        for (Index k = 0; k < 2 * mesh.n_blocks; ++k) {
+            in_blocks += 2 * static_cast<Size>(larger(mesh.block_sizes[k], Index{1}) - 1);
+        }
+    }
+    return static_cast<Size>(mesh.n_faces) + static_cast<Size>(in_lists < 0 ? 0 : in_lists) + in_blocks;
 }
 
 void Boundary::lay_out(Arena& arena, Mesh const& mesh) noexcept {

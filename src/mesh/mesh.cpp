@@ -4,7 +4,7 @@ namespace harmorph {
 namespace {
 
 Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
-    if (mesh.layout == CellLayout::structured) return Status::ok;
+    if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) return Status::ok;
     mesh.find_cell([&](Index i, Cell const& cell) {
         for (Index k = 0; k < cell.n; ++k) {
             Index const point = cell.point[k];
@@ -21,6 +21,29 @@ Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
         return false;
     });
     return fault.status;
+}
+
+// Sums that no array's length contradicts, and no overflow.
+Status check_blocks(Mesh const& mesh, Fault& fault) noexcept {
+    Offset points = 0, cells = 0;
+    for (Index b = 0; b < mesh.n_blocks; ++b) {
+        Offset const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
+        if (ni < 2 || nj < 2 || ni * nj > Mesh::max_points) {
+            return fault.refuse(Status::bad_mesh, "block # (from 0) has ni or nj below 2, or more than 2^30 points",
+                                Counts::from_zero, b);
+        }
+        points += ni * nj;
+        cells += (ni - 1) * (nj - 1);
+    }
+    if (points != mesh.n_points) {
+        return fault.refuse(Status::bad_mesh, "the blocks have ~ points together, but mesh.n_points is #",
+                            Counts::from_zero, mesh.n_points, none, static_cast<Real>(points));
+    }
+    if (cells != mesh.n_cells) {
+        return fault.refuse(Status::bad_mesh, "the blocks have ~ cells together, but mesh.n_cells is #",
+                            Counts::from_zero, mesh.n_cells, none, static_cast<Real>(cells));
+    }
+    return Status::ok;
 }
 
 Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
@@ -79,6 +102,16 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_mesh, "mesh.n_points must be between 3 and 2^30, not #", Counts::from_zero,
                             mesh.n_points);
     }
+    bool const blocks = mesh.layout == CellLayout::blocks;
+    if (mesh.n_blocks < (blocks ? 1 : 0) || mesh.n_blocks > (blocks ? Mesh::max_blocks : 0)) {
+        return fault.refuse(Status::bad_argument,
+                            blocks ? "mesh.n_blocks must be between 1 and 65536, not #"
+                                   : "mesh.n_blocks is #, but only HM_CELLS_BLOCKS has blocks",
+                            Counts::from_zero, mesh.n_blocks);
+    }
+    if (blocks && mesh.block_sizes == nullptr) {
+        return fault.refuse(Status::bad_argument, "mesh.block_sizes is NULL");
+    }
     if (mesh.n_cells < 1 || mesh.n_cells > Mesh::max_cells) {
         return fault.refuse(Status::bad_mesh, "mesh.n_cells must be between 1 and 2^29, not #", Counts::from_zero,
                             mesh.n_cells);
@@ -108,6 +141,7 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         }
         return Status::ok;
     }
+    if (mesh.layout == CellLayout::blocks) return check_blocks(mesh, fault);
     if (mesh.n_triangles() > 0 && mesh.cell_points == nullptr) {
         return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
     }

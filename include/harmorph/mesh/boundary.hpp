@@ -17,7 +17,7 @@ struct Boundary {
     Span<Index> head;         // [n_points] working space of order()
     Span<Index> next;         // [max_faces]
 
-    // As many faces as the caller gives, segments of lists counted generously.
+    // As many faces as the caller gives, segments of lists counted generously, and all sides of blocks.
     static Size max_faces(Mesh const& mesh) noexcept;
     void lay_out(Arena& arena, Mesh const& mesh) noexcept;
 

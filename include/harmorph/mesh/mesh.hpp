@@ -1,4 +1,5 @@
-// The caller's mesh as it stands in the caller's arrays: cells in any of five layouts, boundary as faces or point lists.
+// The caller's mesh as it stands in the caller's arrays: cells in any of six layouts; boundary as faces, point
+// lists, or sides of blocks.
 #pragma once
 
 #include "harmorph/base/span.hpp"
@@ -6,7 +7,7 @@
 
 namespace harmorph {
 
-enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4 };
+enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5 };
 
 // The points of one cell, counted from 0, in order round it; n is 3 or 4.
 struct Cell {
@@ -35,6 +36,25 @@ struct BoundaryFace {
     Index marker = 0;
 };
 
+// One of several structured blocks; its points and cells are numbered row by row.
+struct GridBlock {
+    Index ni = 0, nj = 0;
+    Index first_point = 0, first_cell = 0;
+
+    Index n_points() const noexcept { return ni * nj; }
+    Index n_cells() const noexcept { return (ni - 1) * (nj - 1); }
+    Cell cell(Index i) const noexcept {  // i counts from the first cell of the block
+        Index const corner = first_point + i + i / (ni - 1);  // a row of cells has one cell less than points
+        return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
+    }
+    // Edges along a side, and their ends. Sides: i = 0, i = ni-1, j = 0, j = nj-1.
+    Index edges_along(Index side) const noexcept { return (side < 2 ? nj : ni) - 1; }
+    Index point_along(Index side, Index k) const noexcept {
+        Index const i = side == 0 ? 0 : side == 1 ? ni - 1 : k, j = side == 2 ? 0 : side == 3 ? nj - 1 : k;
+        return first_point + i + ni * j;
+    }
+};
+
 struct Mesh {
     Index index_base = 0;
     Index n_points = 0;
@@ -46,6 +66,9 @@ struct Mesh {
     Index n_quads = 0;                   // mixed: the last cells, after the triangles
     const Index* quad_points = nullptr;
     Index ni = 0, nj = 0;
+    Index n_blocks = 0;                  // blocks: ni, nj of each, and the markers of its four sides
+    const Index* block_sizes = nullptr;
+    const Index* block_markers = nullptr;
     Index n_faces = 0;
     const Index* face_points = nullptr;
     const Index* face_markers = nullptr;
@@ -54,6 +77,8 @@ struct Mesh {
     const Index* list_points = nullptr;
     const Index* list_markers = nullptr;
 
+    static constexpr Index max_blocks = Index{1} << 16;
+    static constexpr Index no_marker = INT32_MIN;  // in block_markers
     static constexpr Index max_points = Index{1} << 30;
     static constexpr Index max_cells = Index{1} << 29;  // four corners of each are counted in an Index
 
@@ -76,7 +101,12 @@ struct Mesh {
     // Upper bound of the number of cell sides, from the counts alone.
     Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
 
-    // Faces, then the segments of the lists. visit(face, list or none, its number among its kind) may stop with false.
+    // visit(block) until it returns true; which is returned, or a block of no cells.
+    template <class Visit>
+    GridBlock find_block(Visit visit) const noexcept;
+
+    // Faces, then the segments of the lists, then the sides of blocks. visit(face, list or none, its number among its
+    // kind) may stop with false.
     template <class Visit>
     bool for_each_face(Visit visit) const noexcept;
 };
@@ -93,10 +123,10 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 Status check_mesh(Mesh const& mesh, Fault& fault) noexcept;
 
 inline Cell Mesh::cell(Index i) const noexcept {
-    if (layout == CellLayout::structured) {
-        Index const row = i / (ni - 1);
-        Index const corner = i + row;  // a row of cells has one cell less than points
-        return {4, {corner, corner + 1, corner + 1 + ni, corner + ni}};
+    if (layout == CellLayout::structured) return GridBlock{ni, nj, 0, 0}.cell(i);
+    if (layout == CellLayout::blocks) {
+        GridBlock const its = find_block([i](GridBlock const& block) { return i - block.first_cell < block.n_cells(); });
+        return its.cell(i - its.first_cell);
     }
     const Index* first = cell_points;
     Index width = 4;
@@ -113,8 +143,34 @@ inline Cell Mesh::cell(Index i) const noexcept {
     return {last == c ? 3 : 4, {from_zero(first[0], index_base), from_zero(first[1], index_base), c, last}};
 }
 
+template <class Visit>
+GridBlock Mesh::find_block(Visit visit) const noexcept {
+    GridBlock block;
+    for (Index b = 0; b < n_blocks; ++b) {
+        block.first_point += block.n_points();
+        block.first_cell += b == 0 ? 0 : block.n_cells();
+        block.ni = block_sizes[2 * b];
+        block.nj = block_sizes[2 * b + 1];
+        if (visit(block)) return block;
+    }
+    return {};
+}
+
 template <class Is>
 Index Mesh::find_cell(Index begin, Index end, Is is) const noexcept {
+    if (layout == CellLayout::blocks) {
+        Index found = none;
+        find_block([&](GridBlock const& block) {
+            Index const last = smaller(end, block.first_cell + block.n_cells());
+            for (Index i = larger(begin, block.first_cell); i < last; ++i) {
+                if (!is(i, block.cell(i - block.first_cell))) continue;
+                found = i;
+                return true;
+            }
+            return last >= end;
+        });
+        return found;
+    }
     Mesh const mesh = *this;  // what is() writes cannot change a copy
     for (Index i = begin; i < end; ++i) {
         Cell const its = mesh.cell(i);
@@ -137,7 +193,19 @@ bool Mesh::for_each_face(Visit visit) const noexcept {
             if (!visit(BoundaryFace{begin, end, list_markers[list]}, list, k)) return false;
         }
     }
-    return true;
+    if (block_markers == nullptr) return true;
+    Index number = 0;  // of a side
+    GridBlock const stopped = find_block([&](GridBlock const& block) {
+        for (Index side = 0; side < 4; ++side, ++number) {
+            Index const marker = block_markers[number];
+            for (Index k = 0; marker != no_marker && k < block.edges_along(side); ++k) {
+                BoundaryFace const its{block.point_along(side, k), block.point_along(side, k + 1), marker};
+                if (!visit(its, none, number)) return true;
+            }
+        }
+        return false;
+    });
+    return stopped.ni == 0;
 }
 
 }  // namespace harmorph

@@ -1,0 +1,185 @@
+// Meshes of several structured blocks: O-, C- and H-topologies against the same meshes with one point for each place.
+#include <doctest/doctest.h>
+
+#include <fixtures/blocks.hpp>
+#include <fixtures/bodies.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+struct Topology {
+    const char* name;
+    Blocks blocks;
+    CurveSet curves;
+    std::int32_t loops;
+};
+
+std::vector<Topology> topologies() {
+    std::vector<Topology> out;
+    out.push_back({"O, 6 blocks", o_blocks(3, 8, 5, 0.5, 3), {}, 2});
+    out.back().curves = ring(3, 8, 0.5, 0.5);
+    out.push_back({"O, 4 blocks", o_blocks(2, 12, 5, 0.5, 3), {}, 2});
+    out.back().curves = ring(2, 9, 0.5, 0.5);
+    Case airfoil = airfoil_case(12, 8, Cells::quads);
+    Naca4 naca;
+    naca.camber = 0.02;
+    out.push_back({"C, 8 blocks", c_blocks(c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9))), airfoil.curves, 2});
+    out.push_back({"H, 8 blocks", h_blocks(6), polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}}), 2});
+    return out;
+}
+
+hm_mesh_report report_of(hm_mesh const& mesh) {
+    hm_problem problem{};
+    problem.struct_size = sizeof problem;
+    problem.mesh = &mesh;
+    Attempt attempt;
+    INFO(attempt.error.text);
+    REQUIRE(attempt.analyse(problem));
+    hm_mesh_report out{};
+    out.struct_size = sizeof out;
+    REQUIRE(hm_analysis_report(attempt.analysis, &out, nullptr) == HM_OK);
+    return out;
+}
+
+bool says(hm_error const& error, const char* words) { return std::string(error.text).find(words) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("blocks: interfaces close, and the functions are those of the mesh with one point for each place") {
+    for (Topology& its : topologies()) {
+        CAPTURE(its.name);
+        std::vector<std::int32_t> number;
+        Case joined;
+        joined.mesh = its.blocks.joined(number);
+        joined.curves = its.curves;
+        joined.put_on_curves(body);
+        hm_mesh const blocks = its.blocks.view();
+        hm_mesh_report const in_blocks = report_of(blocks), in_one = report_of(joined.mesh_view());
+        CHECK(in_blocks.cells == in_one.cells);
+        CHECK(in_blocks.boundary_edges == in_one.boundary_edges);
+        CHECK(in_blocks.boundary_loops == its.loops);
+        CHECK(in_blocks.edges == in_one.edges);
+        CHECK(in_blocks.inverted == 0);
+        for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+            hm_options options = laplace();
+            options.operator_kind = kind;
+            Solved const one(joined, &options), several(joined.problem(blocks), &options);
+            std::int32_t const numbers = several.info().numbers_per_value;
+            double worst = 0;
+            std::vector<double> a(its.blocks.x.size()), b(joined.mesh.x.size());
+            for (std::int32_t i = 0; i < several.info().functions; ++i) {
+                for (std::int32_t n = 0; n < numbers; ++n) {
+                    REQUIRE(hm_basis_values(several.basis, i, n, a.data(), nullptr) == HM_OK);
+                    REQUIRE(hm_basis_values(one.basis, i, n, b.data(), nullptr) == HM_OK);
+                    for (std::size_t k = 0; k < a.size(); ++k) {
+                        worst = std::max(worst, std::fabs(a[k] - b[static_cast<std::size_t>(number[k])]));
+                    }
+                }
+            }
+            CHECK(worst < 1e-11);
+            // Points at one place stay at one place, bit by bit.
+            std::vector<double> const move = some_move(several.info().functions, 0.02, 4);
+            std::vector<double> x = its.blocks.x, y = its.blocks.y;
+            REQUIRE(hm_morph(several.basis, move.data(), &blocks.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+            bool together = true;
+            std::vector<std::size_t> first(joined.mesh.x.size(), x.size());
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                std::size_t& other = first[static_cast<std::size_t>(number[k])];
+                if (other == x.size()) other = k;
+                together = together && x[k] == x[other] && y[k] == y[other];
+            }
+            CHECK(together);
+            CHECK(x != its.blocks.x);
+        }
+    }
+}
+
+TEST_CASE("blocks: numbers of cells and points in reports; both index bases; a saved basis knows the mesh") {
+    Blocks const blocks = h_blocks(4);
+    Case its;
+    its.curves = polyline({{1, 1}, {2, 1}, {2, 2}, {1, 2}});
+    its.put_on_curves(body);
+    for (std::int32_t const base : {0, 1}) {
+        hm_mesh mesh = blocks.view();
+        mesh.index_base = base;
+        std::vector<double> x = blocks.x, y = blocks.y;
+        Solved const solved(its.problem(mesh));
+        // The point (1, 1) of the last block goes to where its cell is turned over.
+        std::int32_t const first = 7 * 25, point = first + 1 + 5;
+        x[static_cast<std::size_t>(point)] += 10;
+        hm_quality_report quality{};
+        quality.struct_size = sizeof quality;
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x, y), nullptr, nullptr, &quality, nullptr) == HM_OK);
+        CHECK(quality.inverted >= 2);
+        CHECK(quality.first_inverted == 7 * 16 + base);
+        const hm_basis* attached = nullptr;
+        hm_basis_info const info = solved.info();
+        std::size_t const bytes = static_cast<std::size_t>(info.bytes);
+        CHECK(hm_basis_attach(&attached, solved.basis, bytes, &mesh, nullptr) == HM_OK);
+        std::vector<std::int32_t> sizes = blocks.sizes, markers = blocks.markers;
+        markers[0] = 77;
+        mesh.block_markers = markers.data();
+        CHECK(hm_basis_attach(&attached, solved.basis, bytes, &mesh, nullptr) == HM_BAD_BASIS);
+    }
+}
+
+TEST_CASE("blocks: a side that is a cut in part has lists; a marker on a side says the same as faces") {
+    Naca4 const naca;
+    CMesh const c = c_mesh(naca4(naca, 12), 6, 4, stretched(1e-2, 4, 9));
+    Blocks one;
+    one.add(c.ni, c.nj, [&](std::int32_t i, std::int32_t j) { return c.mesh.point(i + c.ni * j); },
+            {far_field, far_field, HM_NO_MARKER, far_field});
+    hm_mesh mesh = one.view();
+    std::vector<std::int32_t> list;
+    for (std::int32_t i = c.n_wake; i < c.ni - c.n_wake; ++i) list.push_back(i);
+    std::int32_t const start[] = {0, static_cast<std::int32_t>(list.size())}, marker = body;
+    mesh.n_lists = 1;
+    mesh.list_start = start;
+    mesh.list_points = list.data();
+    mesh.list_markers = &marker;
+    hm_mesh_report const from_blocks = report_of(mesh), from_faces = report_of(c.structured_view());
+    CHECK(from_blocks.boundary_edges == from_faces.boundary_edges);
+    CHECK(from_blocks.boundary_loops == from_faces.boundary_loops);
+    CHECK(from_blocks.edges == from_faces.edges);
+}
+
+TEST_CASE("blocks: what is wrong is refused") {
+    Blocks const good = o_blocks(2, 8, 3, 0.5, 2);
+    auto refused = [&](hm_status status, const char* words, auto change) {
+        Blocks blocks = good;
+        hm_mesh mesh = blocks.view();
+        change(blocks, mesh);
+        hm_problem problem{};
+        problem.struct_size = sizeof problem;
+        problem.mesh = &mesh;
+        Attempt attempt;
+        attempt.analyse(problem);
+        INFO(attempt.error.text);
+        CHECK(attempt.status == status);
+        CHECK(says(attempt.error, words));
+    };
+    REQUIRE(report_of(good.view()).inverted == 0);
+    refused(HM_BAD_ARGUMENT, "block_sizes is NULL", [](Blocks&, hm_mesh& m) { m.block_sizes = nullptr; });
+    refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = 0; });
+    refused(HM_BAD_ARGUMENT, "n_blocks must be", [](Blocks&, hm_mesh& m) { m.n_blocks = -1; });
+    refused(HM_BAD_ARGUMENT, "only HM_CELLS_BLOCKS", [](Blocks&, hm_mesh& m) { m.cell_layout = HM_CELLS_QUADS; });
+    refused(HM_BAD_MESH, "block 1 (from 0) has ni or nj below 2", [](Blocks& b, hm_mesh& m) {
+        b.sizes[2] = 1;
+        m.n_cells = 80;
+    });
+    refused(HM_BAD_MESH, "together, but mesh.n_points is", [](Blocks& b, hm_mesh&) { b.sizes[0] += 1; });
+    refused(HM_BAD_MESH, "together, but mesh.n_cells is", [](Blocks&, hm_mesh& m) { m.n_cells = 5; });
+    refused(HM_BAD_MESH, "has one cell and no marker", [](Blocks& b, hm_mesh&) { b.markers[2] = HM_NO_MARKER; });
+    refused(HM_BAD_MESH, "has one cell and no marker", [](Blocks& b, hm_mesh&) { b.x[0] *= 1 + 1e-9; });
+    refused(HM_BAD_MESH, "more than two cells", [](Blocks& b, hm_mesh& m) {   // a block twice
+        b.sizes.insert(b.sizes.end(), {b.sizes[0], b.sizes[1]});
+        std::size_t const n = static_cast<std::size_t>(b.sizes[0] * b.sizes[1]);
+        for (std::vector<double>* values : {&b.x, &b.y}) {
+            std::vector<double> const first(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(n));
+            values->insert(values->end(), first.begin(), first.end());
+        }
+        b.markers.insert(b.markers.end(), 4, HM_NO_MARKER);
+        m = b.view();
+    });
+}
