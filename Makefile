@@ -117,7 +117,7 @@ bench: all
 
 deform: all
 	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver
-	@BUILD='$(BUILD)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
 	    sh tests/deform/run.sh
 
 paper: all

@@ -37,6 +37,15 @@ struct Movements {
     std::vector<double> translation(double by) const {
         return of_each([&](double, double, double& dx, double& dy) { dx = dy = by * std::sqrt(.5); });
     }
+    // The last quarter of the chord, downwards about its hinge on the chord line.
+    std::vector<double> flap(double degrees) const {
+        double const angle = -degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
+        return of_each([&](double x, double y, double& dx, double& dy) {
+            if (x <= .75) return;
+            dx = (c - 1) * (x - .75) - s * y;
+            dy = s * (x - .75) + (c - 1) * y;
+        });
+    }
     // The upper control point nearest to x = 0.4, upwards.
     std::vector<double> bump(double height) const {
         std::vector<double> moves(control.size());

@@ -1,6 +1,14 @@
 #!/bin/sh
 # `make deform`: the driver, which make has built, over the shipped meshes, and over others (MESHES="FILE:MARKER ...") where
-# they are given.
-: "${BUILD:=build}"
+# they are given. Then the comparison with other methods, which needs Eigen and is built here.
+: "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 meshes="tests/meshes/naca0012.su2:airfoil $MESHES"
-exec "$BUILD/deform-driver" "$BUILD/deform" $meshes
+"$BUILD/deform-driver" "$BUILD/deform" $meshes || exit
+if ! echo '#include <Eigen/Sparse>' | $CXX -I/usr/include/eigen3 -x c++ -E - >/dev/null 2>&1; then
+    echo "the comparison with other methods is skipped: it needs Eigen (Debian's libeigen3-dev)"
+    exit 0
+fi
+objects=$(ls "$BUILD"/objects/cli/*.o | grep -v -e cli-main.o -e deform-deform.o)
+$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Ic_api -Ic_api/cli -I/usr/include/eigen3 -o "$BUILD/deform-compare" \
+    tests/deform/compare.cpp $objects "$BUILD/libharmorph.a" $LDFLAGS || exit
+exec "$BUILD/deform-compare" "$BUILD/deform" $meshes
