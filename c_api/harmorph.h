@@ -360,6 +360,50 @@ HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, 
                             const hm_quantity *quantities, double *values, double *at, double *gradients,
                             hm_error *err);
 
+/* ---- Design variables: maps to the control points ----------------------------------------------------------------- */
+
+enum {                             /* hm_variables.kind: how one unit of each variable moves the outline */
+    HM_FFD = 0,                    /* free-form deformation: variable i + (degree_x+1) j is the node i, j of a box, whose
+                                      movement (dx, dy) moves the points inside by B_i(x) B_j(y) (dx, dy), Bernstein
+                                      polynomials; points outside do not move. (Sederberg, Parry 1986) */
+    HM_CST = 1,                    /* class and shape functions: chord * t^nose_exponent (1-t)^edge_exponent B_k(t) normal
+                                      to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the upper side,
+                                      then n_lower of the lower one; t: station, 0 .. 1. (Kulfan, J. Aircraft 45 (2008)
+                                      142) */
+    HM_HICKS_HENNE = 2,            /* bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on the
+                                      upper side, then n_lower. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
+    HM_NACA4 = 3                   /* NACA's four-digit sections: n_upper camber lines of 1 chord, each with its largest
+                                      camber at its peak, and last the thickness: half of it on either side, closed at
+                                      t = 1, 1 unit being a thickness of 1 chord. n_upper may be 0 */
+};
+
+typedef struct hm_variables {
+    uint64_t struct_size;
+    int32_t  kind;                 /* HM_FFD, ... */
+    int32_t  n_upper, n_lower;     /* 0 .. 64, together at least 1 (except HM_NACA4); upper: left of the chord direction */
+    int32_t  degree_x, degree_y;   /* FFD: 0 .. 63 */
+    double   x_min, y_min, x_max, y_max; /* FFD: the box; all 0: the box of the control points, 5 % larger */
+    const double *peaks;           /* [n_upper+n_lower] Hicks-Henne, NACA: stations between 0 and 1; NULL: Hicks-Henne
+                                      (2 k + 1) / (2 n) of each side, NACA .4 */
+    double   nose_exponent, edge_exponent; /* CST: 0 .. 10; both 0: .5 and 1, a round nose and a pointed edge */
+    double   width;                /* Hicks-Henne: exponent of the sine, 1 .. 100; 0: 3 */
+} hm_variables;
+/* Fields of another kind must be 0. */
+
+/* *n: number of variables; *bytes: working memory of hm_variables_map. section as in hm_measure. */
+HM_API hm_status hm_variables_size(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
+                                   int32_t *n, size_t *bytes, hm_error *err);
+/* d(control) / d(variable): matrix [n_control * n * 2], for each control point the pairs (x, y) by which one unit of each
+ * variable moves it, as complex numbers: the variables v, also complex, move control point i by sum_j matrix_ij v_j. The
+ * variables of FFD have two components; those of the other kinds are real. It is the least-squares approximation, over
+ * the curves' parameters, of the wanted movement of the outline by the B-spline's, with the free ends of curves exact:
+ * error [2*n] contains the root mean square and the largest of what is left, [length] per unit of each variable, or
+ * NULL. hm_combine takes the matrix as it is. Control points that no curve of the section uses do not move.
+ * Refused, outputs unchanged: a variable that moves nothing, or that is a combination of those before (HM_BAD_CONDITION,
+ * item: the variable, from 0). */
+HM_API hm_status hm_variables_map(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
+                                  void *work, size_t bytes, double *matrix, double *error, hm_error *err);
+
 /* ---- Problem: what is to be solved ------------------------------------------------------------------------------ */
 
 enum {                             /* hm_condition.kind; for a point on several markers the first of these kinds holds:
@@ -655,6 +699,8 @@ typedef struct hm_basis_info {
     int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies */
     int32_t  offset_correction;    /* 0 or 1 */
     int32_t  storage;              /* HM_DOUBLE, or HM_SINGLE: see hm_single_init */
+    int32_t  combined;             /* functions of design variables (hm_combine); 0: those of the control points */
+    int32_t  control_points;       /* functions = (combined, or control_points where that is 0) + 2 * bodies */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves] receives the curves, and
@@ -689,6 +735,23 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
  * in double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe, parcels, hm_single_size. */
 HM_API hm_status hm_single_size(const hm_basis *basis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, const hm_basis *basis, hm_error *err);
+
+/* ---- Combined functions: one for each design variable ------------------------------------------------------------- */
+
+/* A second basis with n functions F M, n >= 1: function j carries variable j, which moves control point i by M_ij times
+ * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies
+ * of the given basis; numbers 1: real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies
+ * keep their functions behind the n. Points are moved, gradients formed, and curves moved (hm_moved_curves) by variables
+ * instead of control points; the basis has the memory of n functions, and the first basis is no longer needed. Values
+ * are real if those of the first basis and the matrix are. A variable whose matrix is not real, or a function that is
+ * not, turns with its movement: variables that are one number v move by (v, 0).
+ * It is used, extracted, sent in parcels, written, attached, stored in single precision and combined like any basis.
+ * What solves for functions refuses it, with HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe. The first basis
+ * must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item: the column, from 0: a column
+ * that is zero, or a combination of the columns before; with HM_BAD_ARGUMENT a matrix that is not finite. */
+HM_API hm_status hm_combine_size(const hm_basis *basis, int32_t n, int32_t numbers, size_t *bytes, hm_error *err);
+HM_API hm_status hm_combine(hm_basis **combined, void *block, size_t bytes, const hm_basis *basis, int32_t n,
+                            int32_t numbers, const double *matrix, hm_error *err);
 
 /* ---- Coarse to fine: functions solved on one mesh, interpolated to the points of a finer mesh of the same domain  */
 

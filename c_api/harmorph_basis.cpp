@@ -22,6 +22,8 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.bodies = header.counts.bodies;
     filled.offset_correction = header.method.offset_correction;
     filled.storage = static_cast<std::int32_t>(header.counts.storage);
+    filled.combined = header.counts.combined;
+    filled.control_points = header.counts.control;
     filled.index_base = header.index_base;
     filled.curve_point = basis.wall_point.data();
     filled.point_curve = basis.wall_curve.data();
@@ -115,7 +117,11 @@ hm_status hm_moved_curves(const hm_basis* basis, const double* move, double* con
         HARMORPH_TRY(require({{"control", control}}, fault));
         HARMORPH_TRY(open_curves(basis, out, curve, capacity, b, fault));
         HARMORPH_TRY(check_move(b, move, fault));
-        for (Index k = 0; k < b.control.count(); ++k) control[k] = b.control[k] + move[k];
+        for (Index i = 0; i < b.header->counts.control; ++i) {
+            Vec2 const by = b.control_move(i, move);
+            control[2 * i] = b.control[2 * i] + by.x;
+            control[2 * i + 1] = b.control[2 * i + 1] + by.y;
+        }
         write_struct(curves_of(b, control, curve), out);
         return Status::ok;
     });

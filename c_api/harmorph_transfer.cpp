@@ -13,6 +13,7 @@ Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, 
     HARMORPH_TRY(check_mesh(mesh, fault));
     coarse = Basis::view(static_cast<const void*>(handle));
     HARMORPH_TRY(coarse.require_double(fault));
+    HARMORPH_TRY(coarse.require_control_points(fault));
     Status const status = check_basis(handle, static_cast<Size>(coarse.header->bytes), &mesh, fault);
     if (status != Status::moved) return status;
     return fault.refuse(Status::bad_basis, "the coarse mesh's coordinates are not those its basis was solved on");
@@ -21,6 +22,7 @@ Status open_coarse(const hm_basis* handle, const hm_mesh* given, Basis& coarse, 
 Status open_target(const hm_basis* handle, Analysis const& analysis, Basis& fine, CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, fine, fault));
     HARMORPH_TRY(fine.require_double(fault));
+    HARMORPH_TRY(fine.require_control_points(fault));
     BasisCounts const counts = analysis.basis_counts();
     bool const belongs = std::memcmp(&fine.header->counts, &counts, sizeof counts) == 0 &&
                          fine.header->topology == analysis.mesh_fingerprint &&

@@ -54,6 +54,7 @@ int main(void) {
     HAS_SIZE_FIRST(hm_fit_report);
     HAS_SIZE_FIRST(hm_section);
     HAS_SIZE_FIRST(hm_quantity);
+    HAS_SIZE_FIRST(hm_variables);
     HAS_SIZE_FIRST(hm_condition);
     HAS_SIZE_FIRST(hm_problem);
     HAS_SIZE_FIRST(hm_options);

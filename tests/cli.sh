@@ -687,5 +687,43 @@ check "demo: the fine mesh has four times the cells" says "\"cells\": $((4 * $(s
 runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" --move "$tmp/demo/moves.txt"
 refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"
 
+# ---- Measures and design variables, of the demo's curve ------------------------------------------------------------
+
+airfoil=$tmp/demo/airfoil.curve
+number() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/out"; } # of the JSON object in out
+near() { awk -v a="$1" -v b="$2" -v e="$3" 'BEGIN { d = a - b; exit !(d < e && d > -e) }'; }
+runs "measures" 0 curve "$airfoil" --stations 0.3 --box 0.3,0 --json
+check "measures: the area of a NACA 0012" near "$(number area)" 0.0817 1e-4
+check "measures: its thickness" near "$(number max_thickness)" 0.12 1e-4
+check "measures: its thickness at its largest" near "$(number thickness_0.3)" 0.12 1e-4
+check "measures: the clearance of a point on the chord" near "$(number clearance)" 0.06 1e-3
+area=$(number area)
+runs "halved and elevated" 0 curve "$airfoil" --elevate --halve --insert 0.111 -o "$tmp/finer.curve" --json
+check "halved and elevated: more points" test "$(number points)" -gt 40
+runs "halved and elevated: measured" 0 curve "$tmp/finer.curve" --json
+check "halved and elevated: the same area" near "$(number area)" "$area" 1e-14
+runs "functions of the finer curve" 0 solve "$tmp/demo/mesh.su2" --curve airfoil="$tmp/finer.curve" -o "$tmp/finer.basis"
+refuses "a knot outside" 2 'not inside' curve "$airfoil" --insert 7
+refuses "no number" 2 'expects numbers' curve "$airfoil" --insert x
+refuses "three numbers for a chord" 2 'four numbers' curve "$airfoil" --chord 0,0,1
+refuses "a station outside" 2 'not between 0 and 1' curve "$airfoil" --stations 1.5
+for kind in "--cst 6,6" "--ffd 3,1" "--hicks-henne 2,2" "--naca 0.4"; do
+    runs "variables $kind" 0 variables "$airfoil" $kind -o "$tmp/map" --json
+    check "variables $kind: errors" test "$(grep -o rms_error "$tmp/out" | wc -l)" -ge 2
+    echo '2 0.01' >"$tmp/values"
+    runs "morph by $kind" 0 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" --variables "$tmp/map" --move "$tmp/values" \
+        -o "$tmp/by.su2" --json
+    check "morph by $kind: on the B-spline" near "$(number boundary_error)" 0 1e-15
+done
+runs "thicker by NACA's mode" 0 curve "$tmp/by.su2.curve" --json
+check "thicker by NACA's mode: by 1 %" near "$(number max_thickness)" 0.13 1e-4
+refuses "two kinds of variables" 2 'one of --ffd' variables "$airfoil" --cst 6,6 --ffd 1,1
+refuses "a box beside the airfoil" 2 'moves no control point' variables "$airfoil" --ffd 1,1 --box 5,5,6,6
+refuses "variables of another curve" 3 'control points' morph "$tmp/demo/mesh.su2" "$tmp/finer.basis" --variables "$tmp/map" \
+    --move "$tmp/values"
+echo '7 1' >"$tmp/values"
+refuses "a variable that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" \
+    --variables "$tmp/map" --move "$tmp/values"
+
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

@@ -81,7 +81,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(sizeof(TYPE)); AT(struct_size); AT(bytes); AT(solved); AT(points); AT(cells); AT(functions); AT(curves);
         AT(curve_points); AT(numbers_per_value); AT(operator_kind); AT(scheme); AT(engine); AT(index_base);
         AT(curve_point); AT(point_curve); AT(point_u); AT(exponent_quarters); AT(bodies); AT(offset_correction);
-        AT(storage);
+        AT(storage); AT(combined); AT(control_points);
         break;
 #undef TYPE
 #define TYPE hm_transfer_report
@@ -171,6 +171,26 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         AT(min_quality); AT(mean_quality); AT(min_quality_cell_before); AT(min_quality_cell);
         break;
 #undef TYPE
+#define TYPE hm_section
+    case 27:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(first_curve); AT(n_curves); AT(nose_x); AT(nose_y); AT(edge_x); AT(edge_y);
+        break;
+#undef TYPE
+#define TYPE hm_quantity
+    case 28: PUT(sizeof(TYPE)); AT(struct_size); AT(kind); AT(n_polygon); AT(station); AT(polygon); break;
+#undef TYPE
+#define TYPE hm_variables
+    case 29:
+        PUT(sizeof(TYPE)); AT(struct_size); AT(kind); AT(n_upper); AT(n_lower); AT(degree_x); AT(degree_y); AT(x_min);
+        AT(y_min); AT(x_max); AT(y_max); AT(peaks); AT(nose_exponent); AT(edge_exponent); AT(width);
+        break;
+#undef TYPE
+    case 30:
+        PUT(HM_AREA); PUT(HM_CENTROID_X); PUT(HM_CENTROID_Y); PUT(HM_MOMENT_XX); PUT(HM_MOMENT_YY); PUT(HM_MOMENT_XY);
+        PUT(HM_CHORD); PUT(HM_THICKNESS); PUT(HM_CAMBER); PUT(HM_MAX_THICKNESS); PUT(HM_MAX_CAMBER); PUT(HM_NOSE_RADIUS);
+        PUT(HM_EDGE_ANGLE); PUT(HM_EDGE_GAP); PUT(HM_MIN_RADIUS); PUT(HM_CURVATURE_VARIATION); PUT(HM_CLEARANCE);
+        PUT(HM_FFD); PUT(HM_CST); PUT(HM_HICKS_HENNE); PUT(HM_NACA4);
+        break;
     default: break;
     }
     return n;

@@ -27,6 +27,9 @@ program layout
     type(hm_c_curves), target :: curves
     type(hm_c_fit_options), target :: fit_options
     type(hm_fit_report), target :: fit_report
+    type(hm_c_section), target :: section
+    type(hm_c_quantity), target :: quantity
+    type(hm_c_variables), target :: variables
     type(hm_c_condition), target :: condition
     type(hm_c_problem), target :: problem
     type(hm_c_options), target :: options
@@ -96,7 +99,8 @@ program layout
         c_loc(basis_info%numbers_per_value), c_loc(basis_info%operator_kind), c_loc(basis_info%scheme), &
         c_loc(basis_info%engine), c_loc(basis_info%index_base), c_loc(basis_info%curve_point), &
         c_loc(basis_info%point_curve), c_loc(basis_info%point_u), c_loc(basis_info%exponent_quarters), &
-        c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%storage)])
+        c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%storage), &
+        c_loc(basis_info%combined), c_loc(basis_info%control_points)])
     call compare("hm_transfer_report", 14, c_sizeof(transfer_report), c_loc(transfer_report), &
         [c_loc(transfer_report%struct_size), c_loc(transfer_report%points), c_loc(transfer_report%outside), &
         c_loc(transfer_report%max_distance), c_loc(transfer_report%max_distance_point), &
@@ -168,6 +172,20 @@ program layout
         c_loc(plane_info%layers), c_loc(plane_info%origin), c_loc(plane_info%x_direction), c_loc(plane_info%y_direction), &
         c_loc(plane_info%normal), c_loc(plane_info%max_distance), c_loc(plane_info%max_distance_point), &
         c_loc(plane_info%reserved), c_loc(plane_info%follows), c_loc(plane_info%space_point)])
+    call compare("hm_section", 27, c_sizeof(section), c_loc(section), [c_loc(section%struct_size), &
+        c_loc(section%first_curve), c_loc(section%n_curves), c_loc(section%nose_x), c_loc(section%nose_y), &
+        c_loc(section%edge_x), c_loc(section%edge_y)])
+    call compare("hm_quantity", 28, c_sizeof(quantity), c_loc(quantity), [c_loc(quantity%struct_size), &
+        c_loc(quantity%kind), c_loc(quantity%n_polygon), c_loc(quantity%station), c_loc(quantity%polygon)])
+    call compare("hm_variables", 29, c_sizeof(variables), c_loc(variables), [c_loc(variables%struct_size), &
+        c_loc(variables%kind), c_loc(variables%n_upper), c_loc(variables%n_lower), c_loc(variables%degree_x), &
+        c_loc(variables%degree_y), c_loc(variables%x_min), c_loc(variables%y_min), c_loc(variables%x_max), &
+        c_loc(variables%y_max), c_loc(variables%peaks), c_loc(variables%nose_exponent), &
+        c_loc(variables%edge_exponent), c_loc(variables%width)])
+    call compare_numbers("constants", 30, int([hm_area, hm_centroid_x, hm_centroid_y, hm_moment_xx, hm_moment_yy, &
+        hm_moment_xy, hm_chord, hm_thickness, hm_camber, hm_max_thickness, hm_max_camber, hm_nose_radius, hm_edge_angle, &
+        hm_edge_gap, hm_min_radius, hm_curvature_variation, hm_clearance, hm_ffd, hm_cst, hm_hicks_henne, &
+        hm_naca4], c_int64_t))
 
     print "(i0, a, i0, a)", passed, " passed, ", failed, " failed"
     if (failed > 0) error stop

@@ -61,6 +61,7 @@ check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; th
 check "from the command line" path 3 "^inverted cells   0"
 check "from the command line: morphed meshes are valid" sh -c \
     'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
+check "design variables from the command line" path 4 "^inverted cells   0"
 # The first block, where it lies: packages are there, and the tests are those that run.
 first_lines() {
     mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1

@@ -11,6 +11,7 @@
 #include "page_data.hpp"
 #include "page_text.hpp"
 #include "pictures/pictures.hpp"
+#include "variables_file.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
 
@@ -167,13 +168,27 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return Morph(basis, mesh, moves, options, threads);
 }
 
+// Of the control points, or of the variables that stand for them; bodies then stay.
+std::vector<double> moves_of(const Arguments& arguments, const Basis& basis, const Mesh& mesh) {
+    const std::string path = arguments.text("--move");
+    if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
+    const std::string map_path = arguments.text("--variables");
+    const VariableMap map = read_variables(map_path);
+    if (map.points != basis.curves().n_control) {
+        throw Failure(exit_file, map_path + ": its variables are of " + plural(map.points, "control point") +
+                                     ", the curves of the basis have " + std::to_string(basis.curves().n_control));
+    }
+    std::vector<double> moves = map.control_moves(read_values(path, map));
+    moves.resize(2 * static_cast<std::size_t>(basis.functions()));
+    return moves;
+}
+
 void run(const Arguments& arguments) {
-    const std::string moves_path = arguments.text("--move");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
-    const std::vector<double> moves = read_moves(moves_path, basis, mesh);
+    const std::vector<double> moves = moves_of(arguments, basis, mesh);
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
     if (!safe && arguments.has("--reached")) arguments.refuse("--reached goes with --safe: without it all of MOVES is reached");
@@ -207,6 +222,8 @@ const Command morph_command = {
     "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
     {{"--move", "MOVES", "movement of the control points (required)"},
+     {"--variables", "MAP", "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, a file of\n"
+                            "`harmorph variables`; bodies stay"},
      {"-o", "MESH", "morphed mesh to write, SU2"},
      {"--curve-out", "CURVE", "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},

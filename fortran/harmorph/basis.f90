@@ -13,6 +13,8 @@
         logical :: all_functions = .false.                      ! of all points: neither a share nor rows
     contains
         procedure :: init => basis_init
+        procedure, private :: combine_real, combine_complex
+        generic :: combine => combine_real, combine_complex
         procedure :: single => basis_single
         procedure :: single_words => basis_single_words
         procedure :: attach => basis_attach

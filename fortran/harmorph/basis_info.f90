@@ -12,6 +12,8 @@
         integer :: exponent_quarters = 0, bodies = 0            ! functions: control points, and two for each body
         logical :: offset_correction = .false.
         integer :: storage = hm_double                          ! hm_single: made by basis%single
+        integer :: combined = 0                                 ! functions of design variables, made by basis%combine
+        integer :: control_points = 0
     end type
 
 contains
@@ -50,6 +52,8 @@ contains
             info%bodies = int(c%bodies)
             info%offset_correction = c%offset_correction /= 0
             info%storage = int(c%storage)
+            info%combined = int(c%combined)
+            info%control_points = int(c%control_points)
         end if
         call done%finish("basis%info", stat, err)
     end subroutine
@@ -90,7 +94,7 @@ contains
         call check_pairs(self, move, done)
         if (done%ok()) then
             call self%info(info)
-            allocate(list(info%curves), control(2, max(info%functions, 1)))
+            allocate(list(info%curves), control(2, max(info%control_points, 1)))
             set%struct_size = int(c_sizeof(set), c_int64_t)
             done%status = hm_c_moved_curves(self%address(), move, c_loc(control), set, list, &
                 int(info%curves, c_int32_t), done%error)

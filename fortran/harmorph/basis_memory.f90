@@ -36,6 +36,59 @@ contains
         can_be_made_anew = basis%all_functions .and. basis%memory%allocated_here()
     end function
 
+    ! Functions of design variables: another basis, which needs this one no longer. matrix(control points,variables); a
+    ! complex one as of curves%map.
+    subroutine combine_real(self, matrix, combined, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        real(c_double), intent(in) :: matrix(:, :)
+        class(hm_basis), intent(inout) :: combined
+        real(c_double), pointer, intent(in), optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call combine_rows(self, shape(matrix), 1, reshape(transpose(matrix), [size(matrix)]), combined, work, stat, err)
+    end subroutine
+
+    subroutine combine_complex(self, matrix, combined, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        complex(c_double), intent(in) :: matrix(:, :)
+        class(hm_basis), intent(inout) :: combined
+        real(c_double), pointer, intent(in), optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        real(c_double), allocatable :: pairs(:, :, :)
+        allocate(pairs(2, size(matrix, 2), size(matrix, 1)))
+        pairs(1, :, :) = transpose(real(matrix, c_double))
+        pairs(2, :, :) = transpose(aimag(matrix))
+        call combine_rows(self, shape(matrix), 2, reshape(pairs, [size(pairs)]), combined, work, stat, err)
+    end subroutine
+
+    subroutine combine_rows(self, extents, numbers, rows, combined, work, stat, err)
+        class(hm_basis), intent(in) :: self
+        integer, intent(in) :: extents(2), numbers
+        real(c_double), intent(in) :: rows(:)
+        class(hm_basis), intent(inout) :: combined
+        real(c_double), pointer, intent(in), optional :: work(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(hm_basis_info) :: info
+        integer(c_int32_t) :: n
+        integer(c_size_t) :: bytes
+        n = int(extents(2), c_int32_t)
+        call combined%free()
+        call need_basis(self, done)
+        if (done%ok()) then
+            call self%info(info)
+            call done%refuse_if(extents(1) /= info%functions - 2 * info%bodies, "matrix must have a row for each control point")
+        end if
+        if (done%ok()) done%status = hm_c_combine_size(self%handle, n, int(numbers, c_int32_t), bytes, done%error)
+        call combined%memory%take(bytes, work, done)
+        if (done%ok()) done%status = hm_c_combine(combined%handle, combined%memory%start, combined%memory%bytes, &
+            self%handle, n, int(numbers, c_int32_t), rows, done%error)
+        call count_points(combined, done)
+        call done%finish("basis%combine", stat, err)
+    end subroutine
+
     ! The functions in single precision, but on the wall: another basis, which needs this one no longer.
     subroutine basis_single(self, narrow, work, stat, err)
         class(hm_basis), intent(in) :: self

@@ -2,7 +2,9 @@
 ! ---- The functions of harmorph.h -------------------------------------------------------------------------------------
 
     public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, &
-        hm_c_curve_point, hm_c_curve_project, hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, &
+        hm_c_curve_point, hm_c_curve_project, hm_c_refine_size, hm_c_refine, hm_c_elevate_size, hm_c_elevate, &
+        hm_c_measure, hm_c_variables_size, hm_c_variables_map, hm_c_combine_size, hm_c_combine, &
+        hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, &
         hm_c_analysis_report, hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, &
         hm_c_basis_init, hm_c_plan_factor, hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, &
         hm_c_basis_info_get, hm_c_basis_curves, hm_c_moved_curves, hm_c_basis_conditions, hm_c_basis_values, hm_c_single_size, &
@@ -55,6 +57,91 @@
             integer(c_int32_t), value, intent(in) :: curve
             real(c_double), value, intent(in) :: x, y
             real(c_double), intent(inout) :: u, distance
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_refine_size(curves, curve, n, u, bytes, err) bind(c, name="hm_refine_size")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve, n
+            real(c_double), intent(in) :: u(*)
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_refine(finer, matrix, block, bytes, curves, curve, n, u, err) &
+            bind(c, name="hm_refine")
+            import
+            type(c_ptr), intent(inout) :: finer, matrix
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve, n
+            real(c_double), intent(in) :: u(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_elevate_size(curves, curve, bytes, err) bind(c, name="hm_elevate_size")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_elevate(finer, matrix, block, bytes, curves, curve, err) &
+            bind(c, name="hm_elevate")
+            import
+            type(c_ptr), intent(inout) :: finer, matrix
+            type(c_ptr), value, intent(in) :: block
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_curves), intent(in) :: curves
+            integer(c_int32_t), value, intent(in) :: curve
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_measure(curves, section, n, quantities, values, at, gradients, err) &
+            bind(c, name="hm_measure")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            type(hm_c_section), intent(in) :: section
+            integer(c_int32_t), value, intent(in) :: n
+            type(hm_c_quantity), intent(in) :: quantities(*)
+            real(c_double), intent(inout) :: values(*)
+            type(c_ptr), value, intent(in) :: at, gradients
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_variables_size(curves, section, variables, n, bytes, err) &
+            bind(c, name="hm_variables_size")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            type(hm_c_section), intent(in) :: section
+            type(hm_c_variables), intent(in) :: variables
+            integer(c_int32_t), intent(inout) :: n
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_variables_map(curves, section, variables, work, bytes, matrix, error, err) &
+            bind(c, name="hm_variables_map")
+            import
+            type(hm_c_curves), intent(in) :: curves
+            type(hm_c_section), intent(in) :: section
+            type(hm_c_variables), intent(in) :: variables
+            type(c_ptr), value, intent(in) :: work
+            integer(c_size_t), value, intent(in) :: bytes
+            real(c_double), intent(inout) :: matrix(*), error(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_combine_size(basis, n, numbers, bytes, err) bind(c, name="hm_combine_size")
+            import
+            type(c_ptr), value, intent(in) :: basis
+            integer(c_int32_t), value, intent(in) :: n, numbers
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_combine(combined, block, bytes, basis, n, numbers, matrix, err) &
+            bind(c, name="hm_combine")
+            import
+            type(c_ptr), intent(inout) :: combined
+            type(c_ptr), value, intent(in) :: block, basis
+            integer(c_size_t), value, intent(in) :: bytes
+            integer(c_int32_t), value, intent(in) :: n, numbers
+            real(c_double), intent(in) :: matrix(*)
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_fit_size(n, options, bytes, err) bind(c, name="hm_fit_size")

@@ -19,6 +19,11 @@
     integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3
     integer, parameter, public :: hm_fit_asked = 0, hm_fit_no_loop = 1, hm_fit_no_corner = 2, hm_fit_corner = 3
     integer, parameter, public :: hm_fit_base = 4
+    integer, parameter, public :: hm_area = 0, hm_centroid_x = 1, hm_centroid_y = 2, hm_moment_xx = 3, &
+        hm_moment_yy = 4, hm_moment_xy = 5, hm_chord = 6, hm_thickness = 7, hm_camber = 8, hm_max_thickness = 9, &
+        hm_max_camber = 10, hm_nose_radius = 11, hm_edge_angle = 12, hm_edge_gap = 13, hm_min_radius = 14, &
+        hm_curvature_variation = 15, hm_clearance = 16
+    integer, parameter, public :: hm_ffd = 0, hm_cst = 1, hm_hicks_henne = 2, hm_naca4 = 3
     integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
     integer, parameter, public :: hm_periodic_pair = 5, hm_given = 6
     integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1

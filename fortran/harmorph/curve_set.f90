@@ -17,6 +17,10 @@
         procedure :: basis => curves_basis
         procedure :: point => curves_point
         procedure :: project => curves_project
+        procedure :: refine => curves_refine
+        procedure :: elevate => curves_elevate
+        procedure :: measure => curves_measure
+        procedure :: map => curves_map
 !@each real
         procedure, private :: fit_@FORM@
         generic :: fit => fit_@FORM@

@@ -23,6 +23,10 @@
 !     call plan%improve(x, y)                      after a movement: inner points where cells are better; needs the plan
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
+!     call curves%measure([hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp)], values, gradients=g)
+!     call curves%map(hm_variables(hm_cst, n_upper=6, n_lower=6), matrix)     d(control points) / d(variables)
+!     call basis%combine(matrix, few)              functions of those variables: few%morph(v, x, y), v(2,variables)
+!     call curves%refine(1, [0.3_dp], finer);  call curves%elevate(1, finer)  more control points, the same shape
 !     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
 !
 ! A basis serves any number of morphs. Solving into a basis that was used before makes it anew. The functions belong to

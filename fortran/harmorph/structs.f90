@@ -85,6 +85,27 @@
         integer(c_int32_t) :: reason = 0, corners = 0, backtrack_point = 0, reserved = 0
     end type
 
+    type, bind(c), public :: hm_c_section
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: first_curve = 0, n_curves = 0
+        real(c_double) :: nose_x = 0, nose_y = 0, edge_x = 0, edge_y = 0
+    end type
+
+    type, bind(c), public :: hm_c_quantity
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: kind = 0, n_polygon = 0
+        real(c_double) :: station = 0
+        type(c_ptr) :: polygon = c_null_ptr
+    end type
+
+    type, bind(c), public :: hm_c_variables
+        integer(c_int64_t) :: struct_size = 0
+        integer(c_int32_t) :: kind = 0, n_upper = 0, n_lower = 0, degree_x = 0, degree_y = 0
+        real(c_double) :: x_min = 0, y_min = 0, x_max = 0, y_max = 0
+        type(c_ptr) :: peaks = c_null_ptr
+        real(c_double) :: nose_exponent = 0, edge_exponent = 0, width = 0
+    end type
+
     type, bind(c), public :: hm_c_condition
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: marker = 0, kind = 0, first_curve = 0, n_curves = 0, body = 0, partner = 0
@@ -136,6 +157,7 @@
         integer(c_int32_t) :: numbers_per_value = 0, operator_kind = 0, scheme = 0, engine = 0, index_base = 0
         type(c_ptr) :: curve_point = c_null_ptr, point_curve = c_null_ptr, point_u = c_null_ptr
         integer(c_int32_t) :: exponent_quarters = 0, bodies = 0, offset_correction = 0, storage = 0
+        integer(c_int32_t) :: combined = 0, control_points = 0
     end type
 
     type, bind(c), public :: hm_transfer_report

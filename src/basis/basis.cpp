@@ -38,6 +38,7 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(knots, counts.knots);
     arena.take(control, 2 * Offset{counts.control});
     arena.take(weights, counts.weights);
+    arena.take(combination, Offset{counts.control} * counts.combined * counts.combination);
     arena.take(conditions, counts.conditions);
     arena.take(wall_point, counts.wall);
     arena.take(wall_curve, counts.wall);
@@ -90,7 +91,7 @@ BoundaryFunctions Basis::boundary_functions(Index slot) const noexcept {
     Vec2 const offset = wall_offset[slot];
     if (is_given(slot)) return out;
     if (!is_on_curve(slot)) {
-        Index const translation = header->counts.control + 2 * (wall_curve[slot] - header->counts.curves);
+        Index const translation = header->counts.shapes() + 2 * (wall_curve[slot] - header->counts.curves);
         out.order = 2;
         out.function[0] = translation;
         out.value[0] = {1, 0};
@@ -124,11 +125,28 @@ BoundaryFunctions Basis::stored_boundary_functions(Index slot) const noexcept {
     return out;
 }
 
-Vec2 BoundaryFunctions::moved(const Real* move) const noexcept {
+Vec2 Basis::combination_at(Index control_point, Index variable) const noexcept {
+    Index const numbers = header->counts.combination;
+    const Real* const entry = combination.data() + (Offset{control_point} * header->counts.combined + variable) * numbers;
+    return {entry[0], numbers == 2 ? entry[1] : 0};
+}
+
+Vec2 Basis::control_move(Index control_point, const Real* move) const noexcept {
+    if (combination.empty()) return {move[2 * control_point], move[2 * control_point + 1]};
     Vec2 sum;
-    for (Index k = 0; k < order; ++k) {
-        const Real* const by = move + 2 * function[k];
-        sum = sum + product(value[k], {by[0], by[1]});
+    for (Index k = 0; k < header->counts.combined; ++k) {
+        sum = sum + product(combination_at(control_point, k), {move[2 * k], move[2 * k + 1]});
+    }
+    return sum;
+}
+
+Vec2 Basis::wall_move(Index slot, const Real* move) const noexcept {
+    BoundaryFunctions const functions = boundary_functions(slot);
+    Vec2 sum;
+    for (Index k = 0; k < functions.order; ++k) {
+        Index const i = functions.function[k];
+        Vec2 const by = is_on_curve(slot) ? control_move(i, move) : Vec2{move[2 * i], move[2 * i + 1]};
+        sum = sum + product(functions.value[k], by);
     }
     return sum;
 }
@@ -145,7 +163,13 @@ void Basis::column(Index number, Real* out) const noexcept {
 Status Basis::require_double(Fault& fault) const noexcept {
     if (!in_single()) return Status::ok;
     return fault.refuse(Status::unsupported,
-                        "the basis has face_hash functions in single precision, this call needs them in double");
+                        "the basis has its functions in single precision, this call needs them in double");
+}
+
+Status Basis::require_control_points(Fault& fault) const noexcept {
+    if (header->counts.combination == 0) return Status::ok;
+    return fault.refuse(Status::unsupported,
+                        "the basis has combined functions, this call needs those of the control points");
 }
 
 void Basis::seal(Real at_least) const noexcept {

@@ -7,7 +7,7 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         if (basis.is_given(slot)) continue;
         Index const point = basis.wall_point[slot];
-        Vec2 const curve_moved = basis.boundary_functions(slot).moved(move);
+        Vec2 const curve_moved = basis.wall_move(slot, move);
         worst.include(length(to[point] - from[point] - curve_moved), point);
     }
     return worst;

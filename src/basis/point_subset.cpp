@@ -111,6 +111,7 @@ void Extract::init(Basis const& whole, PointList const& list) const noexcept {
     copy(basis.knots, Span<const Real>(whole.knots));
     copy(basis.control, Span<const Real>(whole.control));
     copy(basis.weights, Span<const Real>(whole.weights));
+    copy(basis.combination, Span<const Real>(whole.combination));
     copy(basis.conditions, Span<const Condition>(whole.conditions));
     for (Index whole_slot = 0; whole_slot < slot.count(); ++whole_slot) {
         if (slot[whole_slot] == none) continue;

@@ -90,7 +90,7 @@ Status measure_edge_gap(Section& section, ControlGradient const& gradient, Measu
     Vec2 const along = section.chord(), gap = section.sign * (first.point() - last.point());
     Real const size = length(along);
     Vec2 const normal = (1 / size) * left_of(along);
-    measured = {dot(gap, normal), first.point()};
+    measured = {dot(gap, normal) + 0.0, first.point()};  // not -0
     gradient.add(first, section.sign * normal);
     gradient.add(last, -section.sign * normal);
     Vec2 const by_along = (1 / size) * (Vec2{gap.y, -gap.x} - (measured.value / size) * along);

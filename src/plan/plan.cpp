@@ -102,6 +102,7 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     HARMORPH_TRY(basis.require_double(fault));
+    HARMORPH_TRY(basis.require_control_points(fault));
     BasisCounts const whole = basis.header->counts.share(0, basis_counts.stored);
     bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;

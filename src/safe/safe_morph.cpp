@@ -24,6 +24,7 @@ Span<const unsigned char> problem_of(Basis const& basis) noexcept {
 // Another one's step moves the wall as the B-spline does only if its curves and parameters are the same.
 Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept {
     HARMORPH_TRY(other.require_double(fault));
+    HARMORPH_TRY(other.require_control_points(fault));
     BasisCounts counts = other.header->counts;
     counts.kind = basis.header->counts.kind;
     Span<const unsigned char> const own = problem_of(basis), theirs = problem_of(other);
@@ -241,8 +242,8 @@ void SafeMorph::put_wall(Work const& work) const noexcept {
     for (Index k = 0; k < work.mesh().n_points; ++k) {
         Index const place = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(place)) continue;
-        BoundaryFunctions const functions = work.basis.boundary_functions(Matrix::wall(place) / matrix.components());
-        Vec2 const moved = functions.moved(aimed.data()), start = work.mesh().points[k];
+        Vec2 const moved = work.basis.wall_move(Matrix::wall(place) / matrix.components(), aimed.data());
+        Vec2 const start = work.mesh().points[k];
         next().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
     }
 }

@@ -12,12 +12,15 @@ namespace harmorph {
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
+    Index combined = 0, combination = 0;  // functions of design variables, and numbers of an entry of their matrix; 0: none
     Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or those of one process
     ValueKind kind = ValueKind::real;
     Precision storage = Precision::in_double;  // of the values; see single_precision.hpp
 
-    // One of each control point, and two of each rigid body: its translation, and its turn.
-    Index functions() const noexcept { return control + 2 * bodies; }
+    // One of each control point, or of each design variable.
+    Index shapes() const noexcept { return combination == 0 ? control : combined; }
+    // These, and two of each rigid body: its translation, and its turn.
+    Index functions() const noexcept { return shapes() + 2 * bodies; }
     bool complete() const noexcept { return stored == functions(); }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
@@ -28,14 +31,12 @@ struct BasisCounts {
     }
 };
 
-// The functions that are not 0 at a point of the wall, and their values as complex numbers.
+// The functions that are not 0 at a point of the wall, and their values as complex numbers; of control points, also where
+// functions are combined.
 struct BoundaryFunctions {
     Index order = 0;
     Index function[max_order] = {};
     Vec2 value[max_order];
-
-    // Where the movements of functions, [2 * functions] x,y pairs, move the point.
-    Vec2 moved(const Real* move) const noexcept;
 };
 
 // Fingerprints of cells and markers of a mesh; coordinates do not enter.
@@ -81,6 +82,7 @@ struct Basis {
     Span<Real> knots;              // of all curves
     Span<Real> control;            // [2 * control points]
     Span<Real> weights;            // [control points] or empty
+    Span<Real> combination;        // [control points x combined x numbers]: movement of control points by variables
     Span<Condition> conditions;
     Span<Index> wall_point, wall_curve;  // [wall]
     Span<Real> wall_u;
@@ -111,10 +113,17 @@ struct Basis {
     void column(Index number, Real* out) const noexcept;
     // Refuses single storage: for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
+    // Refuses combined functions: for calls that solve.
+    Status require_control_points(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
     // Its displacement is given from call to call: no function moves it.
     bool is_given(Index slot) const noexcept { return wall_curve[slot] == header->counts.curves + header->counts.bodies; }
+    // Complex; only where functions are combined.
+    Vec2 combination_at(Index control_point, Index variable) const noexcept;
+    // Of movements of functions, [2 * functions] x,y pairs: of a control point, and of a point of the wall.
+    Vec2 control_move(Index control_point, const Real* move) const noexcept;
+    Vec2 wall_move(Index slot, const Real* move) const noexcept;
     // The boundary functions at a point of the wall: evaluated from the parameter, or the movements of the rigid body.
     // None at a given point.
     BoundaryFunctions boundary_functions(Index slot) const noexcept;

@@ -1,0 +1,146 @@
+// The C interface: design variables as maps to the control points.
+#include "harmorph/bspline/section_area.hpp"
+#include "harmorph/bspline/variables.hpp"
+#include "section_view.hpp"
+
+namespace harmorph {
+namespace {
+
+// Fields of another kind than the one that is asked for would be left out silently.
+Status check_fields(hm_variables const& v, Fault& fault) noexcept {
+    const char* wrong = nullptr;
+    bool const ffd = v.kind == HM_FFD;
+    bool const box = !(v.x_min == 0 && v.y_min == 0 && v.x_max == 0 && v.y_max == 0);
+    if (!ffd && (v.degree_x != 0 || v.degree_y != 0 || box)) wrong = "variables: degrees and box are of HM_FFD only";
+    if (ffd && (v.n_upper != 0 || v.n_lower != 0)) wrong = "variables: n_upper and n_lower are not of HM_FFD";
+    if (v.kind == HM_NACA4 && v.n_lower != 0) wrong = "variables: n_lower is not of HM_NACA4";
+    if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
+    if (v.kind != HM_CST && !(v.nose_exponent == 0 && v.edge_exponent == 0)) {
+        wrong = "variables: the exponents are of HM_CST only";
+    }
+    if (v.kind != HM_HICKS_HENNE && v.width != 0) wrong = "variables: the width is of HM_HICKS_HENNE only";
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::bad_argument, wrong);
+}
+
+Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
+    auto const refuse = [&](const char* why, Real value = 0) {
+        return fault.refuse(Status::bad_argument, why, Counts::from_zero, none, none, value);
+    };
+    Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
+    if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 || v.n_lower > Variables::most ||
+        v.n_upper + v.n_lower < least) {
+        return fault.refuse(Status::bad_argument, "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
+                            Counts::from_zero, v.n_upper, v.n_lower);
+    }
+    if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 || v.degree_y >= Variables::most) {
+        return fault.refuse(Status::bad_argument, "variables: degree_x and degree_y are # and @, not 0 to 63",
+                            Counts::from_zero, v.degree_x, v.degree_y);
+    }
+    if (!(v.nose_exponent >= 0 && v.nose_exponent <= 10)) return refuse("variables: nose_exponent is ~, not 0 to 10", v.nose_exponent);
+    if (!(v.edge_exponent >= 0 && v.edge_exponent <= 10)) return refuse("variables: edge_exponent is ~, not 0 to 10", v.edge_exponent);
+    if (v.width != 0 && !(v.width >= 1 && v.width <= 100)) return refuse("variables: the width is ~, not 1 to 100", v.width);
+    for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
+        if (v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
+        return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1", Counts::from_zero, k,
+                            none, v.peaks[k]);
+    }
+    return Status::ok;
+}
+
+void use_box(hm_variables const& v, CurvesView const& view, Variables& out) noexcept {
+    out.low = {v.x_min, v.y_min};
+    out.high = {v.x_max, v.y_max};
+    if (!(v.x_min == 0 && v.y_min == 0 && v.x_max == 0 && v.y_max == 0)) return;
+    const double* const p = view.set.control;
+    out.low = out.high = {p[0], p[1]};
+    for (Index i = 1; i < view.set.n_control; ++i) {
+        out.low = {smaller(out.low.x, p[2 * i]), smaller(out.low.y, p[2 * i + 1])};
+        out.high = {larger(out.high.x, p[2 * i]), larger(out.high.y, p[2 * i + 1])};
+    }
+    Vec2 const margin = 0.025 * (out.high - out.low);
+    out.low = out.low - margin;
+    out.high = out.high + margin;
+}
+
+Status open_variables(const hm_variables* given, CurvesView const& view, Variables& out, Fault& fault) noexcept {
+    HARMORPH_TRY(require({{"variables", given}}, fault));
+    hm_variables v;
+    if (!read_struct(given, v)) return fault.refuse(Status::bad_argument, "variables.struct_size is not set");
+    if (v.kind < HM_FFD || v.kind > HM_NACA4) {
+        return fault.refuse(Status::bad_argument, "variables.kind is #, which is unknown", Counts::from_zero, v.kind);
+    }
+    HARMORPH_TRY(check_fields(v, fault));
+    HARMORPH_TRY(check_numbers(v, fault));
+    out.kind = static_cast<VariableKind>(v.kind);
+    out.n_upper = v.n_upper;
+    out.n_lower = v.n_lower;
+    out.degree_x = v.degree_x;
+    out.degree_y = v.degree_y;
+    out.peaks = v.peaks;
+    if (!(v.nose_exponent == 0 && v.edge_exponent == 0)) {
+        out.nose_exponent = v.nose_exponent;
+        out.edge_exponent = v.edge_exponent;
+    }
+    if (v.width != 0) out.width = v.width;
+    if (out.kind != VariableKind::ffd) return Status::ok;
+    use_box(v, view, out);
+    if (is_in_range(out.low) && is_in_range(out.high) && out.low.x < out.high.x && out.low.y < out.high.y) return Status::ok;
+    return fault.refuse(Status::bad_argument, "variables: the box is empty or not finite");
+}
+
+// What both calls read.
+struct VariablesTask {
+    CurvesView view;
+    Section section;
+    Variables variables;
+
+    Status open(const hm_curves* curves, const hm_section* given_section, const hm_variables* given,
+                CallFault& fault) noexcept {
+        HARMORPH_TRY(open_section(curves, given_section, view, section, fault));
+        HARMORPH_TRY(open_variables(given, view, variables, fault));
+        if (!variables.needs_chord()) return Status::ok;
+        AreaMoments moments;
+        HARMORPH_TRY(area_moments(section, moments, fault));  // for the orientation
+        return section.find_chord(true, fault);
+    }
+    void lay_out(Arena& arena, VariableMap& map) const noexcept {
+        map.lay_out(arena, view.set.n_control, variables.count());
+    }
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, const hm_variables* variables, int32_t* n,
+                            size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        VariablesTask task;
+        HARMORPH_TRY(require({{"n", n}}, fault));
+        HARMORPH_TRY(task.open(curves, section, variables, fault));
+        VariableMap map;
+        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
+        *n = task.variables.count();
+        return Status::ok;
+    });
+}
+
+hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, const hm_variables* variables, void* work,
+                           size_t bytes, double* matrix, double* error, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        VariablesTask task;
+        HARMORPH_TRY(require({{"work", work}, {"matrix", matrix}}, fault));
+        HARMORPH_TRY(task.open(curves, section, variables, fault));
+        VariableMap map;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { task.lay_out(arena, map); }));
+        HARMORPH_TRY(map.run(task.section, task.variables, fault));
+        copy(Span<Real>(matrix, map.wanted.size()), Span<const Real>(map.wanted));
+        if (error != nullptr) copy(Span<Real>(error, map.error.size()), Span<const Real>(map.error));
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,57 @@
+#include "harmorph/base/dependent_column.hpp"
+
+#include "harmorph/base/vec2.hpp"
+
+namespace harmorph {
+
+// As complex numbers: column b minus its part along column a, until b is normal to a to rounding.
+DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers) noexcept {
+    constexpr Real smallest = 1e-12;  // of the length of a column: what is left of a dependent one is rounding
+    Index const rows = n > 0 ? static_cast<Index>(matrix.size() / (static_cast<Size>(n) * static_cast<Size>(numbers))) : 0;
+    auto const at = [&](Index row, Index column) {
+        const Real* const entry = matrix.data() + (Offset{row} * n + column) * numbers;
+        return Vec2{entry[0], numbers == 2 ? entry[1] : 0};
+    };
+    auto const set = [&](Index row, Index column, Vec2 value) {
+        Real* const entry = matrix.data() + (Offset{row} * n + column) * numbers;
+        entry[0] = value.x;
+        if (numbers == 2) entry[1] = value.y;
+    };
+    auto const scale = [&](Index column, Real factor) {
+        for (Index row = 0; row < rows; ++row) set(row, column, factor * at(row, column));
+    };
+    auto const size_of = [&](Index column) {
+        Real largest = 0;
+        for (Index row = 0; row < rows; ++row) {
+            Vec2 const entry = at(row, column);
+            largest = larger(largest, larger(absolute(entry.x), absolute(entry.y)));
+        }
+        if (!(largest > 0)) return 0.0;
+        Real sum = 0;
+        for (Index row = 0; row < rows; ++row) sum += square((1 / largest) * at(row, column));
+        return largest * square_root(sum);
+    };
+    for (Index column = 0; column < n; ++column) {
+        Real const size = size_of(column);
+        if (!(size > 0)) return {column, true};
+        scale(column, 1 / size);
+        for (Index pass = 0; pass < 2; ++pass) {
+            for (Index before = 0; before < column; ++before) {
+                Vec2 part;
+                for (Index row = 0; row < rows; ++row) {
+                    part = part + product(conjugate(at(row, before)), at(row, column));
+                }
+                for (Index row = 0; row < rows; ++row) {
+                    set(row, column, at(row, column) - product(part, at(row, before)));
+                }
+            }
+            if (pass > 0) continue;
+            Real const left = size_of(column);
+            if (!(left > smallest)) return {column, false};
+        }
+        scale(column, 1 / size_of(column));
+    }
+    return {};
+}
+
+}  // namespace harmorph

@@ -1,0 +1,210 @@
+#include <doctest/doctest.h>
+
+#include <fixtures/single.hpp>
+
+#include <complex>
+#include <cstring>
+#include <string>
+
+using namespace fixtures;
+using Complex = std::complex<double>;
+
+namespace {
+
+// A random matrix [rows * n * numbers] as hm_combine takes it.
+struct Combination {
+    int rows, n, numbers;
+    Numbers entries;
+
+    Combination(int its_rows, int its_n, int its_numbers, unsigned seed)
+        : rows(its_rows), n(its_n), numbers(its_numbers), entries(some_move((rows * n * numbers + 1) / 2, 1, seed)) {
+        entries.resize(static_cast<std::size_t>(rows * n * numbers));
+    }
+    Complex at(int row, int column) const {
+        const double* const entry = &entries[static_cast<std::size_t>((row * n + column) * numbers)];
+        return {entry[0], numbers == 2 ? entry[1] : 0};
+    }
+    // Movements of the first basis' functions; those behind the control points are the same.
+    Numbers expanded(Numbers const& move) const {
+        Numbers out;
+        for (int row = 0; row < rows; ++row) {
+            Complex sum = 0;
+            for (int column = 0; column < n; ++column) {
+                auto const k = static_cast<std::size_t>(2 * column);
+                sum += at(row, column) * Complex(move[k], move[k + 1]);
+            }
+            out.insert(out.end(), {sum.real(), sum.imag()});
+        }
+        out.insert(out.end(), move.begin() + 2 * n, move.end());
+        return out;
+    }
+};
+
+class Combined {
+public:
+    hm_basis* basis = nullptr;
+    hm_status status = HM_OK;
+    hm_error error{};
+
+    Combined(const hm_basis* from, Combination const& by, std::size_t less = 0) {
+        std::size_t bytes = 0;
+        status = hm_combine_size(from, by.n, by.numbers, &bytes, &error);
+        if (status < 0) return;
+        block_ = std::make_unique<Guarded>(bytes - less);
+        status = hm_combine(&basis, block_->data(), bytes - less, from, by.n, by.numbers, by.entries.data(), &error);
+        CHECK(block_->guards_intact());
+    }
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+double difference(Moved const& a, Moved const& b) {
+    double worst = 0;
+    for (std::size_t k = 0; k < a.x.size(); ++k) worst = std::max({worst, std::fabs(a.x[k] - b.x[k]), std::fabs(a.y[k] - b.y[k])});
+    return worst;
+}
+
+std::vector<KindOfProblem> problems() {
+    std::vector<KindOfProblem> out = kinds_of_problems();
+    out.emplace_back();
+    out.back().its = cut_ring();
+    out.back().options.operator_kind = HM_CONFORMAL;
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("combined functions move points, curves and gradients as the control points they stand for") {
+    for (KindOfProblem& problem : problems())
+        for (int const numbers : {1, 2}) {
+            Solved const solved(problem.its, &problem.options);
+            hm_basis_info const info = solved.info();
+            Combination const by(info.control_points, 3, numbers, 5);
+            Combined const combined(solved.basis, by);
+            REQUIRE_MESSAGE(combined.status == HM_OK, combined.error.text);
+            hm_basis_info const made = info_of(combined.basis);
+            INFO("values of " << info.numbers_per_value << " numbers, matrix of " << numbers);
+            CHECK(made.functions == 3 + 2 * info.bodies);
+            CHECK(made.combined == 3);
+            CHECK(made.control_points == info.control_points);
+            CHECK(made.numbers_per_value == std::max(info.numbers_per_value, numbers));
+            CHECK(made.bytes < info.bytes);
+
+            Numbers const move = some_move(made.functions, 0.01, 7), whole = by.expanded(move);
+            Moved const found = displaced(combined.basis, move), expected = displaced(solved.basis, whole);
+            CHECK(difference(found, expected) < 1e-14);
+            double error = 1;
+            Moved const moved = morphed(combined.basis, problem.its.mesh, move);
+            REQUIRE(hm_boundary_error(combined.basis, move.data(), points_in(problem.its.mesh.x, problem.its.mesh.y),
+                                      points_in(moved.x, moved.y), &error, nullptr, nullptr) == HM_OK);
+            CHECK(error < 1e-14);
+            hm_curve curve[2][2]{};
+            hm_curves curves[2]{};
+            Numbers control[2] = {Numbers(2 * static_cast<std::size_t>(info.control_points)), control[0]};
+            for (int k = 0; k < 2; ++k) {
+                curves[k].struct_size = sizeof(hm_curves);
+                REQUIRE(hm_moved_curves(k == 0 ? combined.basis : solved.basis, k == 0 ? move.data() : whole.data(),
+                                        control[k].data(), &curves[k], curve[k], 2, nullptr) == HM_OK);
+            }
+            for (std::size_t k = 0; k < control[0].size(); ++k) CHECK(control[0][k] == doctest::Approx(control[1][k]).epsilon(1e-14));
+
+            // g_j = sum_i conj(M_ij) G_i; and work done by both is the same.
+            Gradient const g(problem.its.mesh.x.size(), 3);
+            Numbers const of_all = adjoint(solved.basis, g), of_few = adjoint(combined.basis, g);
+            double size = 0, worst = 0, work = 0, done = 0, parts = 0;
+            for (int j = 0; j < made.functions; ++j) {
+                auto const at = static_cast<std::size_t>(2 * j);
+                Complex sum = 0;
+                for (int i = 0; j < 3 && i < info.control_points; ++i) {
+                    auto const k = static_cast<std::size_t>(2 * i);
+                    sum += std::conj(by.at(i, j)) * Complex(of_all[k], of_all[k + 1]);
+                }
+                auto const behind = static_cast<std::size_t>(2 * (info.control_points + j - 3));
+                if (j >= 3) sum = {of_all[behind], of_all[behind + 1]};
+                size = std::max(size, std::abs(sum));
+                worst = std::max(worst, std::abs(sum - Complex(of_few[at], of_few[at + 1])));
+                work += move[at] * of_few[at] + move[at + 1] * of_few[at + 1];
+            }
+            for (std::size_t k = 0; k < found.x.size(); ++k) {
+                done += g.x[k] * found.x[k] + g.y[k] * found.y[k];
+                parts += std::fabs(g.x[k] * found.x[k]) + std::fabs(g.y[k] * found.y[k]);
+            }
+            CHECK(worst <= 1e-13 * size);
+            CHECK(std::fabs(work - done) <= 1e-14 * parts);
+        }
+}
+
+TEST_CASE("combined functions are extracted, written, attached, stored in single precision, combined again") {
+    for (KindOfProblem& problem : problems()) {
+        Solved const solved(problem.its, &problem.options);
+        Combination const by(solved.info().control_points, 4, 2, 9), again(4, 2, 1, 10);
+        Combined const combined(solved.basis, by);
+        REQUIRE(combined.status == HM_OK);
+        int const functions = info_of(combined.basis).functions;
+        Numbers const move = some_move(functions, 0.01, 7);
+        Moved const expected = displaced(combined.basis, move);
+
+        std::vector<unsigned char> const bytes = bytes_of(combined.basis);
+        Numbers block(bytes.size() / sizeof(double));
+        std::memcpy(block.data(), bytes.data(), bytes.size());
+        hm_mesh const mesh = problem.its.mesh_view();
+        const hm_basis* attached = nullptr;
+        REQUIRE(hm_basis_attach(&attached, block.data(), bytes.size(), &mesh, nullptr) == HM_OK);
+        CHECK(difference(displaced(attached, move), expected) == 0);
+
+        Single const single(combined.basis);
+        REQUIRE(single.status == HM_OK);
+        CHECK(difference(displaced(single.basis, move), expected) < 1e-7);
+        std::vector<std::int32_t> points;
+        for (std::int32_t k = 0; k < mesh.n_points; k += 3) points.push_back(k);
+        Rows const rows(combined.basis, points);
+        REQUIRE(rows.status == HM_OK);
+        Moved const part = displaced(rows.basis, move);
+        for (std::size_t k = 0; k < points.size(); ++k) CHECK(part.x[k] == expected.x[static_cast<std::size_t>(points[k])]);
+        double error = 1;
+        Numbers const zero(points.size());
+        REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero), points_in(part.x, part.y), &error, nullptr,
+                                  nullptr) == HM_OK);
+        CHECK(error < 1e-14);
+
+        Combined const twice(combined.basis, again);
+        REQUIRE_MESSAGE(twice.status == HM_OK, twice.error.text);
+        Numbers const few = some_move(info_of(twice.basis).functions, 0.01, 8);
+        CHECK(difference(displaced(twice.basis, few), displaced(solved.basis, by.expanded(again.expanded(few)))) < 1e-14);
+        CHECK(info_of(twice.basis).combined == 2);
+
+        hm_error refusal{};
+        CHECK(hm_plan_solve(solved.plan, combined.basis, nullptr, &refusal) == HM_UNSUPPORTED);
+        CHECK(std::string(refusal.text).find("combined") != std::string::npos);
+    }
+}
+
+TEST_CASE("singular matrices are refused by column; so are short blocks and numbers that are not finite") {
+    Case its = ring_case(4, 24, 0.5, 1);
+    Solved const solved(its);
+    Combination good(8, 3, 2, 4);
+    auto const refusal = [&](Combination const& by, std::string const& word, int item) {
+        Combined const combined(solved.basis, by);
+        CHECK(combined.basis == nullptr);
+        CHECK(combined.error.item == item);
+        CHECK_MESSAGE(std::string(combined.error.text).find(word) != std::string::npos, combined.error.text);
+        return combined.status;
+    };
+    Combination zero = good, twice = good, bad = good;
+    for (int row = 0; row < 8; ++row) {
+        for (int number = 0; number < 2; ++number) zero.entries[static_cast<std::size_t>((row * 3 + 1) * 2 + number)] = 0;
+        Complex const turned = Complex(0.3, -2) * good.at(row, 0) + good.at(row, 1);
+        twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2)] = turned.real();
+        twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2 + 1)] = turned.imag();
+    }
+    bad.entries[7] = std::nan("");
+    CHECK(refusal(zero, "is zero", 1) == HM_BAD_CONDITION);
+    CHECK(refusal(twice, "combination", 2) == HM_BAD_CONDITION);
+    CHECK(refusal(bad, "not finite", 1) == HM_BAD_ARGUMENT);
+    CHECK(refusal(Combination(8, 9, 1, 4), "9 variables of 8", 9) == HM_BAD_CONDITION);
+    CHECK(refusal(Combination(8, 0, 1, 4), "at least one", 0) == HM_BAD_ARGUMENT);
+    CHECK(Combined(solved.basis, good, 1).status == HM_BLOCK_TOO_SMALL);
+    CHECK(Combined(solved.basis, good, 200).status == HM_BLOCK_TOO_SMALL);
+    CHECK(Combined(Single(solved.basis).basis, good).status == HM_UNSUPPORTED);
+}

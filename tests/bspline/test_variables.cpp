@@ -1,0 +1,255 @@
+#include <doctest/doctest.h>
+
+#include <fixtures/curves.hpp>
+#include <fixtures/guarded.hpp>
+
+#include <algorithm>
+#include <string>
+
+using fixtures::CurveSet;
+using fixtures::FitRun;
+using fixtures::Spline;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+struct Map {
+    hm_status status;
+    hm_error error{};
+    std::int32_t n = 0;
+    std::vector<double> matrix, errors;
+
+    double x(int point, int variable) const { return matrix[static_cast<std::size_t>(2 * (point * n + variable))]; }
+    double y(int point, int variable) const { return matrix[static_cast<std::size_t>(2 * (point * n + variable) + 1)]; }
+};
+
+Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* section = nullptr) {
+    Map out;
+    std::size_t bytes = 0;
+    out.status = hm_variables_size(&set.view(), section, &variables, &out.n, &bytes, &out.error);
+    if (out.status < 0) return out;
+    out.matrix.assign(static_cast<std::size_t>(2 * set.n_control() * out.n), -7);
+    out.errors.assign(static_cast<std::size_t>(2 * out.n), -7);
+    fixtures::Guarded work(bytes);
+    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes, out.matrix.data(), out.errors.data(),
+                                  &out.error);
+    CHECK(work.guards_intact());
+    return out;
+}
+
+hm_variables kind(int number, int n_upper = 0, int n_lower = 0) {
+    hm_variables out{};
+    out.struct_size = sizeof out;
+    out.kind = number;
+    out.n_upper = n_upper;
+    out.n_lower = n_lower;
+    return out;
+}
+
+// Fitted to a NACA section; tied at the trailing edge, or open with a base.
+CurveSet airfoil(bool blunt, int n_control) {
+    fixtures::Naca4 naca{0.02, 0.4, 0.12, blunt};
+    harmorph::FitOptions options;
+    options.n_control = n_control;
+    FitRun run(fixtures::vectors(fixtures::naca4(naca, 100)), options);
+    REQUIRE(run.status == harmorph::Status::ok);
+    Spline spline;
+    harmorph::Curve const& curve = run.fit.curve[0];
+    for (int i = 0; i < curve.n_control; ++i) spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
+    for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
+    spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
+    CurveSet set(spline);
+    if (blunt) set.add_over(1, {curve.control_point(curve.n_indices - 1), curve.control_point(0)}, {0, 0, 1, 1});
+    return set;
+}
+
+// What a variable moves the curve by at a parameter, and the curve's point.
+struct Movement {
+    double x, y, dx = 0, dy = 0;
+
+    Movement(CurveSet& set, Map const& map, int variable, double u) {
+        std::int32_t control[4];
+        double value[4], at[2];
+        REQUIRE(hm_curve_basis(&set.view(), 0, u, 0, control, value, nullptr) == HM_OK);
+        REQUIRE(hm_curve_point(&set.view(), 0, u, 0, at, nullptr) == HM_OK);
+        x = at[0];
+        y = at[1];
+        for (int k = 0; k < 4; ++k) {
+            dx += value[k] * map.x(control[k], variable);
+            dy += value[k] * map.y(control[k], variable);
+        }
+    }
+};
+
+double bernstein(int degree, int k, double t) {
+    double value = std::pow(t, k) * std::pow(1 - t, degree - k);
+    for (int i = 0; i < k; ++i) value *= static_cast<double>(degree - i) / (k - i);
+    return value;
+}
+
+hm_section unit_chord() {
+    hm_section out{};
+    out.struct_size = sizeof out;
+    out.edge_x = 1;
+    return out;
+}
+
+// The largest difference between what a variable moves the curve by and shape(station, upper) normal to the chord (0,0)
+// - (1,0), against the error that the library says. The sides meet where the curve is farthest from (1,0).
+template <class Shape>
+void check_shape(CurveSet& set, Map const& map, int variable, Shape const& shape) {
+    double worst = 0, farthest = 0, nose = 0;
+    for (int k = 0; k <= 4000; ++k) {
+        Movement const at(set, map, variable, k / 4000.0);
+        if (std::hypot(at.x - 1, at.y) > farthest) {
+            farthest = std::hypot(at.x - 1, at.y);
+            nose = k / 4000.0;
+        }
+    }
+    double const upper_first = Movement(set, map, variable, 0.5 * nose).y > 0;
+    for (int k = 0; k <= 4000; ++k) {
+        double const u = k / 4000.0;
+        if (std::fabs(u - nose) < 1e-3) continue;
+        Movement const at(set, map, variable, u);
+        bool const upper = (u < nose) == (upper_first != 0);
+        double const t = std::min(std::max(at.x, 0.0), 1.0);
+        worst = std::max({worst, std::fabs(at.dx), std::fabs(at.dy - shape(t, upper))});
+    }
+    INFO("variable " << variable << ", error " << map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+    CHECK(worst <= 1.1 * map.errors[static_cast<std::size_t>(2 * variable + 1)] + 1e-12);
+    CHECK(map.errors[static_cast<std::size_t>(2 * variable)] <= map.errors[static_cast<std::size_t>(2 * variable + 1)]);
+}
+
+}  // namespace
+
+TEST_CASE("an FFD box of degree 1 moves the curve by affine maps exactly, one of any degree moves it as a whole") {
+    CurveSet set = airfoil(false, 20);
+    for (int const degree : {1, 3}) {
+        hm_variables box = kind(HM_FFD);
+        box.degree_x = degree;
+        box.degree_y = 1;
+        box.x_min = -0.5;
+        box.x_max = 1.5;
+        box.y_min = -1;
+        box.y_max = 1;
+        Map const map = mapped(set, box);
+        REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+        CHECK(map.n == (degree + 1) * 2);
+        for (int i = 0; i < set.n_control(); ++i) {
+            double dx = 0, dy = 0, sum = 0;
+            for (int node = 0; node < map.n; ++node) {
+                double const x = -0.5 + 2.0 * (node % (degree + 1)) / degree, y = node / (degree + 1) == 0 ? -1 : 1;
+                dx += map.x(i, node) * (0.1 + 0.3 * x - 0.7 * y);
+                dy += map.x(i, node) * (-0.2 + 0.5 * x + 0.4 * y);
+                sum += map.x(i, node);
+                CHECK(map.y(i, node) == 0);
+            }
+            double const x = set.control[static_cast<std::size_t>(2 * i)], y = set.control[static_cast<std::size_t>(2 * i + 1)];
+            CHECK(sum == doctest::Approx(1).epsilon(1e-10));
+            CHECK(dx == doctest::Approx(0.1 + 0.3 * x - 0.7 * y).epsilon(1e-9));
+            CHECK(dy == doctest::Approx(-0.2 + 0.5 * x + 0.4 * y).epsilon(1e-9));
+        }
+    }
+}
+
+TEST_CASE("CST, bumps and NACA modes move the curve by their formulas, as nearly as they say") {
+    for (bool const blunt : {false, true}) {
+        CurveSet set = airfoil(blunt, 30);
+        hm_section const chord = unit_chord();
+        Map const cst = mapped(set, kind(HM_CST, 4, 3), &chord);
+        REQUIRE_MESSAGE(cst.status == HM_OK, cst.error.text);
+        CHECK(cst.n == 7);
+        Map const bumps = mapped(set, kind(HM_HICKS_HENNE, 3, 2), &chord);
+        REQUIRE_MESSAGE(bumps.status == HM_OK, bumps.error.text);
+        Map const naca = mapped(set, kind(HM_NACA4, 1), &chord);
+        REQUIRE_MESSAGE(naca.status == HM_OK, naca.error.text);
+        CHECK(naca.n == 2);
+        for (int j = 0; j < 7; ++j) {
+            if (j >= 4) continue;   // of the upper side: check_shape tells the sides by the sign
+            check_shape(set, cst, j, [&](double t, bool upper) { return upper ? std::sqrt(t) * (1 - t) * bernstein(3, j, t) : 0; });
+        }
+        for (int j = 0; j < 3; ++j) {
+            double const peak = (2 * j + 1) / 6.0;
+            check_shape(set, bumps, j, [&](double t, bool upper) {
+                return upper ? std::pow(std::sin(pi * std::pow(t, std::log(0.5) / std::log(peak))), 3) : 0;
+            });
+            CHECK(bumps.errors[static_cast<std::size_t>(2 * j)] < 0.06);
+        }
+        check_shape(set, naca, 0, [](double t, bool) { return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36; });
+        check_shape(set, naca, 1, [](double t, bool upper) {
+            return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) - t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t))));
+        });
+        CHECK(naca.errors[0] < 1e-3);
+        CHECK(naca.errors[2] < 5e-3);
+        // Ends are exact: these shapes vanish at the trailing edge.
+        int const last = set.shapes[0].indices.back();
+        for (int const end : {set.shapes[0].indices.front(), last})
+            for (int j = 0; j < 7; ++j) CHECK(std::fabs(cst.y(end, j)) < 3e-3);
+    }
+}
+
+TEST_CASE("more control points approximate the shapes better") {
+    double before = 1;
+    for (int const n : {12, 24, 48}) {
+        CurveSet set = airfoil(false, n);
+        Map const map = mapped(set, kind(HM_NACA4, 1));
+        REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+        CHECK(map.errors[0] < 0.7 * before);
+        before = map.errors[0];
+    }
+}
+
+TEST_CASE("a periodic section has sides by its given chord; the direction of the outline does not matter") {
+    CurveSet ring(fixtures::ring(3, 24, 0.5, 0.1, 0.5, 0));
+    hm_section const chord = unit_chord();
+    CHECK(mapped(ring, kind(HM_CST, 2, 2)).status == HM_BAD_CURVE);
+    Map const map = mapped(ring, kind(HM_CST, 2, 2), &chord);
+    REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+    CurveSet back = ring;
+    std::vector<std::int32_t> const indices = ring.shapes[0].indices;
+    for (std::size_t k = 0; k < indices.size(); ++k) back.shapes[0].indices[k] = indices[indices.size() - 1 - k];
+    Map const reversed = mapped(back, kind(HM_CST, 2, 2), &chord);
+    REQUIRE(reversed.status == HM_OK);
+    for (int i = 0; i < ring.n_control(); ++i) {
+        bool const upper = ring.control[static_cast<std::size_t>(2 * i + 1)] > 0.04;
+        bool const lower = ring.control[static_cast<std::size_t>(2 * i + 1)] < -0.04;
+        for (int j = 0; j < 4; ++j) {
+            CHECK(map.y(i, j) == doctest::Approx(reversed.y(i, j)).epsilon(1e-9));
+            if ((upper && j < 2) || (lower && j >= 2)) CHECK(map.y(i, j) > 0);
+            if ((upper && j >= 2) || (lower && j < 2)) CHECK(std::fabs(map.y(i, j)) < 0.05);
+        }
+    }
+}
+
+TEST_CASE("variables without effect, twice the same, or out of range are refused by name, outputs untouched") {
+    CurveSet set = airfoil(false, 20);
+    auto const refusal = [&](hm_variables const& variables, std::string const& word) {
+        Map const map = mapped(set, variables);
+        CHECK_MESSAGE(std::string(map.error.text).find(word) != std::string::npos, map.error.text);
+        for (double const entry : map.matrix) CHECK(entry == -7);
+        return map.status;
+    };
+    hm_variables far = kind(HM_FFD);
+    far.x_min = 5;
+    far.x_max = 6;
+    far.y_max = 1;
+    CHECK(refusal(far, "variable 0 (from 0) moves no control point") == HM_BAD_CONDITION);
+    double const peaks[] = {0.3, 0.6, 0.3};
+    hm_variables twice = kind(HM_HICKS_HENNE, 3, 0);
+    twice.peaks = peaks;
+    CHECK(refusal(twice, "variable 2 (from 0) is a combination") == HM_BAD_CONDITION);
+    double const outside[] = {0.3, 1.0};
+    hm_variables bad = kind(HM_HICKS_HENNE, 2, 0);
+    bad.peaks = outside;
+    CHECK(refusal(bad, "peak 1 (from 0)") == HM_BAD_ARGUMENT);
+    CHECK(refusal(kind(HM_CST), "0 and 0") == HM_BAD_ARGUMENT);
+    CHECK(refusal(kind(HM_CST, 65, 1), "65") == HM_BAD_ARGUMENT);
+    CHECK(refusal(kind(9), "kind") == HM_BAD_ARGUMENT);
+    hm_variables mixed = kind(HM_CST, 2, 2);
+    mixed.degree_x = 3;
+    CHECK(refusal(mixed, "HM_FFD") == HM_BAD_ARGUMENT);
+    hm_variables empty = kind(HM_FFD);
+    empty.x_min = 1;
+    CHECK(refusal(empty, "box") == HM_BAD_ARGUMENT);
+}
