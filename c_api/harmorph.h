@@ -696,11 +696,13 @@ typedef struct hm_basis_info {
                                       a point of a marker with HM_GIVEN */
     const double  *point_u;        /* [curve_points] the parameter of each of them */
     int32_t  exponent_quarters;    /* 0: no weight */
-    int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies */
+    int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies, see also below */
     int32_t  offset_correction;    /* 0 or 1 */
     int32_t  storage;              /* HM_DOUBLE, or HM_SINGLE: see hm_single_init */
     int32_t  combined;             /* functions of design variables (hm_combine); 0: those of the control points */
-    int32_t  control_points;       /* functions = (combined, or control_points where that is 0) + 2 * bodies */
+    int32_t  control_points;       /* functions = (combined, or control_points where that is 0) + 2 * bodies + modes */
+    int32_t  modes;                /* functions by table (hm_tabulate) */
+    int32_t  reserved;             /* 0 */
 } hm_basis_info;
 HM_API hm_status hm_basis_info_get(const hm_basis *basis, hm_basis_info *info, hm_error *err);
 /* The curves that the basis was solved with (index_base 0). curve [capacity >= info.curves] receives the curves, and
@@ -739,9 +741,9 @@ HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, co
 /* ---- Combined functions: one for each design variable ------------------------------------------------------------- */
 
 /* A second basis with n functions F M, n >= 1: function j carries variable j, which moves control point i by M_ij times
- * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies
- * of the given basis; numbers 1: real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies
- * keep their functions behind the n. Points are moved, gradients formed, and curves moved (hm_moved_curves) by variables
+ * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies -
+ * modes of the given basis; numbers 1: real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies
+ * and modes keep their functions behind the n. Points are moved, gradients formed, and curves moved (hm_moved_curves) by variables
  * instead of control points; the basis has the memory of n functions, and the first basis is no longer needed. Values
  * are real if those of the first basis and the matrix are. A variable whose matrix is not real, or a function that is
  * not, turns with its movement: variables that are one number v move by (v, 0).
@@ -956,6 +958,26 @@ HM_API hm_status hm_plane_spread(const hm_plane *plane, const hm_points *displac
                                  const hm_space_points_out *to, const hm_executor *executor, hm_error *err);
 HM_API hm_status hm_plane_gather(const hm_plane *plane, const hm_space_points *dj, const hm_points_out *plane_dj,
                                  const hm_executor *executor, hm_error *err);
+
+/* ---- Functions by table: modes given at wall points ---------------------------------------------------------------- */
+
+/* A second basis: the functions of `basis`, and behind them n_modes functions with given values at the points of the
+ * markers with HM_GIVEN: structural modes, modes of a proper orthogonal decomposition, anything linear. They are solved
+ * with the plan, as hm_displace solves; an amplitude moves wall point k by its mode times the amplitude. modes
+ * [n_modes * n * numbers]: mode by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order of
+ * hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex numbers:
+ * the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the functions are
+ * real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
+ * The new basis depends on nothing else and is used like any basis; hm_plan_solve, hm_transfer and hm_morph_safe refuse
+ * it, with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double precision, and solved if
+ * it has functions. work: working memory of work_bytes. report may be NULL; functions are fields there.
+ * Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a list that is
+ * not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of hm_plan_solve. */
+HM_API hm_status hm_tabulate_size(const hm_plan *plan, const hm_basis *basis, int32_t n_modes, int32_t numbers,
+                                  size_t *bytes, size_t *work_bytes, hm_error *err);
+HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm_plan *plan, const hm_basis *basis,
+                             int32_t n, const int32_t *points, int32_t n_modes, int32_t numbers, const double *modes,
+                             void *work, size_t work_bytes, hm_solve_report *report, hm_error *err);
 
 /* ---- Distributed meshes: several processes, see harmorph_mpi.h -------------------------------------------------- */
 

@@ -24,6 +24,7 @@ hm_basis_info info_of(Basis const& basis) noexcept {
     filled.storage = static_cast<std::int32_t>(header.counts.storage);
     filled.combined = header.counts.combined;
     filled.control_points = header.counts.control;
+    filled.modes = header.counts.modes;
     filled.index_base = header.index_base;
     filled.curve_point = basis.wall_point.data();
     filled.point_curve = basis.wall_curve.data();

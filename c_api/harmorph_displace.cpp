@@ -1,6 +1,7 @@
 // The C interface: displacements given at points of the wall, and the transpose.
 #include "handles.hpp"
 #include "harmorph/morph/displacement.hpp"
+#include "harmorph/morph/mode_functions.hpp"
 
 namespace harmorph {
 namespace {
@@ -53,6 +54,19 @@ struct DisplaceCall {
         return Status::ok;
     }
 
+    // A list of given points.
+    Status view_list(Index n, const Index* points, Fault& fault) noexcept {
+        HARMORPH_TRY(PointList::check_length(n, fault));
+        Index const n_given = plan->given.point.count();
+        if (points == nullptr && n != n_given) {
+            return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements", Counts::from_zero, n,
+                                n_given);
+        }
+        list = {0, plan->given.point};
+        if (points != nullptr) list = {plan->mesh.index_base, {points, static_cast<Size>(n)}};
+        return list.check(plan->mesh.n_points, fault);
+    }
+
     void write(SolveReport const& solved, hm_solve_report* report) const noexcept {
         if (report == nullptr) return;
         hm_solve_report filled = {};
@@ -72,17 +86,22 @@ struct DisplaceCall {
 private:
     template <class Given>
     using View = std::conditional_t<std::is_same<Given, hm_points>::value, Points, MutablePoints>;
+};
 
-    Status view_list(Index n, const Index* points, Fault& fault) noexcept {
-        HARMORPH_TRY(PointList::check_length(n, fault));
-        Index const n_given = plan->given.point.count();
-        if (points == nullptr && n != n_given) {
-            return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements", Counts::from_zero, n,
-                                n_given);
-        }
-        list = {0, plan->given.point};
-        if (points != nullptr) list = {plan->mesh.index_base, {points, static_cast<Size>(n)}};
-        return list.check(plan->mesh.n_points, fault);
+// Plan, basis and modes of the two calls for tables.
+struct TableCall {
+    Plan* plan = nullptr;
+    Basis basis;
+
+    Status open(const hm_plan* handle, const hm_basis* given, Index n_modes, Index numbers, CallFault& fault) noexcept {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_basis(given, basis, fault));
+        if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
+        HARMORPH_TRY(open_plan(handle, p, fault));
+        HARMORPH_TRY(check_fields(*p, n_modes, fault));
+        HARMORPH_TRY(p->check_fit(basis, fault));
+        if (numbers == 1 || numbers == 2) return Status::ok;
+        return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", Counts::from_zero, numbers);
     }
 };
 
@@ -167,6 +186,65 @@ hm_status hm_displace_adjoint(hm_plan* plan, int32_t n, const int32_t* points, i
         for (Index i = 0; i < n_fields; ++i) {
             displacement.write_gradient(*call.plan, call.list, i, points_of(gradient[i]));
         }
+        call.write(solved, report);
+        return fault.status;
+    });
+}
+
+hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n_modes, int32_t numbers, size_t* bytes,
+                           size_t* work_bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        TableCall call;
+        HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
+        HARMORPH_TRY(call.open(plan, basis, n_modes, numbers, fault));
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        Basis made;
+        ModeWork work;
+        size_t counted = 0;
+        HARMORPH_TRY(count_bytes(&counted, fault, [&](Arena& arena) {
+            work.lay_out(arena, *p, 2 * p->mesh.n_points, fields_of(call.basis, n_modes));
+        }));
+        HARMORPH_TRY(count_bytes(bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, tabulated_counts(call.basis, n_modes, numbers));
+        }));
+        *work_bytes = counted;
+        return Status::ok;
+    });
+}
+
+hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* plan, const hm_basis* basis, int32_t n,
+                      const int32_t* points, int32_t n_modes, int32_t numbers, const double* modes, void* work,
+                      size_t work_bytes, hm_solve_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        TableCall table;
+        DisplaceCall call;
+        ModeWork rows;
+        Basis made;
+        HARMORPH_TRY(require({{"tabulated", tabulated}, {"modes", modes}}, fault));
+        HARMORPH_TRY(table.open(plan, basis, n_modes, numbers, fault));
+        HARMORPH_TRY(open_plan(plan, call.plan, fault));
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(call.view_list(n, points, fault));
+        if (n > 2 * call.plan->mesh.n_points) {
+            return fault.refuse(Status::bad_argument, "the list is longer than twice the mesh: # points", Counts::from_zero, n);
+        }
+        Plan& its = *call.plan;
+        bool const moved = table.basis.header->counts.functions() > 0 && table.basis.header->coordinates != its.coordinates;
+        if (moved) return fault.refuse(Status::bad_basis, "the basis was solved on other coordinates than the plan was factored on");
+        HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
+            rows.lay_out(arena, its, 2 * its.mesh.n_points, fields_of(table.basis, n_modes));
+        }));
+        HARMORPH_TRY(rows.displacement.find_places(its, call.list, fault));
+        Modes const given{n_modes, numbers, modes};
+        HARMORPH_TRY(given.check(n, fault));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, tabulated_counts(table.basis, n_modes, numbers));
+        }));
+        SolveReport solved;
+        HARMORPH_TRY(tabulate(its, table.basis, call.list, given, rows, made, solved, fault));
+        *tabulated = reinterpret_cast<hm_basis*>(made.header);
+        call.displacement.n_fields = n_modes;
         call.write(solved, report);
         return fault.status;
     });

@@ -26,6 +26,9 @@
 !                                                                'SCHEME', 'ENGINE', 'KERNEL', 'OFFSET', 'PRECISION'
 !     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
+!     CALL HMMEAS (W, KIND, STATN, DP, VALUE, G, IERR, MSG)      area, thickness, ...: quantity KIND of hm_measure, at
+!                                                                the station STATN or 0, of all curves after the
+!                                                                movement DP; G(2,NCP): its derivatives
 !     CALL HMMORF (W, DP, X, Y, INC, IERR, MSG)                  moves mesh points X, Y in place; DP(2,NCP), or with
 !                                                                rigid bodies DP(2,NCP+2*NBODY), see hm_morph
 !     CALL HMSAFE (W, DP, XN, YN, INC, DR, FRAC, ISTRAT, IERR,   XN, YN: the mesh of HMMESH moved so that no cell is
@@ -718,6 +721,53 @@ subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
     if (ierr < 0 .or. ncp == 0) return
     call c_f_pointer(set%control, control, [2, ncp])
     p(:, :ncp) = control
+end subroutine
+
+subroutine hmmeas(w, kind, statn, dp, value, g, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: kind
+    real(c_double), intent(in) :: statn, dp(2, *)
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: value
+    real(c_double), intent(inout), target :: g(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr /= hm_ok) return
+    if (.not. c_associated(its%basis)) then
+        call complain("HMMEAS needs HMSOLV or HMLOAD before it", ierr, msg)
+        return
+    end if
+    call of_moved(int(its%set%n_control))
+
+contains
+
+    subroutine of_moved(ncp)
+        integer, intent(in) :: ncp
+        type(hm_c_curves) :: set
+        type(hm_c_curve) :: list(most_curves)
+        type(hm_c_basis_info) :: info
+        type(hm_c_section) :: section
+        type(hm_c_quantity) :: quantity(1)
+        type(hm_c_error) :: e
+        real(c_double), allocatable, target :: control(:, :)
+        real(c_double) :: found(1)
+        info%struct_size = int(c_sizeof(info), c_int64_t)
+        call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
+        allocate(control(2, max(int(info%control_points), ncp, 1)))
+        set%struct_size = int(c_sizeof(set), c_int64_t)
+        list(1)%struct_size = int(c_sizeof(list(1)), c_int64_t)
+        call tell(hm_c_moved_curves(its%basis, dp, c_loc(control), set, list, int(most_curves, c_int32_t), e), e, ierr, msg)
+        if (ierr < 0) return
+        section%struct_size = int(c_sizeof(section), c_int64_t)
+        quantity%struct_size = int(c_sizeof(quantity(1)), c_int64_t)
+        quantity%kind = int(kind, c_int32_t)
+        quantity%station = statn
+        call tell(hm_c_measure(set, section, 1_c_int32_t, quantity, found, c_null_ptr, c_loc(g), e), e, ierr, msg)
+        if (ierr >= 0) value = found(1)
+    end subroutine
 end subroutine
 
 subroutine hmmorf(w, dp, x, y, inc, ierr, msg)

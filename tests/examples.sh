@@ -46,6 +46,7 @@ cp "$log" "$log.kept"
 check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
 check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"
+check "Fortran: an optimum with constraints" says "pressure error: divided by 3[.]8"
 check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"
 lines=$(grep -c '!hm$' fortran/examples/inverse.f90)
 check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30

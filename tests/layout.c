@@ -81,7 +81,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(sizeof(TYPE)); AT(struct_size); AT(bytes); AT(solved); AT(points); AT(cells); AT(functions); AT(curves);
         AT(curve_points); AT(numbers_per_value); AT(operator_kind); AT(scheme); AT(engine); AT(index_base);
         AT(curve_point); AT(point_curve); AT(point_u); AT(exponent_quarters); AT(bodies); AT(offset_correction);
-        AT(storage); AT(combined); AT(control_points);
+        AT(storage); AT(combined); AT(control_points); AT(modes); AT(reserved);
         break;
 #undef TYPE
 #define TYPE hm_transfer_report

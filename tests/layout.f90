@@ -100,7 +100,8 @@ program layout
         c_loc(basis_info%engine), c_loc(basis_info%index_base), c_loc(basis_info%curve_point), &
         c_loc(basis_info%point_curve), c_loc(basis_info%point_u), c_loc(basis_info%exponent_quarters), &
         c_loc(basis_info%bodies), c_loc(basis_info%offset_correction), c_loc(basis_info%storage), &
-        c_loc(basis_info%combined), c_loc(basis_info%control_points)])
+        c_loc(basis_info%combined), c_loc(basis_info%control_points), &
+        c_loc(basis_info%modes), c_loc(basis_info%reserved)])
     call compare("hm_transfer_report", 14, c_sizeof(transfer_report), c_loc(transfer_report), &
         [c_loc(transfer_report%struct_size), c_loc(transfer_report%points), c_loc(transfer_report%outside), &
         c_loc(transfer_report%max_distance), c_loc(transfer_report%max_distance_point), &

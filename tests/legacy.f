@@ -79,6 +79,27 @@ C     MORPH, ADJOINT, STEP, QUALITY.
          DP(1,K) = 0D0
          DP(2,K) = 0D0
    10 CONTINUE
+C     THE AREA, AND ITS DERIVATIVES: GROWN BY 1 PER CENT, BY 2.01.
+      CALL HMMEAS (W, 0, 0D0, DP, S, G, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0 .AND. S .GT. 0D0, 'AREA: ', MSG)
+      CALL HMGETP (W, 40, P, N, IERR, MSG)
+      BIG = 0D0
+      DO 11 K = 1, NCP
+         DP(1,K) = 1D-2*P(1,K)
+         DP(2,K) = 1D-2*P(2,K)
+         BIG = BIG + G(1,K)*DP(1,K) + G(2,K)*DP(2,K)
+   11 CONTINUE
+      CALL CHECK (ABS(BIG - 2D-2*S) .LT. 1D-12*S,
+     &            'DERIVATIVES OF THE AREA', ' ')
+      CALL HMMEAS (W, 0, 0D0, DP, BIG, G, IERR, MSG)
+      CALL CHECK (ABS(BIG - 1.0201D0*S) .LT. 1D-12*S,
+     &            'AREA AFTER A MOVEMENT', ' ')
+      CALL HMMEAS (W, 7, 0.5D0, DP, BIG, G, IERR, MSG)
+      CALL CHECK (IERR .EQ. -4, 'NO TRAILING EDGE: ', MSG)
+      DO 12 K = 1, NCP
+         DP(1,K) = 0D0
+         DP(2,K) = 0D0
+   12 CONTINUE
       CALL COPY (NP, X, Y, XN, YN)
       CALL HMMORF (W, DP, XN, YN, 1, IERR, MSG)
       J = 0

@@ -1359,6 +1359,38 @@ contains
         call basis%combine(aimag(map), again)
         call again%info(info)
         call check(info%combined == 5, "a real matrix")
+        call tables()
+    end subroutine
+
+    ! The wall as a table of modes in place of the curve.
+    subroutine tables()
+        type(hm_plan) :: plan
+        type(hm_basis) :: none, two
+        type(hm_basis_info) :: info
+        complex(dp), allocatable :: modes(:, :)
+        integer, allocatable :: points(:)
+        real(dp), dimension(n_points) :: dx, dy
+        integer :: k
+        logical :: loop
+        call plan%analyse(mesh, conditions=[hm_condition(body, hm_given)], stat=stat, err=err)
+        call check(stat >= 0, "given displacements without curves: " // err%text)
+        call plan%factor()
+        call plan%boundary([body], points, loop)
+        call none%init(plan)
+        allocate(modes(size(points), 2))
+        do k = 1, size(points)
+            modes(k, :) = [cmplx(x(points(k)), 0, dp), cmplx(0.5_dp, y(points(k)), dp)]
+        end do
+        call plan%tabulate(none, modes, two, points, stat=stat, err=err)
+        call check(stat >= 0, "functions by table: " // err%text)
+        call two%info(info)
+        call check(info%modes == 2 .and. info%functions == 2, "two modes")
+        call two%displacement(reshape([0.1_dp, 0._dp, 0._dp, 0.2_dp], [2, 2]), dx, dy)
+        call check(maxval(abs(dx(points) - 0.1_dp * x(points) + 0.2_dp * y(points))) < 1e-15_dp, "along x")
+        call check(maxval(abs(dy(points) - 0.1_dp)) < 1e-15_dp, "along y")
+        modes(:, 2) = 0
+        call plan%tabulate(none, modes, two, points, stat=stat, err=err)
+        call check(stat == hm_bad_condition .and. err%item == 2, "a mode that is zero: " // err%text)
     end subroutine
 
     ! Functions in single precision: the wall moves as before, the rest nearly so; the adjoint follows.

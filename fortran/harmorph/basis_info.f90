@@ -14,6 +14,7 @@
         integer :: storage = hm_double                          ! hm_single: made by basis%single
         integer :: combined = 0                                 ! functions of design variables, made by basis%combine
         integer :: control_points = 0
+        integer :: modes = 0                                    ! functions by table, made by plan%tabulate
     end type
 
 contains
@@ -54,6 +55,7 @@ contains
             info%storage = int(c%storage)
             info%combined = int(c%combined)
             info%control_points = int(c%control_points)
+            info%modes = int(c%modes)
         end if
         call done%finish("basis%info", stat, err)
     end subroutine

@@ -79,7 +79,8 @@ contains
         call need_basis(self, done)
         if (done%ok()) then
             call self%info(info)
-            call done%refuse_if(extents(1) /= info%functions - 2 * info%bodies, "matrix must have a row for each control point")
+            call done%refuse_if(extents(1) /= info%functions - 2 * info%bodies - info%modes, &
+                "matrix must have a row for each control point")
         end if
         if (done%ok()) done%status = hm_c_combine_size(self%handle, n, int(numbers, c_int32_t), bytes, done%error)
         call combined%memory%take(bytes, work, done)

@@ -4,6 +4,7 @@
     public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, &
         hm_c_curve_point, hm_c_curve_project, hm_c_refine_size, hm_c_refine, hm_c_elevate_size, hm_c_elevate, &
         hm_c_measure, hm_c_variables_size, hm_c_variables_map, hm_c_combine_size, hm_c_combine, &
+        hm_c_tabulate_size, hm_c_tabulate, &
         hm_c_fit_size, hm_c_fit, hm_c_analysis_size, hm_c_analysis_init, &
         hm_c_analysis_report, hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, &
         hm_c_basis_init, hm_c_plan_factor, hm_c_plan_solve, hm_c_plan_level, hm_c_basis_attach, &
@@ -125,6 +126,25 @@
             type(c_ptr), value, intent(in) :: work
             integer(c_size_t), value, intent(in) :: bytes
             real(c_double), intent(inout) :: matrix(*), error(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_tabulate_size(plan, basis, n_modes, numbers, bytes, work_bytes, err) &
+            bind(c, name="hm_tabulate_size")
+            import
+            type(c_ptr), value, intent(in) :: plan, basis
+            integer(c_int32_t), value, intent(in) :: n_modes, numbers
+            integer(c_size_t), intent(inout) :: bytes, work_bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_tabulate(tabulated, block, bytes, plan, basis, n, points, n_modes, numbers, modes, &
+            work, work_bytes, report, err) bind(c, name="hm_tabulate")
+            import
+            type(c_ptr), intent(inout) :: tabulated
+            type(c_ptr), value, intent(in) :: block, plan, basis, points, work
+            integer(c_size_t), value, intent(in) :: bytes, work_bytes
+            integer(c_int32_t), value, intent(in) :: n, n_modes, numbers
+            real(c_double), intent(in) :: modes(*)
+            type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_combine_size(basis, n, numbers, bytes, err) bind(c, name="hm_combine_size")

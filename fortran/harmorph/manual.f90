@@ -26,6 +26,7 @@
 !     call curves%measure([hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp)], values, gradients=g)
 !     call curves%map(hm_variables(hm_cst, n_upper=6, n_lower=6), matrix)     d(control points) / d(variables)
 !     call basis%combine(matrix, few)              functions of those variables: few%morph(v, x, y), v(2,variables)
+!     call plan%tabulate(basis, modes, more)       functions for modes(n,m) at the points of markers with hm_given
 !     call curves%refine(1, [0.3_dp], finer);  call curves%elevate(1, finer)  more control points, the same shape
 !     call basis%single(narrow)                    the functions in single precision: half the memory, faster morphs
 !

@@ -39,6 +39,9 @@
 !@end
         procedure :: morph_safe_words => plan_morph_safe_words
         procedure :: improve_words => plan_improve_words
+        ! Functions by table
+        procedure, private :: tabulate_real, tabulate_complex
+        generic :: tabulate => tabulate_real, tabulate_complex
         ! Coarse to fine
         procedure :: transfer => plan_transfer
         procedure :: transfer_words => plan_transfer_words

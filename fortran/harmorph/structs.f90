@@ -157,7 +157,7 @@
         integer(c_int32_t) :: numbers_per_value = 0, operator_kind = 0, scheme = 0, engine = 0, index_base = 0
         type(c_ptr) :: curve_point = c_null_ptr, point_curve = c_null_ptr, point_u = c_null_ptr
         integer(c_int32_t) :: exponent_quarters = 0, bodies = 0, offset_correction = 0, storage = 0
-        integer(c_int32_t) :: combined = 0, control_points = 0
+        integer(c_int32_t) :: combined = 0, control_points = 0, modes = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_transfer_report

@@ -167,9 +167,11 @@ Status Basis::require_double(Fault& fault) const noexcept {
 }
 
 Status Basis::require_control_points(Fault& fault) const noexcept {
-    if (header->counts.combination == 0) return Status::ok;
+    BasisCounts const& counts = header->counts;
+    if (counts.combination == 0 && counts.modes == 0) return Status::ok;
     return fault.refuse(Status::unsupported,
-                        "the basis has combined functions, this call needs those of the control points");
+                        counts.modes == 0 ? "the basis has combined functions, this call needs those of the control points"
+                                          : "the basis has functions by table, this call needs one without");
 }
 
 void Basis::seal(Real at_least) const noexcept {

@@ -14,12 +14,13 @@ bool is_within(Index number, Index begin, Index end) noexcept { return begin <= 
 bool counts_make_sense(BasisCounts const& counts) noexcept {
     Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
                          counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
-                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored, counts.combined};
+                         counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored, counts.combined,
+                         counts.modes};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
     if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0)) return false;
-    Offset const functions = counts.shapes() + 2 * Offset{counts.bodies};
+    Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
     if (functions > most || counts.stored > functions - counts.first_stored) return false;
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;

@@ -1,8 +1,7 @@
 #include "harmorph/basis/combination.hpp"
 
-#include <cstring>
-
 #include "harmorph/base/dependent_column.hpp"
+#include "harmorph/basis/derived_basis.hpp"
 
 namespace harmorph {
 
@@ -16,25 +15,6 @@ BasisCounts combined_counts(Basis const& from, Index n, Index numbers) noexcept 
 }
 
 namespace {
-
-// Everything that lies between header and combination, and what lies behind it up to the values, is the same.
-void copy_problem(Basis const& from, Basis const& to) noexcept {
-    copy(to.shape, Span<const Basis::CurveShape>(from.shape));
-    copy(to.indices, Span<const Index>(from.indices));
-    copy(to.knots, Span<const Real>(from.knots));
-    copy(to.control, Span<const Real>(from.control));
-    copy(to.weights, Span<const Real>(from.weights));
-    copy(to.conditions, Span<const Condition>(from.conditions));
-    copy(to.wall_point, Span<const Index>(from.wall_point));
-    copy(to.wall_curve, Span<const Index>(from.wall_curve));
-    copy(to.wall_u, Span<const Real>(from.wall_u));
-    copy(to.wall_offset, Span<const Vec2>(from.wall_offset));
-    copy(to.joined_point, Span<const Index>(from.joined_point));
-    copy(to.joined_slot, Span<const Index>(from.joined_slot));
-    copy(to.boundary_point, Span<const Index>(from.boundary_point));
-    copy(to.loop_start, Span<const Index>(from.loop_start));
-    copy(to.reversed, Span<const std::uint8_t>(from.reversed));
-}
 
 // to [rows * n]: the caller's matrix, or where `from` is itself combined, its matrix times the caller's.
 void set_combination(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to) noexcept {
@@ -62,15 +42,18 @@ void set_combination(Basis const& from, Index n, Index numbers, const Real* matr
 
 }  // namespace
 
+namespace {
+
+// Of one number of a block of points.
+void add_product(Real factor, const Real* from, Real* to) noexcept {
+    for (Index k = 0; k < block_points; ++k) to[k] += factor * from[k];
+}
+
+}  // namespace
+
 Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Basis const& to, Fault& fault) noexcept {
     BasisCounts const counts = combined_counts(from, n, numbers);
-    std::memset(static_cast<void*>(to.header), 0, Basis::bytes(counts));
-    *to.header = *from.header;
-    to.header->counts = counts;
-    to.header->bytes = Basis::bytes(counts);
-    to.header->filled = counts.stored;
-    to.unseal();
-    copy_problem(from, to);
+    begin_derived(from, counts, to);
 
     // A square or flat matrix fits into the place of what it becomes: as many rows there, or more.
     Index const shapes = from.header->counts.shapes();
@@ -85,36 +68,29 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
     }
     set_combination(from, n, numbers, matrix, to);
 
-    // Row by row: numbers of a complex value times an entry are those of a product of linear maps.
-    Index const old_planes = numbers_of(from.kind()), planes = numbers_of(to.kind());
+    // Block by block of points: numbers of a value times an entry are those of a product of linear maps.
     Index const old_length = from.n_functions(), length = to.n_functions(), others = length - n;
-    for (Index point = 0; point < to.n_points(); ++point) {
-        const Real* const old_row = from.row(point);
-        Real* const row = to.row(point);
-        for (Index plane = 0; plane < old_planes; ++plane) {
-            const Real* const f = old_row + plane * old_length;
-            Real* const g = row + plane * length;
+    bool const matrices = to.kind() == ValueKind::matrix;
+    for (Index point = 0; point < to.n_points(); point += block_points) {
+        auto const old_row = from.row(point);
+        auto const row = to.row(point);
+        for (Index plane = 0; plane < numbers_of(from.kind()); ++plane) {
             for (Index i = 0; i < shapes; ++i) {
-                if (f[i] == 0) continue;
+                const Real* const f = &old_row[Offset{plane} * old_length + i];
                 const Real* const entries = matrix + Offset{i} * n * numbers;
-                if (numbers == 1) {
-                    for (Index j = 0; j < n; ++j) g[j] += f[i] * entries[j];
-                    continue;
-                }
-                // (a + i b)(x + i y): the real part stays in the plane of f; the imaginary part goes to its partner. Of
-                // matrices, xx with xy and yx with yy: [xx xy] [x -y; y x].
+                for (Index j = 0; j < n; ++j) add_product(entries[numbers * j], f, &row[Offset{plane} * length + j]);
+                if (numbers == 1) continue;
+                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of matrices, xx with xy and yx
+                // with yy: [xx xy] [x -y; y x].
                 bool const second = plane % 2 == 1;
-                Real* const partner = row + (second ? plane - 1 : plane + 1) * length;
-                bool const matrices = to.kind() == ValueKind::matrix;
+                Index const partner = second ? plane - 1 : plane + 1;
                 Real const sign = matrices != second ? -1 : 1;
-                for (Index j = 0; j < n; ++j) {
-                    g[j] += f[i] * entries[2 * j];
-                    partner[j] += sign * f[i] * entries[2 * j + 1];
-                }
+                for (Index j = 0; j < n; ++j) add_product(sign * entries[2 * j + 1], f, &row[Offset{partner} * length + j]);
             }
-            for (Index k = 0; k < others; ++k) g[n + k] = f[shapes + k];
+            for (Index k = 0; k < others; ++k) {
+                add_product(1, &old_row[Offset{plane} * old_length + shapes + k], &row[Offset{plane} * length + n + k]);
+            }
         }
-        static_cast<void>(planes);
     }
     to.seal();
     return Status::ok;

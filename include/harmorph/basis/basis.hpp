@@ -13,14 +13,15 @@ struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
     Index combined = 0, combination = 0;  // functions of design variables, and numbers of an entry of their matrix; 0: none
+    Index modes = 0;  // functions with values from a table, behind all others
     Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or those of one process
     ValueKind kind = ValueKind::real;
     Precision storage = Precision::in_double;  // of the values; see single_precision.hpp
 
     // One of each control point, or of each design variable.
     Index shapes() const noexcept { return combination == 0 ? control : combined; }
-    // These, and two of each rigid body: its translation, and its turn.
-    Index functions() const noexcept { return shapes() + 2 * bodies; }
+    // These, two of each rigid body: its translation, and its turn; and modes.
+    Index functions() const noexcept { return shapes() + 2 * bodies + modes; }
     bool complete() const noexcept { return stored == functions(); }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
@@ -51,7 +52,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 5, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 6, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -113,7 +114,7 @@ struct Basis {
     void column(Index number, Real* out) const noexcept;
     // Refuses single storage: for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
-    // Refuses combined functions: for calls that solve.
+    // Refuses combined functions and modes: for calls that solve.
     Status require_control_points(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }

@@ -35,6 +35,9 @@ struct Displacement {
     // from + displacement, of fields first .. first + number of arrays - 1 of one block; from not given: the displacement.
     void write(Plan const& plan, Index first, Points from, Span<const MutablePoints> to) const noexcept;
 
+    // Of one field, solved.
+    Vec2 at(Plan const& plan, Index field, Index point) const noexcept { return block_of(plan, field).field(field)[point]; }
+
     // Derivatives by all mesh points, of fields of one block. Refused where they are not finite.
     Status set_derivatives(Plan const& plan, Index first, Span<const Points> derivatives, Fault& fault) const noexcept;
     Status solve_transposed(Plan& plan, bool measured, SolveReport& report, Fault& fault) const noexcept;

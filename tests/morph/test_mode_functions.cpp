@@ -1,0 +1,236 @@
+// Functions by table: solved as hm_displace solves, used as any function.
+#include <doctest/doctest.h>
+
+#include <fixtures/displaced.hpp>
+#include <fixtures/half_ring.hpp>
+#include <fixtures/single.hpp>
+
+#include <cstring>
+#include <string>
+
+using namespace fixtures;
+
+namespace {
+
+hm_condition given_marker(std::int32_t marker) {
+    hm_condition out{};
+    out.struct_size = sizeof out;
+    out.marker = marker;
+    out.kind = HM_GIVEN;
+    return out;
+}
+
+// The first body on its curve, the second given by table.
+Case curve_and_table() {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    its.conditions.pop_back();
+    its.conditions.push_back(given_marker(second_body));
+    return its;
+}
+
+class Tabulated {
+public:
+    hm_basis* basis = nullptr;
+    hm_status status = HM_OK;
+    hm_error error{};
+
+    // modes: one field for each, at the given points in the library's order or in that of a list.
+    Tabulated(hm_plan* plan, const hm_basis* from, std::vector<Field> const& modes, std::int32_t numbers,
+              std::vector<std::int32_t> const* list = nullptr, std::size_t less = 0) {
+        std::size_t bytes = 0, work_bytes = 0;
+        auto const n_modes = static_cast<std::int32_t>(modes.size());
+        status = hm_tabulate_size(plan, from, n_modes, numbers, &bytes, &work_bytes, &error);
+        if (status < 0) return;
+        Numbers table;
+        for (Field const& mode : modes)
+            for (auto const& value : mode) {
+                table.push_back(value.real());
+                if (numbers == 2) table.push_back(value.imag());
+            }
+        block_ = std::make_unique<Guarded>(bytes - less);
+        Guarded work(work_bytes);
+        hm_solve_report report{};
+        report.struct_size = sizeof report;
+        status = hm_tabulate(&basis, block_->data(), bytes - less, plan, from, static_cast<std::int32_t>(modes[0].size()),
+                             list != nullptr ? list->data() : nullptr, n_modes, numbers, table.data(), work.data(), work_bytes,
+                             &report, &error);
+        CHECK(block_->guards_intact());
+        CHECK(work.guards_intact());
+        if (status >= 0) CHECK(report.functions == n_modes);
+    }
+
+private:
+    std::unique_ptr<Guarded> block_;
+};
+
+std::vector<std::int32_t> given_points(const hm_plan* plan) {
+    std::int32_t n = 0;
+    hm_given_points(plan, nullptr, 0, &n, nullptr);
+    std::vector<std::int32_t> out(static_cast<std::size_t>(n));
+    REQUIRE(hm_given_points(plan, out.data(), n, &n, nullptr) == HM_OK);
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("B-spline functions given as tables are the functions of the curve") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
+        Case curve = ring_case(6, 30, 0.5, 1);
+        hm_options const options = options_of(kind);
+        Solved const solved(curve, &options);
+        Case table = given_instead(curve);
+        Displaced displaced(table, &options);
+        std::vector<Field> modes(8);
+        for (std::int32_t const point : displaced.points)
+            for (std::int32_t i = 0; i < 8; ++i)
+                modes[static_cast<std::size_t>(i)].push_back(solved.values(i)[static_cast<std::size_t>(point)]);
+        Tabulated const tabulated(displaced.plan, displaced.basis, modes, 1);
+        REQUIRE_MESSAGE(tabulated.status == HM_OK, tabulated.error.text);
+        hm_basis_info const info = info_of(tabulated.basis);
+        CHECK(info.functions == 8);
+        CHECK(info.modes == 8);
+        CHECK(info.numbers_per_value == solved.info().numbers_per_value);
+        Numbers const move = some_move(8, 0.1, 3);
+        Moved const expected = morphed(solved.basis, curve.mesh, move), found = morphed(tabulated.basis, curve.mesh, move);
+        for (std::size_t k = 0; k < found.x.size(); ++k) {
+            CHECK(found.x[k] == doctest::Approx(expected.x[k]).epsilon(1e-12));
+            CHECK(found.y[k] == doctest::Approx(expected.y[k]).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("modes beside curves and bodies: as displaced, the other functions as they were, exact transpose") {
+    Case slipping = given_instead(half_ring(8, 16, Cells::hybrid, 0.2, 4));
+    Case curve = curve_and_table(), rigid = curve_and_table();
+    rigid.conditions.clear();
+    rigid.set_rigid(body, 0.5, 0.5);
+    rigid.conditions.push_back(given_marker(second_body));
+    for (Case* its : {&curve, &rigid, &slipping})
+        for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL})
+            for (std::int32_t const numbers : {1, 2}) {
+                hm_options const options = options_of(kind);
+                Attempt solved(its->problem(), &options);
+                INFO(solved.error.text);
+                REQUIRE(solved.status == HM_OK);
+                std::vector<std::int32_t> const points = given_points(solved.plan);
+                std::vector<Field> modes = {some_field(points.size(), 5, 0.02), some_field(points.size(), 6, 0.02)};
+                for (Field& mode : modes)
+                    for (auto& value : mode)
+                        if (numbers == 1) value = value.real();
+                Tabulated const tabulated(solved.plan, solved.basis, modes, numbers);
+                REQUIRE_MESSAGE(tabulated.status == HM_OK, tabulated.error.text);
+                hm_basis_info const before = info_of(solved.basis), info = info_of(tabulated.basis);
+                INFO("operator " << kind << ", matrix of " << numbers << ", values of " << info.numbers_per_value);
+                CHECK(info.functions == before.functions + 2);
+
+                // Amplitudes alone: the displacement of the sum of the modes times amplitudes.
+                Numbers move(2 * static_cast<std::size_t>(info.functions));
+                std::complex<double> const a(0.7, -0.3), b(-0.2, 0.9);
+                move[move.size() - 4] = a.real(), move[move.size() - 3] = a.imag();
+                move[move.size() - 2] = b.real(), move[move.size() - 1] = b.imag();
+                Field wall;
+                for (std::size_t k = 0; k < points.size(); ++k) wall.push_back(a * modes[0][k] + b * modes[1][k]);
+                Moved const found = displaced(tabulated.basis, move);
+                std::size_t bytes = 0;
+                REQUIRE(hm_displace_size(solved.plan, 1, &bytes, nullptr) == HM_OK);
+                Guarded work(bytes);
+                Moved expected = found;
+                Numbers wall_x, wall_y;
+                for (auto const& value : wall) wall_x.push_back(value.real()), wall_y.push_back(value.imag());
+                hm_points const from{wall_x.data(), wall_y.data(), 1};
+                hm_points_out const to{expected.x.data(), expected.y.data(), 1};
+                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr, &to,
+                                    work.data(), bytes, nullptr, nullptr) == HM_OK);
+                for (std::size_t k = 0; k < found.x.size(); ++k) {
+                    CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);
+                    CHECK(std::fabs(found.y[k] - expected.y[k]) < 1e-14);
+                }
+                for (std::size_t k = 0; k < points.size(); ++k) {
+                    auto const at = static_cast<std::size_t>(points[k]);
+                    CHECK(std::fabs(found.x[at] - wall_x[k]) < 1e-16);
+                }
+
+                // The other functions.
+                if (before.functions > 0) {
+                    Numbers others = some_move(before.functions, 0.01, 4);
+                    Moved const old = displaced(solved.basis, others);
+                    others.resize(move.size());
+                    Moved const same = displaced(tabulated.basis, others);
+                    CHECK(same.x == old.x);
+                    CHECK(same.y == old.y);
+                }
+
+                Gradient const g(found.x.size(), 8);
+                Numbers const all = some_move(info.functions, 0.01, 9), slope = adjoint(tabulated.basis, g);
+                Moved const moved = displaced(tabulated.basis, all);
+                double work_on_wall = 0, work_on_mesh = 0, parts = 0;
+                for (std::size_t k = 0; k < all.size(); ++k) work_on_wall += all[k] * slope[k];
+                for (std::size_t k = 0; k < moved.x.size(); ++k) {
+                    work_on_mesh += g.x[k] * moved.x[k] + g.y[k] * moved.y[k];
+                    parts += std::fabs(g.x[k] * moved.x[k]) + std::fabs(g.y[k] * moved.y[k]);
+                }
+                CHECK(std::fabs(work_on_wall - work_on_mesh) <= 1e-14 * parts);
+
+                // As a block, and as the rows of some points.
+                std::vector<unsigned char> const copy = bytes_of(tabulated.basis);
+                Numbers block(copy.size() / sizeof(double));
+                std::memcpy(block.data(), copy.data(), copy.size());
+                hm_mesh const mesh = its->mesh_view();
+                const hm_basis* attached = nullptr;
+                REQUIRE(hm_basis_attach(&attached, block.data(), copy.size(), &mesh, nullptr) == HM_OK);
+                CHECK(displaced(attached, move).x == found.x);
+                Rows const rows(tabulated.basis, points);
+                REQUIRE(rows.status == HM_OK);
+                CHECK(displaced(rows.basis, move).x[0] == found.x[static_cast<std::size_t>(points[0])]);
+                hm_error refusal{};
+                CHECK(hm_plan_solve(solved.plan, tabulated.basis, nullptr, &refusal) == HM_UNSUPPORTED);
+            }
+}
+
+TEST_CASE("modes stay behind combined functions") {
+    Case its = curve_and_table();
+    Solved const solved(its);
+    std::vector<std::int32_t> const points = given_points(solved.plan);
+    Tabulated const tabulated(solved.plan, solved.basis, {some_field(points.size(), 5, 0.02)}, 2);
+    REQUIRE(tabulated.status == HM_OK);
+    std::int32_t const n = info_of(tabulated.basis).control_points;
+    Numbers matrix = some_move(n, 1, 2);
+    std::size_t bytes = 0;
+    REQUIRE(hm_combine_size(tabulated.basis, 2, 1, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    hm_basis* combined = nullptr;
+    REQUIRE(hm_combine(&combined, block.data(), bytes, tabulated.basis, 2, 1, matrix.data(), nullptr) == HM_OK);
+    CHECK(info_of(combined).functions == 3);
+    CHECK(info_of(combined).modes == 1);
+    Numbers few(6), all(2 * static_cast<std::size_t>(n) + 2);
+    few[4] = all[all.size() - 2] = 0.4;
+    few[5] = all[all.size() - 1] = -0.6;
+    CHECK(displaced(combined, few).y == displaced(tabulated.basis, all).y);
+}
+
+TEST_CASE("tables that cannot be used are refused by name, with nothing written") {
+    Case its = curve_and_table();
+    Solved const solved(its);
+    std::vector<std::int32_t> points = given_points(solved.plan);
+    Field const good = some_field(points.size(), 5), zero(points.size());
+    auto const refusal = [&](Tabulated const& made, std::string const& word, int item) {
+        CHECK(made.basis == nullptr);
+        CHECK_MESSAGE(std::string(made.error.text).find(word) != std::string::npos, made.error.text);
+        CHECK(made.error.item == item);
+        return made.status;
+    };
+    CHECK(refusal({solved.plan, solved.basis, {good, zero}, 2}, "mode 1 (from 0) is zero", 1) == HM_BAD_CONDITION);
+    Field bad = good;
+    bad[3] = std::nan("");
+    CHECK(refusal({solved.plan, solved.basis, {bad}, 1}, "point 3 (from 0)", 0) == HM_BAD_ARGUMENT);
+    CHECK(Tabulated(solved.plan, solved.basis, {good}, 3).status == HM_BAD_ARGUMENT);
+    CHECK(Tabulated(solved.plan, solved.basis, {Field(good.begin(), good.end() - 1)}, 1).status == HM_BAD_ARGUMENT);
+    std::int32_t const last = points.back();
+    points.back() = points.front();
+    CHECK(refusal({solved.plan, solved.basis, {good}, 1, &points}, "is not in the list", last) == HM_BAD_CONDITION);
+    CHECK(Tabulated(solved.plan, solved.basis, {good}, 1, nullptr, 1).status == HM_BLOCK_TOO_SMALL);
+    Case other = two_body_case(Cells::hybrid, 8, 6);
+    Solved const on_curves(other);
+    CHECK(refusal({on_curves.plan, on_curves.basis, {good}, 1}, "HM_GIVEN", -1) == HM_BAD_CONDITION);
+    CHECK(Tabulated(solved.plan, on_curves.basis, {good}, 1).status == HM_BAD_BASIS);
+}
