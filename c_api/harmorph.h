@@ -281,13 +281,13 @@ HM_API hm_status hm_fit(const hm_curves **curves, void *block, size_t bytes, con
 /* Coarse-to-fine design: the same curves with more control points. hm_refine inserts n knots u [n] into one curve, in
  * any order, a value as often as its knot is to be repeated; hm_elevate raises the degree of one curve by 1. Both are
  * exact: all points C(u) are the same but for rounding, also of rational curves. The other curves of the set are kept.
- * *matrix [finer->n_control * curves->n_control] contains rows M: new control points = M * old ones (of x and of y), and
- * derivatives with respect to the old ones = transpose of M * those with respect to the new ones. Rows sum to 1. Weights
- * are constants here; the new ones are in finer->weights. matrix may be NULL.
- * Control points are numbered anew: first those of the changed curve in its order, then those that only other curves use
- * or no curve. A control point that the change does not touch stays one point, however many curves or ends use it: ties
- * and common ends persist. Periodic curves (the first `degree` points again at the end, with periodic knots) remain
- * periodic; the knot is inserted in all its images.
+ * *matrix [finer->n_control * curves->n_control] contains rows M: new control points = M * old ones (of x and of y),
+ * and derivatives with respect to the old ones = transpose of M * those with respect to the new ones. Rows sum to 1.
+ * Weights are constants here; the new ones are in finer->weights. matrix may be NULL.
+ * Control points are numbered anew: first those of the changed curve in its order, then those that only other curves
+ * use or no curve. A control point that the change does not touch stays one point, however many curves or ends use it:
+ * ties and common ends persist. Periodic curves (the first `degree` points again at the end, with periodic knots)
+ * remain periodic; the knot is inserted in all its images.
  * *finer and its arrays and *matrix are inside the block, finer->index_base is that of curves. Refused with
  * HM_BAD_ARGUMENT: a knot that is not finite or not between the ends of the curve (the beginning of a periodic curve is
  * allowed); with HM_BAD_CURVE: a multiplicity above the degree, and degree 5 for hm_elevate. (Polar forms: Ramshaw,
@@ -300,14 +300,14 @@ HM_API hm_status hm_elevate_size(const hm_curves *curves, int32_t curve, size_t 
 HM_API hm_status hm_elevate(const hm_curves **finer, const double **matrix, void *block, size_t bytes,
                             const hm_curves *curves, int32_t curve, hm_error *err);
 
-/* ---- Measures of a section, with derivatives by the control points ------------------------------------------------ */
+/* ---- Measures of a section, with derivatives by the control points ----------------------------------------------- */
 
 typedef struct hm_section {        /* which curves are the outline of the section, and its chord */
     uint64_t struct_size;
-    int32_t  first_curve, n_curves;/* the curves first_curve .. first_curve+n_curves-1 are the outline, each joined to the
-                                      one before; 1 .. 8 curves; both 0: all curves of the set. A last curve of degree 1
-                                      with two control points, behind another one, is a blunt base. An outline that is
-                                      not closed is closed by a straight line */
+    int32_t  first_curve, n_curves;/* the curves first_curve .. first_curve+n_curves-1 are the outline, each joined to
+                                      the one before; 1 .. 8 curves; both 0: all curves of the set. A last curve of
+                                      degree 1 with two control points, behind another one, is a blunt base. An outline
+                                      that is not closed is closed by a straight line */
     double   nose_x, nose_y, edge_x, edge_y; /* a chord line that does not move, from the leading to the trailing edge.
                                       All 0: the chord of the curves: the trailing edge is the midpoint of the two ends
                                       (without base) of the outline, the leading edge the point of the outline farthest
@@ -327,8 +327,8 @@ enum {                             /* hm_quantity.kind */
                                       direction from the leading to the trailing edge) */
     HM_MAX_THICKNESS = 9,          /* [length] over all stations */
     HM_MAX_CAMBER = 10,            /* [length] the camber of the largest magnitude, with its sign */
-    HM_NOSE_RADIUS = 11,           /* [length] radius of curvature at the leading edge: the point of the outline farthest
-                                      from the trailing edge of the chord; > 0 where the outline is convex */
+    HM_NOSE_RADIUS = 11,           /* [length] radius of curvature at the leading edge: the point of the outline
+                                      farthest from the trailing edge of the chord; > 0 where the outline is convex */
     HM_EDGE_ANGLE = 12,            /* [degrees] interior angle between the two ends of the outline at the trailing edge;
                                       negative: they have crossed */
     HM_EDGE_GAP = 13,              /* [length] between the two ends, normal to the chord; negative: they have crossed */
@@ -351,8 +351,8 @@ typedef struct hm_quantity {
  * integrals over the area, otherwise a point of the outline. gradients [n * 2*n_control], or NULL: row k contains the
  * derivatives of value k by x and y of each control point, weights constant. section NULL: all curves, with their own
  * chord. Integrals are evaluated by Gauss rules that are exact for polynomial curves; for rational curves, and for the
- * curvature variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those of extremes
- * hold while the extreme stays where it is, and are those of one side where two places have the same value.
+ * curvature variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those of
+ * extremes hold while the extreme stays where it is, and are those of one side where two places have the same value.
  * Refused with HM_BAD_CURVE: curves that are not joined, no area, no chord, a station where the outline is parallel to
  * the normal of the chord or that the normal meets at less than two points, a leading edge or an outline without
  * curvature, a trailing edge without directions. item: the quantity, from 0. Outputs are then unchanged. */
@@ -360,18 +360,18 @@ HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, 
                             const hm_quantity *quantities, double *values, double *at, double *gradients,
                             hm_error *err);
 
-/* ---- Design variables: maps to the control points ----------------------------------------------------------------- */
+/* ---- Design variables: maps to the control points ---------------------------------------------------------------- */
 
 enum {                             /* hm_variables.kind: how one unit of each variable moves the outline */
-    HM_FFD = 0,                    /* free-form deformation: variable i + (degree_x+1) j is the node i, j of a box, whose
-                                      movement (dx, dy) moves the points inside by B_i(x) B_j(y) (dx, dy), Bernstein
-                                      polynomials; points outside do not move. (Sederberg, Parry 1986) */
-    HM_CST = 1,                    /* class and shape functions: chord * t^nose_exponent (1-t)^edge_exponent B_k(t) normal
-                                      to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the upper side,
-                                      then n_lower of the lower one; t: station, 0 .. 1. (Kulfan, J. Aircraft 45 (2008)
-                                      142) */
-    HM_HICKS_HENNE = 2,            /* bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on the
-                                      upper side, then n_lower. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
+    HM_FFD = 0,                    /* free-form deformation: variable i + (degree_x+1) j is the node i, j of a box,
+                                      whose movement (dx, dy) moves the points inside by B_i(x) B_j(y) (dx, dy),
+                                      Bernstein polynomials; points outside do not move. (Sederberg, Parry 1986) */
+    HM_CST = 1,                    /* class and shape functions: chord * t^nose_exponent (1-t)^edge_exponent B_k(t)
+                                      normal to the chord, n_upper Bernstein polynomials of degree n_upper-1 of the
+                                      upper side, then n_lower of the lower one; t: station, 0 .. 1. (Kulfan, J.
+                                      Aircraft 45 (2008) 142) */
+    HM_HICKS_HENNE = 2,            /* bumps chord * sin(pi t^(log .5 / log peak))^width normal to the chord, n_upper on
+                                      the upper side, then n_lower. (Hicks, Henne, J. Aircraft 15 (1978) 407) */
     HM_NACA4 = 3                   /* NACA's four-digit sections: n_upper camber lines of 1 chord, each with its largest
                                       camber at its peak, and last the thickness: half of it on either side, closed at
                                       t = 1, 1 unit being a thickness of 1 chord. n_upper may be 0 */
@@ -380,7 +380,7 @@ enum {                             /* hm_variables.kind: how one unit of each va
 typedef struct hm_variables {
     uint64_t struct_size;
     int32_t  kind;                 /* HM_FFD, ... */
-    int32_t  n_upper, n_lower;     /* 0 .. 64, together at least 1 (except HM_NACA4); upper: left of the chord direction */
+    int32_t  n_upper, n_lower;     /* 0 .. 64, together at least 1 (not HM_NACA4); upper: left of the chord */
     int32_t  degree_x, degree_y;   /* FFD: 0 .. 63 */
     double   x_min, y_min, x_max, y_max; /* FFD: the box; all 0: the box of the control points, 5 % larger */
     const double *peaks;           /* [n_upper+n_lower] Hicks-Henne, NACA: stations between 0 and 1; NULL: Hicks-Henne
@@ -393,14 +393,14 @@ typedef struct hm_variables {
 /* *n: number of variables; *bytes: working memory of hm_variables_map. section as in hm_measure. */
 HM_API hm_status hm_variables_size(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
                                    int32_t *n, size_t *bytes, hm_error *err);
-/* d(control) / d(variable): matrix [n_control * n * 2], for each control point the pairs (x, y) by which one unit of each
- * variable moves it, as complex numbers: the variables v, also complex, move control point i by sum_j matrix_ij v_j. The
- * variables of FFD have two components; those of the other kinds are real. It is the least-squares approximation, over
- * the curves' parameters, of the wanted movement of the outline by the B-spline's, with the free ends of curves exact:
- * error [2*n] contains the root mean square and the largest of what is left, [length] per unit of each variable, or
- * NULL. hm_combine takes the matrix as it is. Control points that no curve of the section uses do not move.
- * Refused, outputs unchanged: a variable that moves nothing, or that is a combination of those before (HM_BAD_CONDITION,
- * item: the variable, from 0). */
+/* d(control) / d(variable): matrix [n_control * n * 2], for each control point the pairs (x, y) by which one unit of
+ * each variable moves it, as complex numbers: the variables v, also complex, move control point i by sum_j matrix_ij v_j.
+ * The variables of FFD have two components; those of the other kinds are real. It is the least-squares approximation,
+ * over the curves' parameters, of the wanted movement of the outline by the B-spline's, with the free ends of curves
+ * exact: error [2*n] contains the root mean square and the largest of what is left, [length] per unit of each variable,
+ * or NULL. hm_combine takes the matrix as it is. Control points that no curve of the section uses do not move.
+ * Refused, outputs unchanged: a variable that moves nothing, or that is a combination of those before
+ * (HM_BAD_CONDITION, item: the variable, from 0). */
 HM_API hm_status hm_variables_map(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
                                   void *work, size_t bytes, double *matrix, double *error, hm_error *err);
 
@@ -738,15 +738,15 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 HM_API hm_status hm_single_size(const hm_basis *basis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, const hm_basis *basis, hm_error *err);
 
-/* ---- Combined functions: one for each design variable ------------------------------------------------------------- */
+/* ---- Combined functions: one for each design variable ------------------------------------------------------------ */
 
 /* A second basis with n functions F M, n >= 1: function j carries variable j, which moves control point i by M_ij times
- * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies -
- * modes of the given basis; numbers 1: real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid bodies
- * and modes keep their functions behind the n. Points are moved, gradients formed, and curves moved (hm_moved_curves) by variables
- * instead of control points; the basis has the memory of n functions, and the first basis is no longer needed. Values
- * are real if those of the first basis and the matrix are. A variable whose matrix is not real, or a function that is
- * not, turns with its movement: variables that are one number v move by (v, 0).
+ * itself. matrix [controls * n * numbers] with the n values of control point 0 first; controls = functions - 2 * bodies
+ * - modes of the given basis; numbers 1: real values, 2: pairs x,y, complex numbers (those of hm_variables_map). Rigid
+ * bodies and modes keep their functions behind the n. Points are moved, gradients formed, and curves moved
+ * (hm_moved_curves) by variables instead of control points; the basis has the memory of n functions, and the first
+ * basis is no longer needed. Values are real if those of the first basis and the matrix are. A variable whose matrix is
+ * not real, or a function that is not, turns with its movement: variables that are one number v move by (v, 0).
  * It is used, extracted, sent in parcels, written, attached, stored in single precision and combined like any basis.
  * What solves for functions refuses it, with HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe. The first basis
  * must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item: the column, from 0: a column
@@ -959,20 +959,21 @@ HM_API hm_status hm_plane_spread(const hm_plane *plane, const hm_points *displac
 HM_API hm_status hm_plane_gather(const hm_plane *plane, const hm_space_points *dj, const hm_points_out *plane_dj,
                                  const hm_executor *executor, hm_error *err);
 
-/* ---- Functions by table: modes given at wall points ---------------------------------------------------------------- */
+/* ---- Functions by table: modes given at wall points -------------------------------------------------------------- */
 
 /* A second basis: the functions of `basis`, and behind them n_modes functions with given values at the points of the
  * markers with HM_GIVEN: structural modes, modes of a proper orthogonal decomposition, anything linear. They are solved
  * with the plan, as hm_displace solves; an amplitude moves wall point k by its mode times the amplitude. modes
- * [n_modes * n * numbers]: mode by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order of
- * hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex numbers:
- * the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the functions are
- * real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
+ * [n_modes * n * numbers]: mode by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order
+ * of hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
+ * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the
+ * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
  * The new basis depends on nothing else and is used like any basis; hm_plan_solve, hm_transfer and hm_morph_safe refuse
- * it, with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double precision, and solved if
- * it has functions. work: working memory of work_bytes. report may be NULL; functions are fields there.
+ * it, with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double precision, and solved
+ * if it has functions. work: working memory of work_bytes. report may be NULL; functions are fields there.
  * Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a list that is
- * not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of hm_plan_solve. */
+ * not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of hm_plan_solve.
+ * */
 HM_API hm_status hm_tabulate_size(const hm_plan *plan, const hm_basis *basis, int32_t n_modes, int32_t numbers,
                                   size_t *bytes, size_t *work_bytes, hm_error *err);
 HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm_plan *plan, const hm_basis *basis,

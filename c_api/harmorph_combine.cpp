@@ -24,7 +24,8 @@ Status check_matrix(Basis const& basis, Index n, Index numbers, const double* ma
     Offset const length = Offset{basis.header->counts.shapes()} * n * numbers;
     for (Offset k = 0; k < length; ++k) {
         if (is_finite(matrix[k])) continue;
-        return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @ (from 0)", Counts::from_zero,
+        return fault.refuse(Status::bad_argument, "the matrix is not finite in row # and column @ (from 0)",
+                            Counts::from_zero,
                             static_cast<Index>(k / (Offset{n} * numbers)), static_cast<Index>(k / numbers % n));
     }
     return Status::ok;

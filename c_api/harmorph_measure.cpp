@@ -8,10 +8,12 @@ namespace {
 Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Fault& fault) noexcept {
     hm_quantity q;
     if (!read_struct(array, q) || !read_struct(element(array, number), q)) {
-        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is not set", Counts::from_zero, number);
+        return fault.refuse(Status::bad_argument, "struct_size of quantity # (from 0) is not set", Counts::from_zero,
+                            number);
     }
     if (q.kind < HM_AREA || q.kind > HM_CLEARANCE) {
-        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @", Counts::from_zero, number,
+        return fault.refuse(Status::bad_argument, "quantity # (from 0) has the unknown kind @", Counts::from_zero,
+                            number,
                             q.kind);
     }
     out.kind = static_cast<QuantityKind>(q.kind);
@@ -55,7 +57,8 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
         CurvesView view;
         Section outline;
         HARMORPH_TRY(require({{"quantities", quantities}, {"values", values}}, fault));
-        if (n < 1) return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured", Counts::from_zero, n);
+        if (n < 1) return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured",
+                                       Counts::from_zero, n);
         HARMORPH_TRY(open_section(curves, section, view, outline, fault));
         Quantity quantity;
         Measured measured;

@@ -14,7 +14,9 @@ Status check_fields(hm_variables const& v, Fault& fault) noexcept {
     if (!ffd && (v.degree_x != 0 || v.degree_y != 0 || box)) wrong = "variables: degrees and box are of HM_FFD only";
     if (ffd && (v.n_upper != 0 || v.n_lower != 0)) wrong = "variables: n_upper and n_lower are not of HM_FFD";
     if (v.kind == HM_NACA4 && v.n_lower != 0) wrong = "variables: n_lower is not of HM_NACA4";
-    if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
+    if (v.peaks != nullptr && (ffd || v.kind == HM_CST)) {
+        wrong = "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only";
+    }
     if (v.kind != HM_CST && !(v.nose_exponent == 0 && v.edge_exponent == 0)) {
         wrong = "variables: the exponents are of HM_CST only";
     }
@@ -29,19 +31,24 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
     Index const least = v.kind == HM_FFD || v.kind == HM_NACA4 ? 0 : 1;
     if (v.n_upper < 0 || v.n_upper > Variables::most || v.n_lower < 0 || v.n_lower > Variables::most ||
         v.n_upper + v.n_lower < least) {
-        return fault.refuse(Status::bad_argument, "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
+        return fault.refuse(Status::bad_argument,
+                            "variables: n_upper and n_lower are # and @; together 1 to 64 on each side",
                             Counts::from_zero, v.n_upper, v.n_lower);
     }
     if (v.degree_x < 0 || v.degree_x >= Variables::most || v.degree_y < 0 || v.degree_y >= Variables::most) {
         return fault.refuse(Status::bad_argument, "variables: degree_x and degree_y are # and @, not 0 to 63",
                             Counts::from_zero, v.degree_x, v.degree_y);
     }
-    if (!(v.nose_exponent >= 0 && v.nose_exponent <= 10)) return refuse("variables: nose_exponent is ~, not 0 to 10", v.nose_exponent);
-    if (!(v.edge_exponent >= 0 && v.edge_exponent <= 10)) return refuse("variables: edge_exponent is ~, not 0 to 10", v.edge_exponent);
-    if (v.width != 0 && !(v.width >= 1 && v.width <= 100)) return refuse("variables: the width is ~, not 1 to 100", v.width);
+    if (!(v.nose_exponent >= 0 && v.nose_exponent <= 10)) return refuse("variables: nose_exponent is ~, not 0 to 10",
+                                                                        v.nose_exponent);
+    if (!(v.edge_exponent >= 0 && v.edge_exponent <= 10)) return refuse("variables: edge_exponent is ~, not 0 to 10",
+                                                                        v.edge_exponent);
+    if (v.width != 0 && !(v.width >= 1 && v.width <= 100)) return refuse("variables: the width is ~, not 1 to 100",
+                                                                         v.width);
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
         if (v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
-        return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1", Counts::from_zero, k,
+        return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1",
+                            Counts::from_zero, k,
                             none, v.peaks[k]);
     }
     return Status::ok;
@@ -84,7 +91,8 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     if (v.width != 0) out.width = v.width;
     if (out.kind != VariableKind::ffd) return Status::ok;
     use_box(v, view, out);
-    if (is_in_range(out.low) && is_in_range(out.high) && out.low.x < out.high.x && out.low.y < out.high.y) return Status::ok;
+    if (is_in_range(out.low) && is_in_range(out.high) && out.low.x < out.high.x &&
+        out.low.y < out.high.y) return Status::ok;
     return fault.refuse(Status::bad_argument, "variables: the box is empty or not finite");
 }
 
@@ -115,7 +123,8 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, const hm_variables* variables, int32_t* n,
+hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
+                            int32_t* n,
                             size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;
@@ -128,7 +137,8 @@ hm_status hm_variables_size(const hm_curves* curves, const hm_section* section, 
     });
 }
 
-hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, const hm_variables* variables, void* work,
+hm_status hm_variables_map(const hm_curves* curves, const hm_section* section, const hm_variables* variables,
+                           void* work,
                            size_t bytes, double* matrix, double* error, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         VariablesTask task;

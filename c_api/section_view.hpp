@@ -16,7 +16,8 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     }
     if (asked.first_curve == 0 && asked.n_curves == 0) asked.n_curves = view.count();
     if (asked.first_curve < 0 || asked.n_curves < 1 || asked.n_curves > view.count() - asked.first_curve) {
-        return fault.refuse(Status::bad_argument, "section.first_curve and n_curves, # and @, exceed the curves of the set",
+        return fault.refuse(Status::bad_argument,
+                            "section.first_curve and n_curves, # and @, exceed the curves of the set",
                             Counts::from_zero, asked.first_curve, asked.n_curves);
     }
     if (asked.n_curves > Section::most_curves) {

@@ -40,8 +40,10 @@ Curves elevated(const std::string& path, const Curves& curves, std::int32_t curv
 // The middles of all knot spans, or of the longest where only some are wanted.
 std::vector<double> middles(const Curve& curve) {
     std::vector<double> found;
-    for (auto k = static_cast<std::size_t>(curve.degree); k + 1 < curve.knots.size() - static_cast<std::size_t>(curve.degree); ++k) {
-        if (curve.knots[k] < curve.knots[k + 1]) found.push_back(curve.knots[k] + 0.5 * (curve.knots[k + 1] - curve.knots[k]));
+    for (auto k = static_cast<std::size_t>(curve.degree); k +
+         1 < curve.knots.size() - static_cast<std::size_t>(curve.degree); ++k) {
+        if (curve.knots[k] < curve.knots[k + 1]) found.push_back(curve.knots[k] +
+                                                                 0.5 * (curve.knots[k + 1] - curve.knots[k]));
     }
     return found;
 }
@@ -50,7 +52,8 @@ Curves changed(const Arguments& arguments, Curves curves) {
     const std::string path = arguments.operand(0);
     const std::int32_t number = arguments.whole("--curve", 1, 1, static_cast<std::int32_t>(curves.curves.size())) - 1;
     if (arguments.has("--elevate")) curves = elevated(path, curves, number);
-    if (arguments.has("--halve")) curves = refined(path, curves, number, middles(curves.curves[static_cast<std::size_t>(number)]));
+    if (arguments.has("--halve")) curves =
+        refined(path, curves, number, middles(curves.curves[static_cast<std::size_t>(number)]));
     if (arguments.has("--insert")) curves = refined(path, curves, number, number_list(arguments, "--insert"));
     return curves;
 }
@@ -84,7 +87,8 @@ std::vector<Wanted> wanted_of(const Arguments& arguments, const std::vector<doub
                                {"curvature_variation", "curvature variation", quantity_of(HM_CURVATURE_VARIATION)}};
     if (arguments.has("--stations")) {
         for (const double station : number_list(arguments, "--stations")) {
-            all.push_back({"thickness_" + brief(station), "thickness at " + brief(station), quantity_of(HM_THICKNESS, station)});
+            all.push_back({"thickness_" + brief(station), "thickness at " + brief(station),
+                           quantity_of(HM_THICKNESS, station)});
             all.push_back({"camber_" + brief(station), "camber at " + brief(station), quantity_of(HM_CAMBER, station)});
         }
     }
@@ -114,7 +118,8 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
         } else if (status < 0) {
             std::printf("%-22s none: %s\n", wanted.text.c_str(), error.text);
         } else {
-            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(), brief(value).c_str(), brief(at[0]).c_str(),
+            std::printf("%-22s %-12s at x = %s, y = %s\n", wanted.text.c_str(), brief(value).c_str(),
+                        brief(at[0]).c_str(),
                         brief(at[1]).c_str());
         }
     }

@@ -41,7 +41,8 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     };
     if (is("--ffd", HM_FFD)) take_pair(arguments, "--ffd", variables.degree_x, variables.degree_y);
     if (is("--cst", HM_CST)) take_pair(arguments, "--cst", variables.n_upper, variables.n_lower);
-    if (is("--hicks-henne", HM_HICKS_HENNE)) take_pair(arguments, "--hicks-henne", variables.n_upper, variables.n_lower);
+    if (is("--hicks-henne", HM_HICKS_HENNE)) take_pair(arguments, "--hicks-henne", variables.n_upper,
+                                                       variables.n_lower);
     if (is("--naca", HM_NACA4)) {
         peaks = number_list(arguments, "--naca");
         variables.n_upper = static_cast<std::int32_t>(peaks.size());
@@ -80,7 +81,8 @@ void run(const Arguments& arguments) {
     map.matrix.resize(2 * static_cast<std::size_t>(map.points) * static_cast<std::size_t>(map.variables));
     std::vector<double> error(2 * static_cast<std::size_t>(map.variables));
     Block work(bytes);
-    call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()), bytes, map.matrix.data(),
+    call(path, hm_variables_map, view.get(), &section, &variables, static_cast<void*>(work.data()), bytes,
+         map.matrix.data(),
          error.data());
     if (arguments.has("-o")) {
         OutputFiles files;
@@ -114,7 +116,8 @@ const Command variables_command = {
     {{"--ffd", "I,J", "free-form deformation: a box of degrees I along x and J along y, (I+1)(J+1) nodes"},
      {"--cst", "N,M", "class and shape functions: N of the upper and M of the lower side"},
      {"--hicks-henne", "N,M", "bumps: N of the upper and M of the lower side"},
-     {"--naca", "P[,P..]", "NACA's four digits: a camber line for each position P of the largest camber, then thickness"},
+     {"--naca", "P[,P..]",
+      "NACA's four digits: a camber line for each position P of the largest camber, then thickness"},
      {"--box", "X,Y,X,Y", "of --ffd: lower left and upper right corner (default: a little more than the control points)"},
      {"--peaks", "P[,P..]", "of --hicks-henne: where the bumps are largest, 0 to 1"},
      chord_option,

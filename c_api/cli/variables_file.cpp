@@ -40,7 +40,8 @@ std::vector<double> VariableMap::control_moves(const std::vector<double>& values
     const auto n = static_cast<std::size_t>(variables);
     for (std::size_t i = 0; i < static_cast<std::size_t>(points); ++i) {
         for (std::size_t j = 0; j < n; ++j) {
-            const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1], x = values[2 * j], y = values[2 * j + 1];
+            const double a = matrix[2 * (i * n + j)], b = matrix[2 * (i * n + j) + 1], x = values[2 * j],
+                y = values[2 * j + 1];
             moves[2 * i] += a * x - b * y;
             moves[2 * i + 1] += a * y + b * x;
         }

@@ -16,7 +16,7 @@
         integer :: kind = hm_ffd
         integer :: n_upper = 0, n_lower = 0
         integer :: degree_x = 0, degree_y = 0
-        real(c_double) :: box(4) = 0                            ! x_min, y_min, x_max, y_max; all 0: round the control points
+        real(c_double) :: box(4) = 0                            ! x_min, y_min, x_max, y_max; all 0: round all points
         real(c_double), allocatable :: peaks(:)
         real(c_double) :: nose_exponent = 0, edge_exponent = 0, width = 0
     end type
@@ -39,8 +39,8 @@ contains
         type(c_ptr) :: made, rows
         integer(c_size_t) :: bytes
         call open_curve(self, curve, set, list, done)
-        if (done%ok()) done%status = hm_c_refine_size(set, int(curve - 1, c_int32_t), int(size(u), c_int32_t), u, bytes, &
-            done%error)
+        if (done%ok()) done%status = hm_c_refine_size(set, int(curve - 1, c_int32_t), int(size(u), c_int32_t), u, &
+            bytes, done%error)
         call block%take(bytes, done=done)
         if (done%ok()) done%status = hm_c_refine(made, rows, block%start, block%bytes, set, int(curve - 1, c_int32_t), &
             int(size(u), c_int32_t), u, done%error)
@@ -66,8 +66,8 @@ contains
         call open_curve(self, curve, set, list, done)
         if (done%ok()) done%status = hm_c_elevate_size(set, int(curve - 1, c_int32_t), bytes, done%error)
         call block%take(bytes, done=done)
-        if (done%ok()) done%status = hm_c_elevate(made, rows, block%start, block%bytes, set, int(curve - 1, c_int32_t), &
-            done%error)
+        if (done%ok()) done%status = hm_c_elevate(made, rows, block%start, block%bytes, set, &
+            int(curve - 1, c_int32_t), done%error)
         if (done%status >= 0) call take_finer(made, rows, int(set%n_control), finer, matrix)
         call block%give_back()
         call done%finish("curves%elevate", stat, err)
@@ -123,8 +123,8 @@ contains
         call c_curves_of(self, set, list, done)
         call done%refuse_if(size(values) /= n, "values must have one number for each quantity")
         if (present(at)) call done%refuse_if(any(shape(at) /= [2, n]), "at must be (2, quantities)")
-        if (present(gradients) .and. done%ok()) call done%refuse_if(any(shape(gradients) /= [2, int(set%n_control), n]), &
-            "gradients must be (2, control points, quantities)")
+        if (present(gradients) .and. done%ok()) call done%refuse_if(any(shape(gradients) /= &
+            [2, int(set%n_control), n]), "gradients must be (2, control points, quantities)")
         its = c_section_of(section)
         if (its%n_curves == 0 .and. done%ok() .and. its%first_curve > 0) its%n_curves = set%n_curves - its%first_curve
         do k = 1, n
@@ -156,11 +156,13 @@ contains
     ! Items that the text does not name, which therefore says not that they count from 0.
     subroutine count_item_from_one(done)
         type(outcome), intent(inout) :: done
-        if (.not. counts_from_zero(sentence(done%error), int(done%error%item))) done%error%item = done%error%item + 1_c_int32_t
+        if (.not. counts_from_zero(sentence(done%error), &
+            int(done%error%item))) done%error%item = done%error%item + 1_c_int32_t
     end subroutine
 
-    ! How design variables move the control points: complex matrix(n_control,n); variables v move them by matmul(matrix, v),
-    ! as complex numbers. error(2,n): root mean square and largest difference from the wanted movement of the curves.
+    ! How design variables move the control points: complex matrix(n_control,n); variables v move them by matmul(matrix,
+    ! v), as complex numbers. error(2,n): root mean square and largest difference from the wanted movement of the
+    ! curves.
     subroutine curves_map(self, variables, matrix, error, section, stat, err)
         class(hm_curves), intent(in), target :: self
         type(hm_variables), intent(in), target :: variables
@@ -203,7 +205,8 @@ contains
         if (done%ok()) done%status = hm_c_variables_size(set, its, asked, n, bytes, done%error)
         call block%take(bytes, done=done)
         allocate(pairs(2, n, set%n_control), errors(2, n))
-        if (done%ok()) done%status = hm_c_variables_map(set, its, asked, block%start, block%bytes, pairs, errors, done%error)
+        if (done%ok()) done%status = hm_c_variables_map(set, its, asked, block%start, block%bytes, pairs, errors, &
+            done%error)
         if (done%status >= 0) then
             matrix = transpose(cmplx(pairs(1, :, :), pairs(2, :, :), c_double))
             if (present(error)) error = errors

@@ -2,8 +2,9 @@
 ! ---- Functions by table: modes given at the points of markers with hm_given
 
 contains
-    ! Another basis: the functions of basis, and behind them one for each mode. modes(n,modes) at n wall points: those of
-    ! `points`, or all with given displacements in the library's order (hm_c_given_points). Factor must have been called.
+    ! Another basis: the functions of basis, and behind them one for each mode. modes(n,modes) at n wall points: those
+    ! of `points`, or all with given displacements in the library's order (hm_c_given_points). Factor must have been
+    ! called.
     subroutine tabulate_real(self, basis, modes, tabulated, points, work, stat, err)
         class(hm_plan), intent(in) :: self
         type(hm_basis), intent(in) :: basis
@@ -13,7 +14,8 @@ contains
         real(c_double), pointer, intent(in), optional :: work(:)
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        call tabulate_numbers(self, basis, shape(modes), 1, reshape(modes, [size(modes)]), tabulated, points, work, stat, err)
+        call tabulate_numbers(self, basis, shape(modes), 1, reshape(modes, [size(modes)]), tabulated, points, work, &
+            stat, err)
     end subroutine
 
     subroutine tabulate_complex(self, basis, modes, tabulated, points, work, stat, err)
@@ -29,7 +31,8 @@ contains
         allocate(pairs(2, size(modes, 1), size(modes, 2)))
         pairs(1, :, :) = real(modes, c_double)
         pairs(2, :, :) = aimag(modes)
-        call tabulate_numbers(self, basis, shape(modes), 2, reshape(pairs, [size(pairs)]), tabulated, points, work, stat, err)
+        call tabulate_numbers(self, basis, shape(modes), 2, reshape(pairs, [size(pairs)]), tabulated, points, work, &
+            stat, err)
     end subroutine
 
     subroutine tabulate_numbers(self, basis, extents, numbers, table, tabulated, points, work, stat, err)

@@ -80,12 +80,14 @@ Status combine(Basis const& from, Index n, Index numbers, const Real* matrix, Ba
                 const Real* const entries = matrix + Offset{i} * n * numbers;
                 for (Index j = 0; j < n; ++j) add_product(entries[numbers * j], f, &row[Offset{plane} * length + j]);
                 if (numbers == 1) continue;
-                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of matrices, xx with xy and yx
-                // with yy: [xx xy] [x -y; y x].
+                // (a + i b)(x + i y): the imaginary part goes to the plane of the partner. Of matrices, xx with xy and
+                // yx with yy: [xx xy] [x -y; y x].
                 bool const second = plane % 2 == 1;
                 Index const partner = second ? plane - 1 : plane + 1;
                 Real const sign = matrices != second ? -1 : 1;
-                for (Index j = 0; j < n; ++j) add_product(sign * entries[2 * j + 1], f, &row[Offset{partner} * length + j]);
+                for (Index j = 0; j < n; ++j) {
+                    add_product(sign * entries[2 * j + 1], f, &row[Offset{partner} * length + j]);
+                }
             }
             for (Index k = 0; k < others; ++k) {
                 add_product(1, &old_row[Offset{plane} * old_length + shapes + k], &row[Offset{plane} * length + n + k]);

@@ -44,7 +44,8 @@ Status Refinement::check(Curve const& old, Fault& fault) const noexcept {
         Real const u = knots[k];
         bool const inside = (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
         if (!inside) {
-            return fault.refuse(Status::bad_argument, "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",
+            return fault.refuse(Status::bad_argument,
+                                "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",
                                 Counts::from_zero, k, curve, u);
         }
         Index fold = 0;
@@ -134,7 +135,8 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
     }
     degree_ = degree;
     n_positions_ = end - begin + degree;
-    copy(knots_.first(n_positions_ + degree + 1), Span<const Real>(all_).from(begin - degree, n_positions_ + degree + 1));
+    copy(knots_.first(n_positions_ + degree + 1),
+         Span<const Real>(all_).from(begin - degree, n_positions_ + degree + 1));
 }
 
 // ---- Control points

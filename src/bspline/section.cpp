@@ -38,7 +38,8 @@ Status Section::connect(Fault& fault) noexcept {
             backwards[1] = true;
             if (meet(end_of(0, true), end_of(1, false))) continue;
         }
-        return fault.refuse(Status::bad_curve, "curve @ (from 0) of the section does not begin or end where the one before ends",
+        return fault.refuse(Status::bad_curve,
+                            "curve @ (from 0) of the section does not begin or end where the one before ends",
                             Counts::from_zero, none, c);
     }
     Curve const& last = curve[n_curves - 1];
@@ -96,7 +97,8 @@ Status Section::find_nose(Fault& fault) noexcept {
         Index before = span - 1;
         while (before > its.degree && !(its.knots[before] < its.knots[before + 1])) --before;
         Real const width = its.knots[before + 1] - its.knots[before];
-        if (width > 0) nose_is_smooth = try_span(before, its.knots[before + 1] - width / (8 * its.degree), its.knots[before + 1]);
+        Real const end = its.knots[before + 1];
+        if (width > 0) nose_is_smooth = try_span(before, end - width / (8 * its.degree), end);
     }
     if (!nose_is_smooth && nose_place.u == its.knots[span + 1] && span + 1 < its.n_indices) {
         Index after = span + 1;
@@ -119,8 +121,8 @@ void Section::pull_chord(ChordDerivative const& by, ControlGradient const& gradi
     gradient.add(last_end(), 0.5 * by.edge);
 }
 
-// The parameter u is where g = C' . (C - edge) = 0, hence du = -(C' . (dC - d edge) + (C - edge) . dC') / g'. At a corner
-// u stays.
+// The parameter u is where g = C' . (C - edge) = 0, hence du = -(C' . (dC - d edge) + (C - edge) . dC') / g'. At a
+// corner u stays.
 void Section::pull_nose(Vec2 by_point, Real by_parameter, ControlGradient const& gradient) const noexcept {
     if (!gradient.wanted()) return;
     if (!nose_is_smooth) return gradient.add(nose_place, by_point);

@@ -56,7 +56,8 @@ struct Closing {
     Vec2 a, b;
 
     explicit Closing(Section const& section) noexcept
-        : from(section.end_of(section.n_curves - 1, true)), to(section.end_of(0, false)), a(from.point()), b(to.point()) {}
+        : from(section.end_of(section.n_curves - 1, true)), to(section.end_of(0, false)), a(from.point()),
+            b(to.point()) {}
 };
 
 Integrals integrals_of(Section const& section) noexcept {
@@ -109,7 +110,8 @@ void pull_area_moments(Section const& section, AreaMoments const& moments, AreaD
     Real const area = moments.area;
     // c = (I1, I2) / I0, xx = I3 - I2^2 / I0, ...
     Integrals w{{by.area - dot(by.centroid, c) / area + by.xx * c.y * c.y + by.yy * c.x * c.x + by.xy * c.x * c.y,
-                 by.centroid.x / area - 2 * by.yy * c.x - by.xy * c.y, by.centroid.y / area - 2 * by.xx * c.y - by.xy * c.x,
+                 by.centroid.x / area - 2 * by.yy * c.x - by.xy * c.y,
+                     by.centroid.y / area - 2 * by.xx * c.y - by.xy * c.x,
                  by.xx, by.yy, by.xy}};
     for (Real& value : w.value) value *= section.sign;
     for_each_piece(section, [&](Real low, Real high, Index number, Index span) {
@@ -127,7 +129,8 @@ void pull_area_moments(Section const& section, AreaMoments const& moments, AreaD
     Closing const closing(section);
     Gauss10::for_each(0, 1, [&](Real t, Real weight) {
         Vec2 by_point, by_derivative;
-        differentiate(w, closing.a + t * (closing.b - closing.a) - reference, closing.b - closing.a, by_point, by_derivative);
+        differentiate(w, closing.a + t * (closing.b - closing.a) - reference, closing.b - closing.a, by_point,
+                      by_derivative);
         gradient.add(closing.from, weight * ((1 - t) * by_point - by_derivative));
         gradient.add(closing.to, weight * (t * by_point + by_derivative));
     });

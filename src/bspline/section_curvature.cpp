@@ -20,7 +20,8 @@ struct Curvature {
         Real const q3 = 1 / (q * speed), q5 = q3 / q, q7 = q5 / q;
         value = x * q3;
         slope = y * q3 - 3 * x * d * q5;
-        // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C'' it is C' turned left.
+        // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C'' it is C' turned
+        // left.
         Vec2 const x1 = right_of(c[2]), x2 = left_of(c[1]), y1 = right_of(c[3]);
         value_by[1] = q3 * x1 - 3 * x * q5 * c[1];
         value_by[2] = q3 * x2;
@@ -45,7 +46,8 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
             Vec2 point[2];
             curve_point_in(section.curve[c], span, low + (high - low) * j / n, 1, point);
             if (length(point[1]) * (high - low) > smallest) continue;
-            status = fault.refuse(Status::bad_curve, "curve @ (from 0) stands still at parameter ~: it has no curvature there",
+            status = fault.refuse(Status::bad_curve,
+                                  "curve @ (from 0) stands still at parameter ~: it has no curvature there",
                                   Counts::from_zero, none, c, low + (high - low) * j / n);
         }
     });
@@ -58,7 +60,8 @@ Status nose_radius(Section const& section, Real& radius, ControlGradient const& 
     Curvature const at = curvature_at(section.nose_place);
     Real const bend = section.sign * (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) * at.value;
     if (!section.nose_is_smooth || !is_finite(bend) || !(absolute(bend) * section.extent() > 1e-12)) {
-        return fault.refuse(Status::bad_curve, "the leading edge is a corner or straight: it has no radius of curvature");
+        return fault.refuse(Status::bad_curve,
+                            "the leading edge is a corner or straight: it has no radius of curvature");
     }
     radius = 1 / bend;
     Real const by_value = -radius * radius * bend / at.value;  // bend / value: the sign

@@ -60,7 +60,8 @@ Status measure_nose(Section& section, ControlGradient const& gradient, Measured&
 }
 
 // Between the tangents that leave the trailing edge at both ends of the outline, through the inside.
-Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured, Fault& fault) noexcept {
+Status measure_edge_angle(Section& section, ControlGradient const& gradient, Measured& measured,
+                          Fault& fault) noexcept {
     AreaMoments moments;
     HARMORPH_TRY(area_moments(section, moments, fault));
     CurvePlace const first = section.first_end(), last = section.last_end();
@@ -70,7 +71,8 @@ Status measure_edge_angle(Section& section, ControlGradient const& gradient, Mea
     bool const backwards_first = section.backwards[0], backwards_last = section.backwards[section.n_sides - 1];
     Vec2 const from = (backwards_first ? -1.0 : 1.0) * a[1], to = (backwards_last ? 1.0 : -1.0) * b[1];
     if (!(square(from) > 0) || !(square(to) > 0)) {
-        return fault.refuse(Status::bad_curve, "the trailing edge has no directions: the curve stands still at its ends");
+        return fault.refuse(Status::bad_curve,
+                            "the trailing edge has no directions: the curve stands still at its ends");
     }
     Real const sign = section.sign * in_degrees(1);
     measured = {sign * angle_of(turn_between(from, to)), a[0]};

@@ -46,7 +46,8 @@ bool find_points(Section const& section, Vec2 through, CurvePlace& top, CurvePla
     return highest > lowest;
 }
 
-// Derivatives of the value by the two points held at their parameters, by the point of the chord line, and by the chord.
+// Derivatives of the value by the two points held at their parameters, by the point of the chord line, and by the
+// chord.
 struct StationDerivative {
     Vec2 top[1], bottom[1], point, along;
     bool finite = true;
@@ -100,7 +101,8 @@ Real slope_at(Section const& section, StationValue which, Station const& station
 
 Status measure_station(Section const& section, StationValue which, Real at, Station& station, Fault& fault) noexcept {
     if (value_at(section, which, at, station) > -infinity) return Status::ok;
-    return fault.refuse(Status::bad_curve, "the normal to the chord at station ~ meets the outline at less than two points",
+    return fault.refuse(Status::bad_curve,
+                        "the normal to the chord at station ~ meets the outline at less than two points",
                         Counts::from_zero, none, none, at);
 }
 

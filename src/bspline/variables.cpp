@@ -184,7 +184,8 @@ Status VariableMap::factor_and_solve(Fault& fault) noexcept {
                 continue;
             }
             if (!(sum > 1e-14 * diagonal)) {
-                return fault.refuse(Status::bad_curve, "control point # is not determined by the outline", Counts::curves, i);
+                return fault.refuse(Status::bad_curve, "control point # is not determined by the outline",
+                                    Counts::curves, i);
             }
             row_of(i)[i] = square_root(sum);
         }
@@ -217,7 +218,8 @@ Status VariableMap::run(Section const& section, Variables const& variables, Faul
         for (Index k = 0; k < basis.order; ++k) {
             Index const i = basis.control[k];
             Real const part = weight * basis.value[0][k];
-            for (Index l = 0; l < basis.order; ++l) mass[Offset{i} * n_control_ + basis.control[l]] += part * basis.value[0][l];
+            Real* const mass_row = mass.data() + Offset{i} * n_control_;
+            for (Index l = 0; l < basis.order; ++l) mass_row[basis.control[l]] += part * basis.value[0][l];
             if (pins[i] > 0) continue;
             Real* const row = wanted.data() + Offset{i} * 2 * n_;
             for (Index j = 0; j < n_; ++j) {

@@ -15,7 +15,8 @@ Status Modes::check(Index n_points, Fault& fault) const noexcept {
         for (Index k = 0; k < n_points; ++k) {
             Vec2 const here = at(mode, k, n_points);
             if (!is_finite(here.x) || !is_finite(here.y)) {
-                return fault.refuse(Status::bad_argument, "mode # (from 0) is not finite at point @ (from 0) of the list",
+                return fault.refuse(Status::bad_argument,
+                                    "mode # (from 0) is not finite at point @ (from 0) of the list",
                                     Counts::from_zero, mode, k);
             }
             is_zero = is_zero && here.x == 0 && here.y == 0;
@@ -33,7 +34,8 @@ BasisCounts tabulated_counts(Basis const& from, Index n, Index numbers) noexcept
 }
 
 // Mode j as the displacement of the wall for the amplitude (1, 0), and of a matrix also for (0, 1).
-Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work, Basis const& to,
+Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work,
+                Basis const& to,
                 SolveReport& report, Fault& fault) noexcept {
     Displacement const& displacement = work.displacement;
     bool const matrices = from.kind() == ValueKind::matrix;

@@ -61,7 +61,8 @@ private:
 
 double difference(Moved const& a, Moved const& b) {
     double worst = 0;
-    for (std::size_t k = 0; k < a.x.size(); ++k) worst = std::max({worst, std::fabs(a.x[k] - b.x[k]), std::fabs(a.y[k] - b.y[k])});
+    for (std::size_t k = 0; k < a.x.size(); ++k) worst =
+        std::max({worst, std::fabs(a.x[k] - b.x[k]), std::fabs(a.y[k] - b.y[k])});
     return worst;
 }
 
@@ -164,14 +165,16 @@ TEST_CASE("combined functions are extracted, written, attached, stored in single
         for (std::size_t k = 0; k < points.size(); ++k) CHECK(part.x[k] == expected.x[static_cast<std::size_t>(points[k])]);
         double error = 1;
         Numbers const zero(points.size());
-        REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero), points_in(part.x, part.y), &error, nullptr,
+        REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero), points_in(part.x, part.y), &error,
+                                  nullptr,
                                   nullptr) == HM_OK);
         CHECK(error < 1e-14);
 
         Combined const twice(combined.basis, again);
         REQUIRE_MESSAGE(twice.status == HM_OK, twice.error.text);
         Numbers const few = some_move(info_of(twice.basis).functions, 0.01, 8);
-        CHECK(difference(displaced(twice.basis, few), displaced(solved.basis, by.expanded(again.expanded(few)))) < 1e-14);
+        CHECK(difference(displaced(twice.basis, few),
+                         displaced(solved.basis, by.expanded(again.expanded(few)))) < 1e-14);
         CHECK(info_of(twice.basis).combined == 2);
 
         hm_error refusal{};
@@ -193,7 +196,8 @@ TEST_CASE("singular matrices are refused by column; so are short blocks and numb
     };
     Combination zero = good, twice = good, bad = good;
     for (int row = 0; row < 8; ++row) {
-        for (int number = 0; number < 2; ++number) zero.entries[static_cast<std::size_t>((row * 3 + 1) * 2 + number)] = 0;
+        for (int number = 0; number < 2; ++number) zero.entries[static_cast<std::size_t>((row * 3 + 1) * 2 + number)] =
+            0;
         Complex const turned = Complex(0.3, -2) * good.at(row, 0) + good.at(row, 1);
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2)] = turned.real();
         twice.entries[static_cast<std::size_t>((row * 3 + 2) * 2 + 1)] = turned.imag();

@@ -12,7 +12,8 @@ using fixtures::Spline;
 namespace {
 
 Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k) spline.weights.push_back(0.5 + 0.37 * (k % 5));
+    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k) spline.weights.push_back(0.5 +
+                                                                                                   0.37 * (k % 5));
     return spline;
 }
 
@@ -140,7 +141,8 @@ TEST_CASE("repeated knots up to the degree make the curve interpolate a control 
         REQUIRE(hm_curve_point(&set.view(), 0, u, 0, at, nullptr) == HM_OK);
         double nearest = 1;
         for (int j = 0; j < finer.curves->n_control; ++j)
-            nearest = std::min(nearest, std::hypot(finer.curves->control[2 * j] - at[0], finer.curves->control[2 * j + 1] - at[1]));
+            nearest = std::min(nearest,
+                    std::hypot(finer.curves->control[2 * j] - at[0], finer.curves->control[2 * j + 1] - at[1]));
         CHECK(nearest < 1e-13);
         check_same(set, finer);
     }

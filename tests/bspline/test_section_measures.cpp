@@ -47,7 +47,8 @@ double value_of(CurveSet& set, hm_quantity const& asked, hm_section const* secti
 }
 
 // Differences of fourth order along random directions against the derivatives.
-void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr, double tolerance = 2e-8) {
+void check_gradient(CurveSet& set, hm_quantity const& asked, hm_section const* section = nullptr,
+                    double tolerance = 2e-8) {
     Result const exact = measured(set, asked, section);
     REQUIRE_MESSAGE(exact.status == HM_OK, exact.error.text);
     std::vector<double> const start = set.control;
@@ -184,7 +185,8 @@ TEST_CASE("polygons: areas of degree-1 outlines, and what a side is farther from
 }
 
 TEST_CASE("derivatives of all quantities agree with differences: tied, open, rational, both orientations, fixed chord") {
-    std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06}, wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
+    std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06},
+        wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
     for (bool const rational : {false, true})
         for (int kind = 0; kind < 3; ++kind)
             for (bool const fixed : {rational, !rational}) {
@@ -202,7 +204,8 @@ TEST_CASE("derivatives of all quantities agree with differences: tied, open, rat
                     if (k == HM_THICKNESS || k == HM_CAMBER) continue;
                     bool const zero = (k == HM_CHORD && fixed) || (k == HM_EDGE_GAP && kind == 0);
                     if (zero) continue;
-                    check_gradient(set, quantity(k), &chord, k == HM_CURVATURE_VARIATION || k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
+                    check_gradient(set, quantity(k), &chord, k == HM_CURVATURE_VARIATION ||
+                                   k == HM_MIN_RADIUS ? 1e-4 : 2e-7);
                 }
                 for (double const station : {0.03, 0.25, 0.6, 0.93}) {
                     check_gradient(set, quantity(HM_THICKNESS, station), &chord, 2e-7);
@@ -226,7 +229,8 @@ TEST_CASE("the measures of a section do not depend on its direction, and turn, g
             double const value = value_of(set, quantity(kind, station));
             INFO("kind " << kind);
             CHECK(value_of(back, quantity(kind, station)) == doctest::Approx(value).epsilon(1e-11));
-            CHECK(value_of(moved, quantity(kind, station)) == doctest::Approx(std::pow(scale, power) * value).epsilon(1e-10));
+            CHECK(value_of(moved,
+                           quantity(kind, station)) == doctest::Approx(std::pow(scale, power) * value).epsilon(1e-10));
         };
         check(HM_AREA, 2);
         check(HM_CHORD, 1);
@@ -246,7 +250,8 @@ TEST_CASE("the measures of a section do not depend on its direction, and turn, g
 
 TEST_CASE("the maximum over stations is no smaller than any station, and is one of them") {
     CurveSet set = section(true, false);
-    Result const thickest = measured(set, quantity(HM_MAX_THICKNESS)), cambered = measured(set, quantity(HM_MAX_CAMBER));
+    Result const thickest = measured(set, quantity(HM_MAX_THICKNESS)),
+        cambered = measured(set, quantity(HM_MAX_CAMBER));
     for (int k = 1; k < 200; ++k) {
         CHECK(value_of(set, quantity(HM_THICKNESS, k / 200.0)) <= thickest.value);
         CHECK(std::fabs(value_of(set, quantity(HM_CAMBER, k / 200.0))) <= std::fabs(cambered.value));
@@ -257,7 +262,8 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
 
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
     CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)), line(fixtures::clamped(1, 2, 1));
-    auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word, hm_section const* with = nullptr) {
+    auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
+                             hm_section const* with = nullptr) {
         Result const out = measured(of, asked, with);
         CHECK_MESSAGE(std::string(out.error.text).find(word) != std::string::npos, out.error.text);
         CHECK(out.value == -777);

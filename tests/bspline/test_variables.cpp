@@ -32,7 +32,8 @@ Map mapped(CurveSet& set, hm_variables const& variables, hm_section const* secti
     out.matrix.assign(static_cast<std::size_t>(2 * set.n_control() * out.n), -7);
     out.errors.assign(static_cast<std::size_t>(2 * out.n), -7);
     fixtures::Guarded work(bytes);
-    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes, out.matrix.data(), out.errors.data(),
+    out.status = hm_variables_map(&set.view(), section, &variables, work.data(), bytes, out.matrix.data(),
+                                  out.errors.data(),
                                   &out.error);
     CHECK(work.guards_intact());
     return out;
@@ -56,7 +57,8 @@ CurveSet airfoil(bool blunt, int n_control) {
     REQUIRE(run.status == harmorph::Status::ok);
     Spline spline;
     harmorph::Curve const& curve = run.fit.curve[0];
-    for (int i = 0; i < curve.n_control; ++i) spline.control.insert(spline.control.end(), {run.control(i).x, run.control(i).y});
+    for (int i = 0; i < curve.n_control; ++i) spline.control.insert(spline.control.end(),
+                                                                    {run.control(i).x, run.control(i).y});
     for (int k = 0; k < curve.n_indices; ++k) spline.indices.push_back(curve.control_point(k));
     spline.knots.assign(curve.knots, curve.knots + curve.n_indices + 4);
     CurveSet set(spline);
@@ -145,7 +147,8 @@ TEST_CASE("an FFD box of degree 1 moves the curve by affine maps exactly, one of
                 sum += map.x(i, node);
                 CHECK(map.y(i, node) == 0);
             }
-            double const x = set.control[static_cast<std::size_t>(2 * i)], y = set.control[static_cast<std::size_t>(2 * i + 1)];
+            double const x = set.control[static_cast<std::size_t>(2 * i)],
+                y = set.control[static_cast<std::size_t>(2 * i + 1)];
             CHECK(sum == doctest::Approx(1).epsilon(1e-10));
             CHECK(dx == doctest::Approx(0.1 + 0.3 * x - 0.7 * y).epsilon(1e-9));
             CHECK(dy == doctest::Approx(-0.2 + 0.5 * x + 0.4 * y).epsilon(1e-9));
@@ -167,7 +170,8 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas, as nearly
         CHECK(naca.n == 2);
         for (int j = 0; j < 7; ++j) {
             if (j >= 4) continue;   // of the upper side: check_shape tells the sides by the sign
-            check_shape(set, cst, j, [&](double t, bool upper) { return upper ? std::sqrt(t) * (1 - t) * bernstein(3, j, t) : 0; });
+            check_shape(set, cst, j,
+                        [&](double t, bool upper) { return upper ? std::sqrt(t) * (1 - t) * bernstein(3, j, t) : 0; });
         }
         for (int j = 0; j < 3; ++j) {
             double const peak = (2 * j + 1) / 6.0;
@@ -176,7 +180,8 @@ TEST_CASE("CST, bumps and NACA modes move the curve by their formulas, as nearly
             });
             CHECK(bumps.errors[static_cast<std::size_t>(2 * j)] < 0.06);
         }
-        check_shape(set, naca, 0, [](double t, bool) { return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36; });
+        check_shape(set, naca, 0,
+                    [](double t, bool) { return t < 0.4 ? t * (0.8 - t) / 0.16 : (0.2 + 0.8 * t - t * t) / 0.36; });
         check_shape(set, naca, 1, [](double t, bool upper) {
             return (upper ? 5 : -5) * (0.2969 * std::sqrt(t) - t * (0.1260 + t * (0.3516 - t * (0.2843 - 0.1036 * t))));
         });

@@ -51,8 +51,10 @@ public:
         Guarded work(work_bytes);
         hm_solve_report report{};
         report.struct_size = sizeof report;
-        status = hm_tabulate(&basis, block_->data(), bytes - less, plan, from, static_cast<std::int32_t>(modes[0].size()),
-                             list != nullptr ? list->data() : nullptr, n_modes, numbers, table.data(), work.data(), work_bytes,
+        status = hm_tabulate(&basis, block_->data(), bytes - less, plan, from,
+                             static_cast<std::int32_t>(modes[0].size()),
+                             list != nullptr ? list->data() : nullptr, n_modes, numbers, table.data(), work.data(),
+                                 work_bytes,
                              &report, &error);
         CHECK(block_->guards_intact());
         CHECK(work.guards_intact());
@@ -91,7 +93,8 @@ TEST_CASE("B-spline functions given as tables are the functions of the curve") {
         CHECK(info.modes == 8);
         CHECK(info.numbers_per_value == solved.info().numbers_per_value);
         Numbers const move = some_move(8, 0.1, 3);
-        Moved const expected = morphed(solved.basis, curve.mesh, move), found = morphed(tabulated.basis, curve.mesh, move);
+        Moved const expected = morphed(solved.basis, curve.mesh, move),
+            found = morphed(tabulated.basis, curve.mesh, move);
         for (std::size_t k = 0; k < found.x.size(); ++k) {
             CHECK(found.x[k] == doctest::Approx(expected.x[k]).epsilon(1e-12));
             CHECK(found.y[k] == doctest::Approx(expected.y[k]).epsilon(1e-12));
@@ -139,7 +142,8 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 for (auto const& value : wall) wall_x.push_back(value.real()), wall_y.push_back(value.imag());
                 hm_points const from{wall_x.data(), wall_y.data(), 1};
                 hm_points_out const to{expected.x.data(), expected.y.data(), 1};
-                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr, &to,
+                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr,
+                                    &to,
                                     work.data(), bytes, nullptr, nullptr) == HM_OK);
                 for (std::size_t k = 0; k < found.x.size(); ++k) {
                     CHECK(std::fabs(found.x[k] - expected.x[k]) < 1e-14);

@@ -1,7 +1,7 @@
 // `make paper`: free-form deformation of a mesh against harmonic functions, for the same movement of the wall. A box of
-// Bernstein polynomials round the body moves all mesh points inside; its outermost nodes stay, so that the mesh is continuous
-// at the box. Its other nodes are the least-squares fit to the displacements of the wall points, with a penalty on their own
-// movement: of several penalties the best that leaves the mesh valid, if one does.
+// Bernstein polynomials round the body moves all mesh points inside; its outermost nodes stay, so that the mesh is
+// continuous at the box. Its other nodes are the least-squares fit to the displacements of the wall points, with a
+// penalty on their own movement: of several penalties the best that leaves the mesh valid, if one does.
 //   ffd FOLDER MESH LAPLACE-BASIS CONFORMAL-BASIS        prints a table and captions as tests/figures.sh reads them
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -77,11 +77,14 @@ public:
         std::vector<double> const a = bernstein(degree_, t), b = bernstein(degree_, s);
         std::size_t k = 0;
         for (int j = 1; j < degree_; ++j)
-            for (int i = 1; i < degree_; ++i) out[k++] = a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
+            for (int i = 1; i < degree_; ++i) out[k++] =
+                a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
         return out;
     }
-    // The displacement of all points that fits that of the wall; penalty: of the nodes' movement, in parts of the equations.
-    void fit(const cli::Mesh& mesh, const std::vector<std::size_t>& wall, double penalty, cli::Field& displacement) const {
+    // The displacement of all points that fits that of the wall; penalty: of the nodes' movement, in parts of the
+    // equations.
+    void fit(const cli::Mesh& mesh, const std::vector<std::size_t>& wall, double penalty,
+             cli::Field& displacement) const {
         std::size_t const n = unknowns();
         std::vector<double> matrix(n * n), x(n), y(n);
         for (std::size_t const point : wall) {
@@ -116,12 +119,14 @@ struct Row {
     double off = 0, reach = 0, far = 0;
 };
 
-Row measure(const cli::Mesh& mesh, const std::vector<std::size_t>& wall, const cli::Field& wanted, const cli::Field& found) {
+Row measure(const cli::Mesh& mesh, const std::vector<std::size_t>& wall, const cli::Field& wanted,
+            const cli::Field& found) {
     Row out;
     double largest = 0;
     for (std::size_t const point : wall) largest = std::max(largest, std::hypot(wanted.x[point], wanted.y[point]));
     for (std::size_t const point : wall) {
-        out.off = std::max(out.off, std::hypot(found.x[point] - wanted.x[point], found.y[point] - wanted.y[point]) / largest);
+        out.off = std::max(out.off,
+                           std::hypot(found.x[point] - wanted.x[point], found.y[point] - wanted.y[point]) / largest);
     }
     // Wall points that the wanted movement leaves where they are, or nearly: how far they go all the same.
     for (std::size_t const point : wall) {
@@ -137,7 +142,8 @@ Row measure(const cli::Mesh& mesh, const std::vector<std::size_t>& wall, const c
 }
 
 // The FFD in the place of a morph's displacement; judged as morphs are.
-void replace(Morph& morph, const cli::Mesh& mesh, const cli::Basis& basis, const cli::Field& displacement, const cli::Threads& threads) {
+void replace(Morph& morph, const cli::Mesh& mesh, const cli::Basis& basis, const cli::Field& displacement,
+             const cli::Threads& threads) {
     morph.displacement = displacement;
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         morph.moved.x[point] = mesh.x[point] + displacement.x[point];
@@ -150,7 +156,8 @@ void replace(Morph& morph, const cli::Mesh& mesh, const cli::Basis& basis, const
 }
 
 void print(const char* method, const Row& row, const Morph& morph) {
-    std::printf("%-24s  %10.1e  %11.1e  %11.3g  %9d  %11.3g  %12.3g  %8.0f %%\n", method, row.off, row.far, morph.step.admissible,
+    std::printf("%-24s  %10.1e  %11.1e  %11.3g  %9d  %11.3g  %12.3g  %8.0f %%\n", method, row.off, row.far,
+                morph.step.admissible,
                 morph.quality.inverted, morph.quality.min_quality, morph.quality.mean_quality, 100 * row.reach);
 }
 
@@ -160,23 +167,27 @@ std::string side_by_side(const std::vector<std::string>& pictures) {
     double width = 0, height = 0;
     for (const std::string& picture : pictures) {
         const std::size_t begin = picture.find("<svg ");
-        const auto number = [&](const char* key) { return std::stod(picture.substr(picture.find(key, begin) + std::string(key).size())); };
+        const auto number = [&](const char* key) { return std::stod(picture.substr(picture.find(key, begin) +
+                                                                                   std::string(key).size())); };
         inside += "<svg x=\"" + cli::brief(width) + "\" " + picture.substr(begin + 5);
         width += number("width=\"");
         height = std::max(height, number("height=\""));
     }
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + cli::brief(width) + "\" height=\"" + cli::brief(height) + "\">\n" +
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + cli::brief(width) + "\" height=\"" +
+        cli::brief(height) + "\">\n" +
            inside + "</svg>\n";
 }
 
 void compare(const std::string& folder, const cli::Mesh& mesh, const cli::Basis& laplace, const cli::Basis& conformal,
-             const std::string& name, const std::string& what, const std::vector<double>& moves, const cli::Threads& threads) {
+             const std::string& name, const std::string& what, const std::vector<double>& moves,
+                 const cli::Threads& threads) {
     const hm_basis_info& info = laplace.info();
     std::vector<std::size_t> wall;
     for (std::int32_t k = 0; k < info.curve_points; ++k) wall.push_back(static_cast<std::size_t>(info.curve_point[k]));
     std::printf("table %s: largest distance of wall points from where the B-spline has them, and of those that it leaves where they "
                 "are; admissible step; cells; quality; mesh points that move by more than 1 %%\n", what.c_str());
-    std::printf("%-24s  %10s  %11s  %11s  %9s  %11s  %12s  %10s\n", "method", "wall off", "others off", "admissible", "inverted",
+    std::printf("%-24s  %10s  %11s  %11s  %9s  %11s  %12s  %10s\n", "method", "wall off", "others off", "admissible",
+                "inverted",
                 "min quality", "mean quality", "moving");
     const Morph harmonic(laplace, mesh, moves, 1, threads), angles(conformal, mesh, moves, 1, threads);
     print("harmonic functions", measure(mesh, wall, harmonic.displacement, harmonic.displacement), harmonic);

@@ -33,8 +33,10 @@ struct ModeWork {
     }
 };
 
-// `to` has been laid out for tabulated_counts, the work for the fields; the displacement's places have been found in the list.
-Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work, Basis const& to,
+// `to` has been laid out for tabulated_counts, the work for the fields; the displacement's places have been found in
+// the list.
+Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes const& modes, ModeWork const& work,
+                Basis const& to,
                 SolveReport& report, Fault& fault) noexcept;
 
 }  // namespace harmorph
