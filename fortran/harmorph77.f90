@@ -16,8 +16,8 @@
 !                                                                U(NIDX+IDEG+1)
 !     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)       KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed
 !                                                                (as markers without condition), 3 slips along its
-!                                                                straight lines, 4 free (not with OPERATOR 0); ICURV
-!                                                                and NCURV both 0 or 1 then
+!                                                                straight lines, 4 free (not with OPERATOR 0), 6 moved
+!                                                                by HMGIVE; ICURV and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)            belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                    these two are translates of each other and move alike
 !     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                     before HMSOLV; NAME and values of hm_options:
@@ -25,6 +25,12 @@
 !                                                                'EXPONENT' 4 q of the weight 1/d**q, -1: no weight;
 !                                                                'SCHEME', 'ENGINE', 'KERNEL', 'OFFSET', 'PRECISION'
 !     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual
+!     CALL HMFACT (W, RESID, IERR, MSG)                          as HMSOLV, and W keeps the factor for HMGIVE, HMGADJ
+!     CALL HMGIVE (W, N, IP, WX, WY, DX, DY, INC, IERR, MSG)     displacements DX, DY of all mesh points from WX(N),
+!                                                                WY(N) of the points IP(N), all of the markers of HMCOND
+!                                                                with KIND 6: any number of times, each as a
+!                                                                substitution; of velocities: velocities
+!     CALL HMGADJ (W, N, IP, GX, GY, INC, HX, HY, IERR, MSG)     the transpose: HX(N), HY(N) from GX, GY of mesh points
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
 !     CALL HMMEAS (W, KIND, STATN, DP, VALUE, G, IERR, MSG)      area, thickness, ...: quantity KIND of hm_measure, at
 !                                                                the station STATN or 0, of all curves after the
@@ -74,9 +80,18 @@ module harmorph77_state
         integer(c_int32_t) :: n_conditions = 0
         type(hm_c_options) :: options
         type(c_ptr) :: basis = c_null_ptr
+        type(c_ptr) :: plan = c_null_ptr        ! kept by HMFACT, above `words`
+        integer(c_int64_t) :: all_words = 0     ! of W, with what is kept there
     end type
 
 contains
+
+    ! What HMFACT keeps is given up.
+    subroutine drop_factor(its)
+        type(state), intent(inout) :: its
+        its%plan = c_null_ptr
+        its%words = its%all_words
+    end subroutine
 
     integer(c_int64_t) function words_of(bytes)
         integer(c_size_t), intent(in) :: bytes
@@ -132,6 +147,7 @@ contains
     subroutine forget(its)
         type(state), intent(inout) :: its
         its%used = its%own
+        call drop_factor(its)
         its%no_basis = its%own
         its%set = hm_c_curves(index_base=1)
         its%set%struct_size = int(c_sizeof(its%set), c_int64_t)
@@ -275,6 +291,66 @@ contains
         call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), bytes, analysis, e), e, ierr, msg)
     end subroutine
 
+    ! The functions; keeps: matrix and factor stay as well, at the end of W.
+    subroutine solve(w, keeps, resid, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        logical, intent(in) :: keeps
+        real(c_double), intent(inout) :: resid
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        type(state), pointer :: its
+        type(hm_c_error) :: e
+        type(hm_solve_report) :: report
+        type(c_ptr) :: analysis, plan, basis
+        integer(c_int64_t) :: top, plan_top
+        integer(c_size_t) :: bytes
+        call open_state(w, its, ierr, msg)
+        if (ierr /= hm_ok) return
+        if (its%set%n_curves < 1 .and. all(its%condition(:its%n_conditions)%kind /= hm_rigid .and. &
+            its%condition(:its%n_conditions)%kind /= hm_given)) then
+            call complain("there is no curve and no rigid body: HMFIT, or HMCTRL and HMCURV, or HMRIGD", ierr, msg)
+            return
+        end if
+        its%used = its%no_basis
+        its%basis = c_null_ptr
+        call drop_factor(its)
+        call analyse(w, its, .true., analysis, top, ierr, msg)
+        if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
+        plan_top = top
+        if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, bytes, e), e, ierr, msg)
+        if (ierr < 0) return
+        if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+        call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), bytes, analysis, e), e, ierr, msg)
+        if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, e), e, ierr, msg)
+        report%struct_size = int(c_sizeof(report), c_int64_t)
+        if (ierr == hm_ok) call tell(hm_c_plan_solve(plan, basis, report, e), e, ierr, msg)
+        if (ierr < 0) return
+        resid = report%residual
+        call keep_basis(its, basis)
+        if (.not. keeps) return
+        its%plan = plan
+        its%words = plan_top
+    end subroutine
+
+    ! What every use of the factor begins with: working memory for one field of displacements.
+    subroutine open_factored(w, its, work, bytes, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), pointer, intent(out) :: its
+        type(c_ptr), intent(out) :: work
+        integer(c_size_t), intent(out) :: bytes
+        integer, intent(out) :: ierr
+        character(len=*), intent(inout) :: msg
+        type(hm_c_error) :: e
+        work = c_null_ptr
+        bytes = 0
+        call open_state(w, its, ierr, msg)
+        if (ierr == hm_ok .and. .not. c_associated(its%plan)) call complain("HMFACT comes first", ierr, msg)
+        if (ierr == hm_ok) call tell(hm_c_displace_size(its%plan, 1_c_int32_t, bytes, e), e, ierr, msg)
+        if (ierr < 0) return
+        if (.not. fits(its, words_of(bytes), its%words, ierr, msg)) return
+        work = c_loc(w(its%used + 1))
+    end subroutine
+
     ! x(1), x(1+inc), ... as C has them.
     type(hm_c_points) function points_of(x, y, inc)
         real(c_double), intent(in), target :: x(*), y(*)
@@ -313,6 +389,7 @@ subroutine hmopen(w, lw, ierr, msg)
         its = fresh
         its%here = transfer(c_loc(w), its%here)
         its%words = lw
+        its%all_words = lw
         its%options%struct_size = int(c_sizeof(its%options), c_int64_t)
         its%own = n
         call forget(its)
@@ -670,30 +747,57 @@ subroutine hmsolv(w, resid, ierr, msg)
     real(c_double), intent(inout) :: resid
     integer, intent(out) :: ierr
     character(len=*), intent(inout) :: msg
+    call solve(w, .false., resid, ierr, msg)
+end subroutine
+
+subroutine hmfact(w, resid, ierr, msg)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: resid
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    call solve(w, .true., resid, ierr, msg)
+end subroutine
+
+subroutine hmgive(w, n, ip, wx, wy, dx, dy, inc, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: n, inc
+    integer(c_int32_t), intent(in), target :: ip(*)
+    real(c_double), intent(inout), target :: w(*), dx(*), dy(*)
+    real(c_double), intent(in), target :: wx(*), wy(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
     type(state), pointer :: its
     type(hm_c_error) :: e
     type(hm_solve_report) :: report
-    type(c_ptr) :: analysis, plan, basis
-    integer(c_int64_t) :: top
+    type(c_ptr) :: work
     integer(c_size_t) :: bytes
-    call open_state(w, its, ierr, msg)
-    if (ierr == hm_ok .and. its%set%n_curves < 1 .and. all(its%condition(:its%n_conditions)%kind /= hm_rigid)) &
-        call complain("there is no curve and no rigid body: HMFIT, or HMCTRL and HMCURV, or HMRIGD", ierr, msg)
-    if (ierr /= hm_ok) return
-    its%used = its%no_basis
-    its%basis = c_null_ptr
-    call analyse(w, its, .true., analysis, top, ierr, msg)
-    if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, bytes, e), e, ierr, msg)
-    if (ierr < 0) return
-    if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
-    call tell(hm_c_basis_init(basis, c_loc(w(its%used + 1)), bytes, analysis, e), e, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_plan_factor(plan, c_null_ptr, e), e, ierr, msg)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    if (ierr == hm_ok) call tell(hm_c_plan_solve(plan, basis, report, e), e, ierr, msg)
-    if (ierr < 0) return
-    resid = report%residual
-    call keep_basis(its, basis)
+    call open_factored(w, its, work, bytes, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_displace(its%plan, int(n, c_int32_t), c_loc(ip), 1_c_int32_t, [points_of(wx, wy, 1)], &
+        c_null_ptr, [points_of(dx, dy, inc)], work, bytes, report, e), e, ierr, msg)
+end subroutine
+
+subroutine hmgadj(w, n, ip, gx, gy, inc, hx, hy, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: n, inc
+    integer(c_int32_t), intent(in), target :: ip(*)
+    real(c_double), intent(inout), target :: w(*), hx(*), hy(*)
+    real(c_double), intent(in), target :: gx(*), gy(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_error) :: e
+    type(hm_solve_report) :: report
+    type(c_ptr) :: work
+    integer(c_size_t) :: bytes
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call open_factored(w, its, work, bytes, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_displace_adjoint(its%plan, int(n, c_int32_t), c_loc(ip), 1_c_int32_t, &
+        [points_of(gx, gy, inc)], [points_of(hx, hy, 1)], work, bytes, report, e), e, ierr, msg)
 end subroutine
 
 subroutine hmgetp(w, nmax, p, ncp, ierr, msg)

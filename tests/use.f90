@@ -42,6 +42,7 @@ program use
     call conditions()
     call assessments()
     call safe_morphs()
+    call given_displacements()
     call transfers()
     call meshes_in_parts()
     call single_precision()
@@ -1094,6 +1095,84 @@ contains
             abs(its_quality%mean_quality - quality%mean_quality) < 1e-5_dp .and. &
             its_quality%inverted == quality%inverted, "assessment")
     end subroutine
+
+    subroutine given_displacements()
+        type(hm_curves) :: curves
+        type(hm_plan) :: by_curve, plan
+        type(hm_basis) :: functions, none
+        type(hm_solve_report) :: report
+        type(hm_step_report) :: step
+        type(hm_quality_report) :: quality
+        real(dp), target :: dx(n_points), dy(n_points), found_x(n_points), found_y(n_points), x2(n_points), y2(n_points)
+        real(dp), target :: gx(n_points), gy(n_points)
+        real(dp) :: move(2, n_control), wall(2, around), gradient(2, around), size_of_sum
+        real(dp), allocatable, target :: walls(:, :, :), fields_x(:, :), fields_y(:, :), gradients(:, :, :)
+        integer, allocatable :: points(:), list(:)
+        integer :: k
+        call curves%fit(x(:around), y(:around), .true., n_control=n_control)
+        call by_curve%analyse(mesh, curves, [hm_condition(body)])
+        call by_curve%factor()
+        call by_curve%solve(functions)
+        move = reshape([(0.002_dp * sin(1.7_dp * k), k = 1, 2 * n_control)], [2, n_control])
+        call functions%displacement(move, dx, dy)
+        call by_curve%displacement(wall, found_x, found_y, stat=stat, err=err)
+        call check(stat == hm_bad_condition, "no marker with hm_given: " // err%text)
+
+        call plan%displacement(wall, found_x, found_y, stat=stat)
+        call check(stat == hm_bad_argument, "displacements without a plan")
+        call plan%analyse(mesh, conditions=[hm_condition(body, hm_given)])
+        call plan%factor()
+        call plan%given_points(points)
+        call check(size(points) == around .and. minval(points) == 1 .and. maxval(points) == around, "the given points")
+        wall(1, :) = dx(points)
+        wall(2, :) = dy(points)
+        call plan%displacement(wall, found_x, found_y, report=report)
+        call check(maxval(abs(found_x - dx)) + maxval(abs(found_y - dy)) < 1e-12_dp, "displacements as of the curve")
+        call check(report%functions == 1 .and. report%residual_function == 1 .and. report%residual < 1e-12_dp, &
+            "report of a displacement")
+        call check(all(same_numbers(found_x(points), wall(1, :))) .and. all(same_numbers(found_y(points), wall(2, :))), &
+            "wall points move by the given bits")
+        x2 = x
+        y2 = y
+        list = [(around + 1 - k, k = 1, around)]
+        wall(1, :) = dx(list)
+        wall(2, :) = dy(list)
+        call plan%displace(wall, x2, y2, list)
+        call check(all(same_numbers(x2, x + found_x)) .and. all(same_numbers(y2, y + found_y)), "in place, by a list")
+
+        gx = [(sin(3._dp * k), k = 1, n_points)]
+        gy = [(cos(2._dp * k), k = 1, n_points)]
+        call plan%displace_adjoint(gx, gy, gradient, list)
+        size_of_sum = sum(abs(gx * found_x)) + sum(abs(gy * found_y))
+        call check(abs(sum(gx * found_x + gy * found_y) - sum(gradient * wall)) < 1e-13_dp * size_of_sum, &
+            "the same work on mesh and wall")
+        allocate(walls(2, around, 3), fields_x(n_points, 3), fields_y(n_points, 3), gradients(2, around, 3))
+        do k = 1, 3
+            walls(:, :, k) = k * wall
+        end do
+        call plan%displacements(walls, fields_x, fields_y, list)
+        call check(maxval(abs(fields_x(:, 3) - 3 * found_x)) < 1e-13_dp, "several fields")
+        call plan%displace_adjoints(fields_x, fields_y, gradients, list)
+        call check(abs(sum(fields_x(:, 2)**2 + fields_y(:, 2)**2) - sum(gradients(:, :, 2) * walls(:, :, 2))) < &
+            1e-12_dp * sum(fields_x(:, 2)**2 + fields_y(:, 2)**2), "several transposes")
+
+        call none%init(plan)
+        call none%assess(mesh, found_x, found_y, step, quality)
+        call check(step%admissible > 1 .and. quality%inverted == 0, "assessment by a basis without functions")
+        call plan%displacement(wall(:, 2:), found_x, found_y, stat=stat, err=err)
+        call check(stat == hm_bad_argument, "a point less: " // err%text)
+        call plan%displacement(wall, found_x(2:), found_y(2:), stat=stat)
+        call check(stat == hm_bad_argument, "fewer mesh points")
+        wall(1, 3) = huge(1._dp)
+        call plan%displacement(wall, found_x, found_y, list, stat=stat, err=err)
+        call check(stat == hm_bad_argument .and. err%item == list(3) .and. index(err%text, "field 1") > 0, &
+            "beyond the range: " // err%text)
+    end subroutine
+
+    elemental logical function same_numbers(a, b)
+        real(dp), intent(in) :: a, b
+        same_numbers = abs(a - b) <= 0
+    end function
 
     subroutine safe_morphs()
         type(hm_plan) :: plan

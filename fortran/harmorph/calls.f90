@@ -13,7 +13,8 @@
         hm_c_extract_size, hm_c_extract_init, hm_c_share_of, hm_c_share_size, hm_c_share_init, &
         hm_c_parcel_size, hm_c_parcel_pack, hm_c_parcel_unpack, hm_c_adjoint_scale, hm_c_adjoint_sums, &
         hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, &
-        hm_c_morph_safe, hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
+        hm_c_morph_safe, hm_c_given_points, hm_c_displace_size, hm_c_displace, hm_c_displace_adjoint, &
+        hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
         hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather, hm_c_improve_size, hm_c_improve
 
     interface
@@ -248,6 +249,40 @@
         integer(c_int32_t) function hm_c_plan_solve(plan, basis, report, err) bind(c, name="hm_plan_solve")
             import
             type(c_ptr), value, intent(in) :: plan, basis
+            type(hm_solve_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_given_points(plan, points, capacity, n, err) bind(c, name="hm_given_points")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), intent(inout) :: points(*), n
+            integer(c_int32_t), value, intent(in) :: capacity
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_displace_size(plan, n_fields, bytes, err) bind(c, name="hm_displace_size")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), value, intent(in) :: n_fields
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_displace(plan, n, points, n_fields, wall, from, to, work, bytes, report, err) &
+            bind(c, name="hm_displace")
+            import
+            type(c_ptr), value, intent(in) :: plan, points, from, work    ! points, from: null if there are none
+            integer(c_int32_t), value, intent(in) :: n, n_fields
+            type(hm_c_points), intent(in) :: wall(*), to(*)
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_solve_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_displace_adjoint(plan, n, points, n_fields, dj, gradient, work, bytes, report, &
+            err) bind(c, name="hm_displace_adjoint")
+            import
+            type(c_ptr), value, intent(in) :: plan, points, work          ! points: null if there are none
+            integer(c_int32_t), value, intent(in) :: n, n_fields
+            type(hm_c_points), intent(in) :: dj(*), gradient(*)
+            integer(c_size_t), value, intent(in) :: bytes
             type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function

@@ -21,6 +21,8 @@
 !     call basis%morph(move, x, y)                 in place; also morph_to, morph_at, velocity, adjoint
 !     call plan%morph_safe(basis, move, x, y)      a movement of any size without inverted cells; it needs the plan
 !     call plan%improve(x, y)                      after a movement: inner points where cells are better; needs the plan
+!     call plan%displacement(wall, dx, dy)         displacements or velocities of wall points, wall(2,n), carried to all
+!                                                  mesh points: no curves, no basis; displace_adjoint: the transpose
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !     call curves%measure([hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp)], values, gradients=g)
@@ -95,6 +97,11 @@
 !               see harmorph.h.
 ! move          move(2, functions): dx, dy of each control point; after them, for each rigid body, its translation, then
 !               s - 1 with s = scale * (cos a, sin a) for a turn by a.
+!
+! wall          wall(2,n): displacements of all points of markers with hm_given, in the order of plan%given_points, or of
+!               the argument points(n). plan%displace(wall, x, y) moves the mesh in place, displacement gives dx, dy,
+!               displacements several fields wall(2,n,m) at once. Factor once, displace as often as wished; basis%assess,
+!               of a basis made by basis%init(plan), tells when to factor again, on x, y.
 !
 ! REPORTS
 !

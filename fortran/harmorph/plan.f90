@@ -37,6 +37,17 @@
         generic :: morph_safe => morph_safe_@FORM@
         generic :: improve => improve_@FORM@
 !@end
+        ! Given displacements
+        procedure :: given_points => plan_given_points
+        procedure :: displacements => plan_displacements
+        procedure :: displace_adjoints => plan_displace_adjoints
+!@each form
+        procedure, private :: displace_@FORM@, plan_displacement_@FORM@, displace_adjoint_@FORM@
+        generic :: displace => displace_@FORM@
+        generic :: displacement => plan_displacement_@FORM@
+        generic :: velocity => plan_displacement_@FORM@
+        generic :: displace_adjoint => displace_adjoint_@FORM@
+!@end
         procedure :: morph_safe_words => plan_morph_safe_words
         procedure :: improve_words => plan_improve_words
         ! Functions by table

@@ -97,12 +97,12 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
         if (!is_in_range(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
             return fault.refuse(Status::bad_argument,
-                                finite ? "the displacement of point # is beyond 1e100 (field @ from 0)"
-                                       : "the displacement of point # is not finite (field @ from 0)",
+                                finite ? "the displacement of point # in field @ (from 0) is beyond 1e100"
+                                       : "the displacement of point # in field @ (from 0) is not finite",
                                 Counts::mesh_and_marker, list[k], field);
         }
         if (!equal(wall[k], wall[first])) {
-            return fault.refuse(Status::bad_argument, "point # has two displacements (field @ from 0)",
+            return fault.refuse(Status::bad_argument, "point # has two displacements in field @ (from 0)",
                                 Counts::mesh_and_marker, list[k], field);
         }
         to.set(plan.wall_point[slot], wall[k]);
@@ -152,7 +152,7 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from, Fa
     Points const displacement = block_of(plan, field).field(field);
     for (Index const point : given.boundary_point) {
         if (is_in_range(from[point] + displacement[point])) continue;
-        return fault.refuse(Status::bad_argument, "the target of point # is beyond 1e100 (field @ from 0)",
+        return fault.refuse(Status::bad_argument, "the target of point # in field @ (from 0) is beyond 1e100",
                             Counts::mesh_and_marker, point, field);
     }
     Crossing const crossing = find_crossing(given.boundary_point, given.loop_start, from, displacement);
@@ -190,7 +190,7 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
     };
     NotFinite const bad = reduce_ranges<NotFinite>(plan.mesh.n_points, plan.executor, range);
     if (bad.point != none) {
-        return fault.refuse(Status::bad_argument, "the derivative by point # is not finite (field @ from 0)",
+        return fault.refuse(Status::bad_argument, "the derivative by point # in field @ (from 0) is not finite",
                             Counts::mesh_and_marker, bad.point, bad.field);
     }
     for (Index const point : plan.given.joined) {  // it moves with the other point
