@@ -253,6 +253,65 @@ check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
 head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
 refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" check "$tmp/bad.msh"
 
+# OpenFOAM: a folder of files, of which one has the coordinates
+check "make_foam is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_foam" tests/formats/make_foam.cpp
+for storage in text binary-32 binary-64 binary-single; do
+    for plane in z y inclined wedge; do
+        name="openfoam $storage $plane" case=$tmp/foam moved=$tmp/foam-moved expected=$tmp/foam-expected
+        rm -rf "$case" "$moved" "$expected"
+        "$tmp/make_foam" "$case" $storage $plane
+        cp -r "$case" "$moved"
+        points=constant/polyMesh/points
+        check "$name: check" "$harmorph" check "$case"
+        check "$name: convert" "$harmorph" convert "$case" "$tmp/before.su2"
+        check "$name: fit" "$harmorph" fit "$case" --marker body --points 8 -o "$tmp/curve"
+        check "$name: solve" "$harmorph" solve "$case" --curve "body=$tmp/curve" -o "$tmp/basis"
+        check "$name: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" -o "$moved/$points"
+        check "$name: zero move: the same file" cmp "$case/$points" "$moved/$points"
+        check "$name: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+        check "$name: convert the morphed" "$harmorph" convert "$moved" "$tmp/after.su2"
+        # In coordinate planes the numbers are those of the plane; elsewhere they are computed, and agree to rounding.
+        "$tmp/make_foam" "$expected" $storage $plane "$tmp/after.su2"
+        if [ $plane = z ] || [ $plane = y ]; then
+            check "$name: only coordinates differ" cmp "$expected/$points" "$moved/$points"
+        elif [ $storage = text ]; then
+            check "$name: the points in space" sh -c "tr '()' '  ' <'$expected/$points' >'$tmp/a' && tr '()' '  ' <'$moved/$points' >'$tmp/b'"
+            check "$name: the points in space moved with their plane" alike 1e-12 "$tmp/a" "$tmp/b"
+        else
+            "$tmp/make_foam" "$expected" $storage $plane "$tmp/before.su2"
+            "$harmorph" convert "$expected" "$tmp/again.su2" >"$tmp/out" 2>&1
+            check "$name: the plane's coordinates" alike 1e-5 "$tmp/before.su2" "$tmp/again.su2"
+        fi
+    done
+done
+"$tmp/make_foam" "$tmp/foam" text z
+broken() { # broken FILE SED: the case with one file changed
+    rm -rf "$tmp/foam-bad"
+    cp -r "$tmp/foam" "$tmp/foam-bad"
+    sed "$2" "$tmp/foam/constant/polyMesh/$1" >"$tmp/foam-bad/constant/polyMesh/$1"
+}
+broken points '188s/^([^ ]*/(2/'
+refuses "openfoam: a point without a partner" 'points:188: the mesh has three dimensions and is not one cell thick: point 173 is 3.54184e-1 away' \
+    "$harmorph" check "$tmp/foam-bad"
+broken boundary 's/ empty;/ patch;/'
+refuses "openfoam: three dimensions" 'no patch has the type empty or wedge: the mesh has three dimensions' "$harmorph" check "$tmp/foam-bad"
+broken boundary 's/nFaces          288/nFaces          140/'
+refuses "openfoam: planes without some faces" 'has 140 faces, but the mesh has 144 cells' "$harmorph" check "$tmp/foam-bad"
+broken boundary 's/nFaces          24;/nFaces          2400;/'
+refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends behind face" "$harmorph" check "$tmp/foam-bad"
+broken faces 's/^4(0 /4(999 /'
+refuses "openfoam: a face of points that do not exist" 'has point 999, but there are 336 points' "$harmorph" check "$tmp/foam-bad"
+broken faces '$d'
+refuses "openfoam: cut off" "expected ')', found the end of the file" "$harmorph" check "$tmp/foam-bad"
+broken owner '17s/^0$/x/'
+refuses "openfoam: owners" "owner:17: expected a label, found 'x'" "$harmorph" check "$tmp/foam-bad"
+rm "$tmp/foam-bad/constant/polyMesh/owner"
+refuses "openfoam: a file is missing" 'owner does not exist' "$harmorph" check "$tmp/foam-bad"
+"$tmp/make_foam" "$tmp/foam" binary-64 z
+broken points 's/label=64/label=32/; s/scalar=64/scalar=32/'
+refuses "openfoam: another size of numbers than the header says" 'or its header says another size of numbers' \
+    "$harmorph" check "$tmp/foam-bad"
+
 # ---- Other programs ---------------------------------------------------------------------------------------------------
 
 if command -v gmsh >/dev/null 2>&1; then
@@ -284,6 +343,25 @@ END
     says "gmsh: its SU2 file: the same markers" '"body", "faces": 24}, {"name": "far", "faces": 24'
 else
     echo "gmsh is not installed: its own files are not tested (Debian's gmsh)"
+fi
+
+if command -v checkMesh >/dev/null 2>&1; then
+    # Debian's package leaves to the caller where its settings are.
+    WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} && export WM_PROJECT_DIR
+    for plane in z wedge; do
+        for storage in text binary-32; do
+            rm -rf "$tmp/foam" "$tmp/foam-moved"
+            "$tmp/make_foam" "$tmp/foam" $storage $plane
+            cp -r "$tmp/foam" "$tmp/foam-moved"
+            "$harmorph" fit "$tmp/foam" --marker body --points 8 -o "$tmp/curve" >"$tmp/out" 2>&1
+            "$harmorph" solve "$tmp/foam" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+            check "checkMesh $storage $plane: morph" "$harmorph" morph "$tmp/foam" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/foam-moved"
+            check "checkMesh $storage $plane" checkMesh -case "$tmp/foam-moved" -constant
+            says "checkMesh $storage $plane: finds nothing wrong" 'Mesh OK.'
+        done
+    done
+else
+    echo "OpenFOAM is not installed: checkMesh does not look at the morphed meshes (Debian's openfoam)"
 fi
 
 if /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
@@ -328,15 +406,17 @@ fi
 # ---- Broken files -----------------------------------------------------------------------------------------------------
 
 program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp \
-    c_api/cli/vtu.cpp"
+    c_api/cli/space_mesh.cpp c_api/cli/vtu.cpp"
+library=$(dirname "$harmorph")/libharmorph.a
 sanitize="-fsanitize=address,undefined -fno-sanitize-recover=all"
 if echo 'int main() {}' | $CXX $sanitize -x c++ - -o "$tmp/empty" 2>/dev/null && "$tmp/empty" 2>/dev/null; then :; else
     echo "the compiler has no sanitizers: broken files are read without"
     sanitize=
 fi
-check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -Ic_api -Ic_api/cli -o "$tmp/mutate" tests/formats/mutate.cpp $program
+check "mutate is compiled" $CXX -std=c++17 -O0 $sanitize -Ic_api -Ic_api/cli -o "$tmp/mutate" tests/formats/mutate.cpp $program "$library"
+for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $storage wedge; done
 check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
-    $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ')"
+    $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ') $(cd "$tmp" && ls broken-*/constant/polyMesh/[pfob]* | tr '\n' ' ')"
 cat "$tmp/out"
 
 echo "$passed passed, $failed failed"

@@ -61,7 +61,7 @@ void write_files(const Arguments& arguments, const Mesh& mesh, const Basis& basi
                  const Companions& companions) {
     OutputFiles files;
     const Field& moved = morph.moved;
-    if (arguments.has("-o")) write_moved(files.add(arguments.text("-o")), mesh, moved.x.data(), moved.y.data());
+    if (arguments.has("-o")) write_moved(files.add(mesh_file(arguments.text("-o"))), mesh, moved.x.data(), moved.y.data());
     if (!companions.curve.empty()) write_curve_file(files, companions.curve, morph.moved_curves(basis));
     if (!companions.reached.empty()) write_moves(files.add(companions.reached), morph.moves, basis, mesh);
     if (arguments.has("--vtu")) {

@@ -2,6 +2,8 @@
 // Each must be read or refused with the file's name and a reason; sanitizers see the rest. Random, but always the same.
 //
 //   mutate SCRATCH TIMES FILES...
+//
+// A file of an OpenFOAM case is changed where it is, as the others are read beside it.
 #include "failure.hpp"
 #include "formats/format.hpp"
 
@@ -40,7 +42,11 @@ int main(int argc, char** argv) {
     std::mt19937 random(1);
     for (int file = 3; file < argc; ++file) {
         const std::string path = argv[file], whole = read_whole(path);
-        const std::string copy = scratch + path.substr(path.find_last_of('.'));
+        const std::size_t folder = path.find("polyMesh/");
+        const bool is_foam = folder != std::string::npos;
+        const std::string copy = is_foam ? path : scratch + path.substr(path.find_last_of('.'));
+        const std::string points = is_foam ? path.substr(0, folder + 9) + "points" : copy;
+        const std::string named = is_foam ? path.substr(0, folder + 8) : copy; // what a message must begin with
         for (int time = 0; time < times; ++time) {
             std::string bytes = whole;
             change(bytes, random);
@@ -48,7 +54,7 @@ int main(int argc, char** argv) {
             try {
                 cli::ReadOptions options;
                 if (path.find("zones") != std::string::npos) options.zone = "2";
-                const cli::Mesh mesh = cli::read_mesh_file(copy, options);
+                const cli::Mesh mesh = cli::read_mesh_file(points, options);
                 std::vector<double> x = mesh.x, y = mesh.y;
                 for (double& value : x) value += .125;
                 std::ostringstream out;
@@ -56,7 +62,7 @@ int main(int argc, char** argv) {
                 ++read;
             } catch (const cli::Failure& failure) {
                 const std::string text = failure.what();
-                const bool says = text.compare(0, copy.size() + 1, copy + ":") == 0 && text.size() > copy.size() + 10;
+                const bool says = text.compare(0, named.size(), named) == 0 && text.size() > named.size() + 10;
                 if (!says) std::printf("%s, change %d: no place or reason: %s\n", argv[file], time, text.c_str());
                 ++(says ? refused : failed);
             } catch (const std::exception& error) {
@@ -64,6 +70,7 @@ int main(int argc, char** argv) {
                 ++failed;
             }
         }
+        if (is_foam) std::ofstream(path, std::ios::binary) << whole;
     }
     std::printf("%d read, %d refused\n", read, refused);
     return failed > 0 || read == 0 || refused == 0;

@@ -36,6 +36,7 @@ struct Between {
 
 struct FileCoordinates {
     NumberKind kind = NumberKind::text;
+    bool is_computed = false; // the mesh's coordinates are none of the file's numbers: an inclined plane, or a wedge
     bool swapped = false; // binary numbers are not in this machine's byte order
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;

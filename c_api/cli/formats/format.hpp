@@ -23,7 +23,10 @@ struct Format {
     void (*create)(std::ostream& out, const Mesh& mesh);   // a new file with points, cells, markers; NULL: not written
 };
 
-extern const Format fluent_format, gmsh_format, plot3d_format, su2_format, ugrid_format, vtk_format, vtk_xml_format;
+extern const Format fluent_format, gmsh_format, openfoam_format, plot3d_format, su2_format, ugrid_format, vtk_format, vtk_xml_format;
+
+// Of a folder of OpenFOAM (a case, or polyMesh) the file of its points, which is what is read and written; else the path.
+std::string mesh_file(const std::string& path);
 
 // Refuses, with the file's line or byte, what is none of the formats or not a mesh that can be morphed.
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
@@ -32,7 +35,7 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options);
 // or with more where those would move a point by more than a thousandth of its shortest edge.
 void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y);
 
-// The coordinates that the file can hold: rounded, if its numbers are binary and in single precision.
+// The coordinates that the file can hold: rounded, if they are numbers of the file, binary and in single precision.
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y);
 
 // A new file in the format of that name, or if it is empty of the path's extension.

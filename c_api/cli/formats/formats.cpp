@@ -4,12 +4,14 @@
 #include "failure.hpp"
 #include "formats/tidy.hpp"
 
+#include <filesystem>
+
 namespace cli {
 
 namespace {
 
 // Probed in this order: formats with a signature first.
-const Format* const formats[] = {&gmsh_format, &fluent_format, &vtk_format,   &vtk_xml_format,
+const Format* const formats[] = {&gmsh_format, &fluent_format, &openfoam_format, &vtk_format, &vtk_xml_format,
                                  &su2_format,  &ugrid_format, &plot3d_format};
 
 std::string format_names() {
@@ -22,7 +24,7 @@ const Format* find_format(const std::string& name) {
     for (const Format* format : formats) {
         if (name == format->name) return format;
     }
-    throw Failure(exit_usage, "unknown format " + quoted(name) + ": known are " + format_names());
+    throw Failure(exit_usage, "unknown format " + cli::quoted(name) + ": known are " + format_names());
 }
 
 const Format& format_of(const TextFile& file) {
@@ -31,7 +33,8 @@ const Format& format_of(const TextFile& file) {
     }
     const std::string_view first = std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
     file.fail(0,
-              (file.text().empty() ? "the file is empty" : "no mesh file that is known begins with " + quoted(first)) +
+              (file.text().empty() ? "the file is empty"
+                                   : "no mesh file that is known begins with " + cli::quoted(first)) +
                   "; read are " + format_names() + " (--format chooses)");
 }
 
@@ -51,9 +54,17 @@ std::string format_table() {
     return table;
 }
 
+std::string mesh_file(const std::string& path) {
+    for (const char* place : {"constant/polyMesh/points", "polyMesh/points", "points"}) {
+        const std::filesystem::path points = std::filesystem::path(path) / place;
+        if (std::filesystem::is_directory(path) && std::filesystem::exists(points)) return points.string();
+    }
+    return path;
+}
+
 Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
-    Mesh mesh(path);
+    Mesh mesh(mesh_file(path));
     const Format& format = forced ? *forced : format_of(mesh.file);
     format.read(mesh, options);
     check_points(mesh);
@@ -68,7 +79,7 @@ const Format& format_to_create(const std::string& name, const std::string& path)
         if (name.empty() ? ends_with(path, format->extension) : name == format->name) return *format;
         known += (known.empty() ? "" : ", ") + std::string(format->name) + " (" + format->extension + ")";
     }
-    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + quoted(name) +
+    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + cli::quoted(name) +
                                                                                          " is not written") +
                                   "; new files are " + known);
 }

@@ -149,7 +149,7 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
 }
 
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y) {
-    if (mesh.in_file.kind != NumberKind::real32) return;
+    if (mesh.in_file.kind != NumberKind::real32 || mesh.in_file.is_computed) return;
     for (double& value : x) value = static_cast<double>(static_cast<float>(value));
     for (double& value : y) value = static_cast<double>(static_cast<float>(value));
 }
