@@ -257,30 +257,30 @@ refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end 
 check "make_foam is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_foam" tests/formats/make_foam.cpp
 for storage in text binary-32 binary-64 binary-single; do
     for plane in z y inclined wedge; do
-        name="openfoam $storage $plane" case=$tmp/foam moved=$tmp/foam-moved expected=$tmp/foam-expected
+        what="openfoam $storage $plane" case=$tmp/foam moved=$tmp/foam-moved expected=$tmp/foam-expected
         rm -rf "$case" "$moved" "$expected"
         "$tmp/make_foam" "$case" $storage $plane
         cp -r "$case" "$moved"
         points=constant/polyMesh/points
-        check "$name: check" "$harmorph" check "$case"
-        check "$name: convert" "$harmorph" convert "$case" "$tmp/before.su2"
-        check "$name: fit" "$harmorph" fit "$case" --marker body --points 8 -o "$tmp/curve"
-        check "$name: solve" "$harmorph" solve "$case" --curve "body=$tmp/curve" -o "$tmp/basis"
-        check "$name: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" -o "$moved/$points"
-        check "$name: zero move: the same file" cmp "$case/$points" "$moved/$points"
-        check "$name: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
-        check "$name: convert the morphed" "$harmorph" convert "$moved" "$tmp/after.su2"
+        check "$what: check" "$harmorph" check "$case"
+        check "$what: convert" "$harmorph" convert "$case" "$tmp/before.su2"
+        check "$what: fit" "$harmorph" fit "$case" --marker body --points 8 -o "$tmp/curve"
+        check "$what: solve" "$harmorph" solve "$case" --curve "body=$tmp/curve" -o "$tmp/basis"
+        check "$what: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" -o "$moved/$points"
+        check "$what: zero move: the same file" cmp "$case/$points" "$moved/$points"
+        check "$what: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+        check "$what: convert the morphed" "$harmorph" convert "$moved" "$tmp/after.su2"
         # In coordinate planes the numbers are those of the plane; elsewhere they are computed, and agree to rounding.
         "$tmp/make_foam" "$expected" $storage $plane "$tmp/after.su2"
         if [ $plane = z ] || [ $plane = y ]; then
-            check "$name: only coordinates differ" cmp "$expected/$points" "$moved/$points"
+            check "$what: only coordinates differ" cmp "$expected/$points" "$moved/$points"
         elif [ $storage = text ]; then
-            check "$name: the points in space" sh -c "tr '()' '  ' <'$expected/$points' >'$tmp/a' && tr '()' '  ' <'$moved/$points' >'$tmp/b'"
-            check "$name: the points in space moved with their plane" alike 1e-12 "$tmp/a" "$tmp/b"
+            check "$what: the points in space" sh -c "tr '()' '  ' <'$expected/$points' >'$tmp/a' && tr '()' '  ' <'$moved/$points' >'$tmp/b'"
+            check "$what: the points in space moved with their plane" alike 1e-12 "$tmp/a" "$tmp/b"
         else
             "$tmp/make_foam" "$expected" $storage $plane "$tmp/before.su2"
             "$harmorph" convert "$expected" "$tmp/again.su2" >"$tmp/out" 2>&1
-            check "$name: the plane's coordinates" alike 1e-5 "$tmp/before.su2" "$tmp/again.su2"
+            check "$what: the plane's coordinates" alike 1e-5 "$tmp/before.su2" "$tmp/again.su2"
         fi
     done
 done
