@@ -9,6 +9,10 @@
 
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 typedef struct su2_mesh {           /* arrays by malloc; points count from 0 */
     int32_t n_points, n_cells, n_faces, n_markers;
     double *x, *y;                  /* [n_points] */
@@ -24,5 +28,9 @@ int read_su2(const char *file, su2_mesh *mesh, char *message);
 /* The number of a marker; -1: there is none of this name. */
 int32_t su2_marker(const su2_mesh *mesh, const char *name);
 void free_su2(su2_mesh *mesh);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif
