@@ -121,7 +121,7 @@ deform: all
 	    sh tests/deform/run.sh
 
 paper: all
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
+	@BUILD='$(BUILD)' CXX='$(CXX)' CC='$(CC)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' \
 	    sh tests/figures.sh '$(BUILD)/paper' 'The cases of the paper' sh tests/paper/run.sh
 
 bench-mpi: all

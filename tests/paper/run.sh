@@ -23,6 +23,7 @@ diffuser="--curve diffuser=$meshes/axisymmetric_diffuser.curve"
 . "$here/figures.sh"
 . "$here/operators.sh"
 . "$here/ffd.sh"
+. "$here/schemes.sh"
 . "$here/engines.sh"
 
 rm -f "$out"/json "$out"/log "$out"/*.basis "$out"/*.csv "$out"/*.su2 "$out"/*.curve "$out"/*.moves

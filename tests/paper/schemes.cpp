@@ -219,14 +219,15 @@ std::vector<Mode> study(Mesh const& mesh, Scheme scheme) {
         wrong += mode.value.real() <= 0;
     }
     for (Mode const& mode : modes) slowest = std::max(slowest, growth(-4.3 / largest * mode.value));
-    std::printf("  %-36s %10.2e %6ld %9.3f %11.2f ", name(scheme), modes[0].value.real(), wrong, largest, modes[0].alternation);
-    if (slowest < 1) std::printf("%9.0f\n", std::ceil(std::log(1e-10) / std::log(slowest)));
-    else std::printf("%9s\n", "diverges");
+    std::printf("%-36s  %18.2e  %9ld  %18.3f  %25.2f  ", name(scheme), modes[0].value.real(), wrong, largest, modes[0].alternation);
+    if (slowest < 1) std::printf("%22.0f\n", std::ceil(std::log(1e-10) / std::log(slowest)));
+    else std::printf("%22s\n", "diverges");
     return modes;
 }
 
 void print_head(std::string const& title) {
-    std::printf("%s\n  %-36s %10s %6s %9s %11s %9s\n", title.c_str(), "scheme", "least", "wrong", "largest", "alternation", "sweeps");
+    std::printf("\ntable %s\n%-36s  %18s  %9s  %18s  %25s  %22s\n", title.c_str(), "scheme", "least eigenvalue", "0 or less",
+                "largest eigenvalue", "alternation of least mode", "Runge-Kutta steps");
 }
 
 Mesh square(int n) {
@@ -263,7 +264,8 @@ Mesh read(char const* file) {
 void print_symbols() {
     Mesh const mesh = square(8);
     int const middle = 4 * 9 + 4;
-    std::printf("On squares: factor of the waves (-1)^i and (-1)^(i+j)\n");
+    std::printf("table Squares: what becomes of waves that alternate from point to point\n%-36s  %12s  %12s\n", "scheme", "(-1)^i",
+                "(-1)^(i+j)");
     for (Scheme const scheme : schemes) {
         double stripes = 0, checkerboard = 0;
         std::vector<Row> const rows = rows_of(mesh, scheme);
@@ -272,7 +274,7 @@ void print_symbols() {
             stripes += by * (i % 2 == 0 ? 1 : -1);
             checkerboard += by * ((i + j) % 2 == 0 ? 1 : -1);
         }
-        std::printf("  %-36s %10.3f %10.3f\n", name(scheme), stripes, checkerboard);
+        std::printf("%-36s  %12.3f  %12.3f\n", name(scheme), stripes, checkerboard);
     }
 }
 
@@ -315,7 +317,7 @@ int main(int count, char** arguments) {
         return 2;
     }
     print_symbols();
-    print_head("Square of 24 x 24 cells");
+    print_head("A square of 24 x 24 cells");
     for (Scheme const scheme : schemes) study(square(24), scheme);
     for (int k = 2; k < count; ++k) {
         std::string const argument = arguments[k], title = argument.substr(0, argument.find('='));
