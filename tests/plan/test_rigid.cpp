@@ -199,5 +199,5 @@ TEST_CASE("bodies are checked: gaps, centres, numbers out of range, parameters o
     CHECK(refused(its, "two conditions") == HM_BAD_CONDITION);
     its = good;
     its.give(points_on(its.mesh, second_body)[3], 0.5);
-    CHECK(refused(its, "on a rigid body") == HM_BAD_CONDITION);
+    CHECK(refused(its, "on no curve") == HM_BAD_CONDITION);
 }
