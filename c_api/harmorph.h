@@ -1167,16 +1167,18 @@ typedef struct hm_improve_report {
 HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *err);
 /* Moves the inner points of a mesh after a movement so that the cells are more like the cells before the movement:
  * target-matrix optimisation (Knupp, Eng. Comput. 28 (2012) 419) by Newton's method. The plan needs no factor and
- * keeps the one that it has. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`. Targets are the
- * cells of the reference; thin cells at walls are stretched with the wall, so that they keep their heights. Then the
- * worst cells are raised: no cell should have less than the smallest quality of the reference, or less than half of
- * its own quality there. Of all meshes on the way, `to` is the one that misses this least, and of equal ones the one
- * with the largest mean quality. The reference itself does not change. No cell is ever inverted. Points on walls and
- * on fixed and free boundaries keep their bits, and so do the outer ends of the first-layer edges at walls, unless a
- * cell there has less than half of the quality that it had: the heights and angles of the first layer are those of
- * `from`. Sliding points stay on their lines; points of a cut or of a periodic pair move together. options and report
- * may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger than 1e100. After a
- * refused call `to` is unchanged. The threads are those of the plan. */
+ * keeps the one that it has. `from`: coordinates of a valid mesh; `to` may be the arrays of `from`.
+ * Targets are the cells of the reference; thin cells at walls are stretched with the wall, so that they keep their
+ * heights. Then the worst cells are raised: no cell should have less than the smallest quality of the reference, or
+ * less than half of its own quality there. Of all meshes on the way, `to` is the one that misses this least, and of
+ * equal ones the one with the largest mean quality. The reference itself does not change. No cell is ever inverted.
+ * Points on walls and on fixed and free boundaries keep their bits. The outer ends of the first-layer edges at walls
+ * are put where the wall carries them, at the heights and angles of the reference, as far as no cell inverts, and
+ * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
+ * below that of `from`, they are held as in `from`. Sliding points stay on their lines; points of a cut or of a
+ * periodic pair move together.
+ * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
+ * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */
 HM_API hm_status hm_improve(hm_plan *plan, const hm_points *from, const hm_points_out *to, void *work, size_t bytes,
                             const hm_improve_options *options, hm_improve_report *report, hm_error *err);
 

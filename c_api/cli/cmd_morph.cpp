@@ -239,7 +239,7 @@ const Command morph_command = {
                          "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
      {"--improve", nullptr, "make the morphed mesh better where it is valid: inner points move to where cells are more like those of\n"
-                            "MESH, and the worst ones are raised; the wall and the first layer stay"},
+                            "MESH, and the worst ones are raised; the first layer at walls gets its heights and angles back"},
      {"--reached", "MOVES", "for --safe: where to write the movement that the mesh has (default where it falls short of the\n"
                             "target: -o with .reached behind)"},
      {"--repeat", "N", "morph N times after a warm-up, in memory, and report the median time (default 1, no warm-up)"},

@@ -1,5 +1,6 @@
 #include "harmorph/safe/mesh_improvement.hpp"
 
+#include "harmorph/base/angle.hpp"
 #include "harmorph/morph/quality.hpp"
 
 namespace harmorph {
@@ -8,6 +9,7 @@ void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
     mobility.lay_out(arena, plan);
     first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     improvement.lay_out(arena, plan.region_counts);
+    arena.take(start, plan.mesh.n_points);
 }
 
 Status MeshImprovement::check(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) const noexcept {
@@ -32,24 +34,78 @@ Status MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points re
     HARMORPH_TRY(check(plan, from, "cell # is inverted: only a valid mesh can be improved", fault));
     walls.build(reference);
     mobility.find(plan);
+    first_layer.find(plan.mesh, reference, mobility.representative, walls);
     improvement.executor = plan.executor;
-    improvement.targets.find(plan.equations.cells, walls, reference, from, plan.executor);
-    hold_first_layer(plan, reference, from);
     improvement.tangle = mobility.tangle(plan, reference);
-    improvement.run(options, from, to, report);
+    improvement.targets.find(plan.equations.cells, walls, reference, from, plan.executor);
+    auto const smallest = [&](Points points) {
+        return measure_quality(plan.equations.cells, points, reference, plan.executor).min_quality;
+    };
+    MutablePoints const result{&start.data()->x, &start.data()->y, 2};
+    carry_first_layer(reference, from);
+    hold_first_layer(plan, reference);
+    improvement.run(options, result, result, report);
+    if (smallest(result) < smallest(from)) {  // what the first layer gained is not worth that
+        mobility.find(plan);
+        for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
+        hold_first_layer(plan, reference);
+        improvement.run(options, result, result, report);
+    }
+    for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
     return Status::ok;
 }
 
-void MeshImprovement::hold_first_layer(Plan const& plan, Points reference, Points points) noexcept {
+void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {
+    constexpr Real rounding = 1e-10;  // of the height: nearer than that, a top stays
+    WallPoints const& wall = first_layer.wall;
+    improvement.region.link(improvement.tangle);
+    for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        Index const top = first_layer.above[slot], foot = wall.point[slot];
+        if (top == none || mobility.held[top] != 0) continue;
+        Vec2 const edge = turned(reference[top] - reference[foot], wall.turn(slot, reference, from));
+        Vec2 way = from[foot] + edge - start[top];
+        if (improvement.tangle.slides(top)) way = dot(mobility.line[top], way) * mobility.line[top];
+        if (!(square(way) > rounding * rounding * square(edge))) continue;
+        Vec2 const here = start[top];
+        for (Real part = 1; part > 0.1; part *= 0.5) {
+            if (try_top(top, here + part * way, from)) break;
+        }
+    }
+    for (Index k = 0; k < start.count(); ++k) start[k] = position(k, from);
+}
+
+// Moves a top unless that inverts one of its cells.
+bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
+    Vec2 const here = start[top];
+    start[top] = at;
+    for (Index const i : improvement.region.cells_of(top)) {
+        Cell const cell = improvement.tangle.cell(i);
+        Vec2 corner[4];
+        for (Index k = 0; k < cell.n; ++k) corner[k] = position(cell.point[k], from);
+        CellShape const shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
+        if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
+        start[top] = here;
+        return false;
+    }
+    return true;
+}
+
+// Points of a cut or of a periodic pair move as their representative does.
+Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
+    Index const own = mobility.representative[point];
+    return own == point ? start[own] : from[point] + (start[own] - from[own]);
+}
+
+void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexcept {
     constexpr std::uint8_t top = 2, poor = 4;
     Span<std::uint8_t> const held = mobility.held;
-    first_layer.find(plan.mesh, reference, mobility.representative, plan.equations.wall);
     for (Index const above : first_layer.above.first(first_layer.wall.count)) {
         if (above != none) held[above] |= top;
     }
     for (Index i = 0; i < plan.mesh.n_cells; ++i) {
         Cell const cell = plan.equations.cells.cell(i);
-        CellShape const before(cell, reference, false), now(cell, points, false);
+        CellShape const before(cell, reference, false), now(cell, as_points(start), false);
         Real const quality = skew_quality(before.n, CellCorners(before));
         if (improvement.targets.quality(i, now) >= Targets::part_of_own * quality) continue;
         for (Index k = 0; k < cell.n; ++k) held[mobility.representative[cell.point[k]]] |= poor;

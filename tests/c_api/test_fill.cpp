@@ -353,3 +353,34 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
             }
     }
 }
+
+TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
+    for (bool const slides : {false, true}) {
+        check_fills([&](Record& record) {
+            Case its = slides ? block() : airfoil_case(20, 8);
+            if (slides) its.set_slip(top);
+            Solved const solved(its);
+            std::size_t bytes = 0;
+            REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+            Guarded work(bytes);
+            std::vector<double> const move =
+                similarity_move(its.curves, std::polar(1.0, 0.04), {0.5, slides ? 0.5 : 0.0}, 0.01);
+            std::vector<double> x = its.mesh.x, y = its.mesh.y;
+            REQUIRE(hm_morph(solved.basis, move.data(), points_in(x, y), points_out(x, y), nullptr, nullptr) == HM_OK);
+            hm_improve_options options{};
+            options.struct_size = sizeof options;
+            hm_points const reference = {its.mesh.x.data(), its.mesh.y.data(), 1};
+            options.reference = &reference;
+            hm_improve_report report = filled_report<hm_improve_report>();
+            hm_error error{};
+            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, &options,
+                                                &report, &error);
+            INFO(error.text);
+            REQUIRE(status == HM_OK);
+            record.add_outcome(status, error);
+            record.add(report);
+            record.add(x);
+            record.add(y);
+        });
+    }
+}

@@ -1,4 +1,4 @@
-// Improves a mesh of a plan: targets are the cells before a movement; the first layers on walls stay as they are.
+// Improves a mesh of a plan: targets are the cells before a movement; the first layers on walls get back their heights.
 #pragma once
 
 #include "harmorph/boundary/first_layer.hpp"
@@ -11,20 +11,25 @@ struct MeshImprovement {
     Mobility mobility;
     FirstLayer first_layer;
     Improvement improvement;
+    Span<Vec2> start;  // [n_points] `from`, with the first layer as the wall carries it; at the end the result
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
 
-    // reference, from: coordinates of the plan's mesh before and after a movement; to: where the better ones go, and
-    // all others from `from`; may be the same. The tops of the first layer (the ends of the edges that leave the walls
-    // most normal to them) are held, so that heights and angles at walls are kept to the last bit; only a top of a cell
-    // with less than half of the quality it had may move. The plan's distances are left at the reference. Refused, with
-    // `to` as it was: an inverted cell, a coordinate out of range.
+    // reference, from: coordinates of the plan's mesh before and after a movement; to: the better ones; may be `from`.
+    // The tops of the first layer (the ends of the edges that leave walls most normal to them) are put where the wall
+    // carries them, at the height and the angle that they had, as far as no cell inverts, and held there; only a top of
+    // a cell that has less than half of its quality then may move on. If the smallest quality ends below that of `from`,
+    // all is done again with the tops where they are in `from`. The plan's distances are left at the reference.
+    // Refused, with `to` as it was: an inverted cell, a coordinate out of range.
     Status run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
                ImproveReport& report, Fault& fault) noexcept;
 
 private:
     Status check(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) const noexcept;
-    void hold_first_layer(Plan const& plan, Points reference, Points points) noexcept;
+    void carry_first_layer(Points reference, Points from) noexcept;
+    bool try_top(Index top, Vec2 at, Points from) noexcept;
+    Vec2 position(Index point, Points from) const noexcept;
+    void hold_first_layer(Plan const& plan, Points reference) noexcept;
 };
 
 }  // namespace harmorph
