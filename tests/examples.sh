@@ -41,12 +41,16 @@ check "C: an area by adjoint steps" says "^0 inverted cells on the way"
 check "C: a thousand steps of pitching" says "first mesh bit by bit, 3 of 3 times"
 check "C: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "C: a mesh from an SU2 file" says "^airfoil: [0-9]* points, 20 functions, 0 inverted cells"
+check "C: a wall that moves as a file says" says "^coupling: 40 steps, 132 points of the wall, quality of at least 0[.][1-9]"
 check "Fortran, make run" by_make fortran
 cp "$log" "$log.kept"
 check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "Fortran: gradients" says "gradient by mesh points: relative difference to finite differences *[0-9.]*E-0[6-9]"
 check "Fortran: the target is found" says "pressure error: divided by [1-9][0-9][0-9]"
 check "Fortran: an optimum with constraints" says "pressure error: divided by 3[.]8"
+check "Fortran: fluid-structure interaction, the same work on mesh, wall and in modes" \
+    says "work on mesh, on the wall and in modes: largest relative difference *[0-9.]*E-1[2-6]"
+check "Fortran: a valid mesh in each step" says "^valid in 200 steps"
 check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"
 lines=$(grep -c '!hm$' fortran/examples/inverse.f90)
 check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30

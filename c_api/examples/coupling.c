@@ -1,0 +1,56 @@
+/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points, one set for each time step,
+ * as a coupling library hands them over: here as text, see bend.awk. */
+#include "read_su2.h"
+#include <harmorph.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void check(hm_status status, const hm_error *error) {
+    if (status < 0) exit((fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text), 1));
+}
+
+int main(int argc, char **argv) {
+    su2_mesh file;
+    char message[256] = "usage: coupling MESH.su2 MARKER <DISPLACEMENTS";
+    if (argc != 3 || read_su2(argv[1], &file, message)) exit((fprintf(stderr, "%s\n", message), 2));
+    hm_mesh mesh = {.struct_size = sizeof mesh, .n_points = file.n_points, .points = {file.x, file.y, 1},
+                    .cell_layout = HM_CELLS_ROWS, .n_cells = file.n_cells, .cell_start = file.cell_start,
+                    .cell_points = file.cell_points, .n_faces = file.n_faces, .face_points = file.face_points,
+                    .face_markers = file.face_markers};
+    hm_condition given = {.struct_size = sizeof given, .marker = su2_marker(&file, argv[2]), .kind = HM_GIVEN};
+    hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .n_conditions = 1, .conditions = &given};
+    hm_analysis *analysis;
+    hm_plan *plan;
+    hm_basis *judge;   /* has no functions: it knows the cells, for the assessment */
+    hm_error error;
+    size_t bytes;
+    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
+    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error), &error);
+    check(hm_plan_size(analysis, &bytes, &error), &error);
+    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error), &error);
+    check(hm_basis_size(analysis, &bytes, &error), &error);
+    check(hm_basis_init(&judge, malloc(bytes), bytes, analysis, &error), &error);
+    check(hm_plan_factor(plan, NULL, &error), &error);
+    check(hm_displace_size(plan, 1, &bytes, &error), &error);
+
+    int n = 0, steps = 0, refused = scanf("%d", &n) != 1 || n < 1;
+    int32_t *points = calloc((size_t)n + 1, sizeof *points);
+    double *wall = calloc(2 * (size_t)n + 2, sizeof *wall), *d = malloc(2 * sizeof *d * (size_t)mesh.n_points), worst = 1;
+    void *work = malloc(bytes);
+    for (int k = 0; k < n; ++k) refused += scanf("%d", &points[k]) != 1;
+    hm_points given_wall = {wall, wall + 1, 2}, displacement = {d, d + mesh.n_points, 1};
+    hm_points_out to = {d, d + mesh.n_points, 1};
+    for (; !refused; ++steps) {
+        int k = 0;
+        while (k < 2 * n && scanf("%lf", &wall[k]) == 1) ++k;
+        if (k < 2 * n) break;
+        hm_step_report step = {.struct_size = sizeof step};
+        hm_quality_report quality = {.struct_size = sizeof quality};
+        check(hm_displace(plan, n, points, 1, &given_wall, NULL, &to, work, bytes, NULL, &error), &error);
+        check(hm_assess(judge, &mesh, NULL, &displacement, NULL, &step, &quality, &error), &error);
+        if (quality.min_quality < worst) worst = quality.min_quality;
+        refused = quality.inverted > 0;   /* here a code would factor again on the last good mesh */
+    }
+    printf("coupling: %d steps, %d points of the wall, quality of at least %.2f\n", steps, n, worst);
+    return steps < 1 || refused;
+}
