@@ -75,6 +75,13 @@ hm_status tell(hm_error* err, Fault const& fault, Bases bases) noexcept {
             case '#': sentence.put_integer(numbered(fault.item)); break;
             case '@': sentence.put_integer(both ? numbered(fault.other) : fault.other); break;
             case '~': sentence.put_real(fault.value); break;
+            case '$':
+                sentence.put('(');
+                sentence.put_real(fault.place[0]);
+                sentence.put(", ");
+                sentence.put_real(fault.place[1]);
+                sentence.put(')');
+                break;
             case '%': sentence.put(fault.argument); break;
             default: sentence.put(*c);
         }

@@ -84,6 +84,8 @@ enum {
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
     HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the curve;
                                  error.item: the point for which this part is largest, error.value: its distance */
+    HM_POOR = 6,              /* hm_morph_safe: the mesh is valid and at the target, but cells are poorer, or heights of the
+                                 first layer changed more, than was asked for; error.item: the cell, or the wall point */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that is too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -95,7 +97,9 @@ enum {
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where this was found */
     HM_UNSUPPORTED = -9,      /* a combination of options that is not available */
-    HM_CROSSING = -10         /* the moved boundary crosses itself; error.item: a point of a face that is crossed */
+    HM_CROSSING = -10         /* no mesh has the moved boundary: faces cross, a body leaves the domain, is inside another
+                                 one or inside out, or points on the boundary alone invert a cell; error.item: a point of
+                                 the boundary, or the cell */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -1065,21 +1069,37 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
 
 /* ---- Large movements that stay valid ---------------------------------------------------------------------------- */
 
-/* Strategies are tried in this order until one reaches the target:
+/* Strategies are tried in this order until the mesh is at the target and as good as options.min_quality and
+ * options.max_height_change ask for. The best mesh of all is given: the one nearest to the target, and of several at the
+ * target the one of better quality.
  *   HM_STRATEGY_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
  *   HM_STRATEGY_OTHER      the same with other bases that the caller has solved (other operators or exponents), in
  *                          their order
- *   HM_STRATEGY_SUBSTEPS   several steps, each at most half of the admissible step. After each step the functions are
- *                          solved again on the new mesh; the analysis is reused. At all times the points on curves and
- *                          rigid bodies are where the B-spline or the body has them for the current control points.
- *                          Meanwhile each body rotates and scales about the centre of its control points, by the
- *                          best-fitting similarity, at a constant rate; the rest of the movement grows linearly.
- *                          Functions with real values move on straight lines
+ *   HM_STRATEGY_SUBSTEPS   several steps, each at most half of the admissible step, and shorter where the quality falls
+ *                          too fast. After each step the functions are solved again on the new mesh; the analysis is
+ *                          reused. Where the steps become too short to reach the target, another operator takes over (the
+ *                          conformal one with exponent 1, Laplace's) if its step is longer. At all times the points on
+ *                          curves and rigid bodies are where the B-spline or the body has them for the current control
+ *                          points. Meanwhile each body, that is each loop of the boundary that moves all round, rotates and
+ *                          scales about the centre of its control points, by the best-fitting similarity, at a constant
+ *                          rate; the rest of the movement grows linearly. Walls that end on another boundary move on
+ *                          straight lines, so that what is held at their ends stays; so do functions with real values. If
+ *                          the target is not reached, all is tried on straight lines, too
  *   HM_STRATEGY_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
  *                          (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial
  *                          cells as the target shapes)
- * A target at which the boundary crosses itself is refused immediately. */
-enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3 };
+ *   HM_STRATEGY_IMPROVED   inner points of a mesh at the target are placed for quality, see hm_improve
+ * If no strategy reaches the target, the mesh is never nearer to the start than what one linear step reaches.
+ *
+ * Points of a wall are not exactly on their curve. With complex functions, a body that rotates or scales takes them along:
+ * the best-fitting similarity is applied to the points themselves, and the rest of the movement to the curve. So
+ * hm_morph_safe moves a point at x = C(u) + e by sum_i N_i dP_i + (r - 1) e, r the rotation and scale of its body, where
+ * hm_morph moves it by the sum alone (for hm_options.offset_correction see there); near the wall the mesh follows.
+ *
+ * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING). Boundaries that slide, are periodic
+ * or free are judged only as far as it is known where they end. */
+enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3,
+       HM_STRATEGY_IMPROVED = 4 };
 
 typedef struct hm_safe_options {
     uint64_t struct_size;
@@ -1098,13 +1118,23 @@ typedef struct hm_safe_options {
     double  *reached;              /* [2*functions] receives the movement that `to` has. If this is not the whole
                                       movement, it differs from `move` times step_fraction, because bodies rotate on the
                                       way. NULL: not wanted */
+    double   min_quality;          /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in
+                                      parts of the smallest quality of the start; 0 means 0.05; negative: any valid mesh */
+    double   max_height_change;    /* [-] > 1: heights of the first layer may grow and shrink by this factor at most; where
+                                      they do by more, they are restored as far as that helps. 0: any */
 } hm_safe_options;
+
+typedef struct hm_worst_cell {
+    int32_t  cell, reserved;
+    double   quality, start_quality; /* [0..1] size-skew quality relative to the start; skew quality of the start */
+    double   x, y;                   /* mean of the corners, in `to` */
+} hm_worst_cell;
 
 typedef struct hm_safe_report {
     uint64_t struct_size;
     int32_t  strategy;             /* the last HM_STRATEGY_... that moved the mesh */
     int32_t  other;                /* which of `others`, from 0; -1: none */
-    int32_t  steps, resolves;
+    int32_t  steps, resolves;      /* of the mesh that is given; solutions of all strategies */
     double   step_fraction;        /* [0..1] part of the movement that was reached; 1: all of it */
     double   admissible;           /* [-] admissible step of the last step that was tried, relative to that step; see
                                       hm_step_report */
@@ -1121,14 +1151,19 @@ typedef struct hm_safe_report {
     double   heights;              /* [0..1] the part of the distances that was restored */
     int32_t  angle_point;          /* where the angle changed most; -1: no wall point has a first-layer edge */
     int32_t  min_height_point, max_height_point;
-    int32_t  reserved;             /* 0 */
+    int32_t  n_worst;              /* 0 .. 5, as many as the mesh has cells */
+    double   turned_offset;        /* [length] largest (r - 1) e by which a point of a wall moved beside its curve's
+                                      movement, see above; hm_boundary_error finds it */
+    double   start_quality;        /* [0..1] smallest skew quality of the start */
+    hm_worst_cell worst[5];        /* [n_worst] the cells of lowest quality of `to`, the worst first */
 } hm_safe_report;
 
 /* Working memory of hm_morph_safe: space for a basis, several copies of the mesh points, and untangling. */
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
 /* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must not have changed, by
  * `move` (see hm_morph). `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
- * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_SHORT: the last valid mesh,
+ * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_POOR: the whole movement and a valid mesh,
+ * but options.min_quality or options.max_height_change is missed; HM_SHORT: the best valid mesh,
  * report.step_fraction of the movement. If the call is refused or cancelled, `to` is unchanged. `to` never contains an
  * inverted cell, and the boundary of `to` does not cross itself unless the boundary of the mesh does.
  * options NULL: defaults. report may be NULL. The threads are those of the plan. Afterwards the plan has another

@@ -18,7 +18,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
         return fault.refuse(Status::unsupported,
                             "safe options: fields are set that this version of the library does not know");
     }
-    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_UNTANGLED || o.reserved != 0) {
+    if (o.skipped_strategies < 0 || o.skipped_strategies >= 2 << HM_STRATEGY_IMPROVED || o.reserved != 0) {
         return fault.refuse(Status::bad_argument,
                             "safe options: skipped_strategies is #, which names strategies there are not, or "
                             "reserved is not 0", Counts::from_zero, o.skipped_strategies);
@@ -33,6 +33,16 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             Counts::from_zero, none, none, o.heights);
     }
     options.heights = o.heights;
+    if (!(o.min_quality <= 1)) {
+        return fault.refuse(Status::bad_argument, "safe options: min_quality must be at most 1, not ~", Counts::from_zero,
+                            none, none, o.min_quality);
+    }
+    if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
+    if (!(o.max_height_change == 0 || o.max_height_change > 1)) {
+        return fault.refuse(Status::bad_argument, "safe options: max_height_change must be 0 or above 1, not ~",
+                            Counts::from_zero, none, none, o.max_height_change);
+    }
+    if (o.max_height_change != 0) options.most_height_change = o.max_height_change;
     reached = o.reached;
     options.skipped = static_cast<std::uint32_t>(o.skipped_strategies);
     for (Index i = 0; i < o.n_others; ++i) {
@@ -49,11 +59,11 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     Index const base = plan.mesh.index_base;
     Quality const quality = measure_quality(plan.equations.cells, after, before, plan.executor);
     hm_safe_report filled = {};
-    filled.strategy = static_cast<std::int32_t>(safe.strategy);
-    filled.other = safe.other;
-    filled.steps = safe.steps;
+    filled.strategy = static_cast<std::int32_t>(safe.outcome.strategy);
+    filled.other = safe.outcome.other;
+    filled.steps = safe.outcome.steps;
     filled.resolves = safe.resolves;
-    filled.step_fraction = safe.fraction;
+    filled.step_fraction = safe.outcome.fraction;
     filled.admissible = safe.limit.step;
     filled.cell = numbered(safe.limit.cell, base);
     filled.point = numbered(limiting_point(plan.equations.cells, safe.limit), base);
@@ -76,6 +86,13 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.min_quality_cell = numbered(quality.min_quality_cell, base);
     filled.min_quality = quality.min_quality;
     filled.mean_quality = quality.mean_quality();
+    filled.turned_offset = safe.outcome.turned_offset;
+    filled.start_quality = safe.start_quality;
+    filled.n_worst = safe.n_worst;
+    for (Index k = 0; k < safe.n_worst; ++k) {
+        WorstCell const& worst = safe.worst[k];
+        filled.worst[k] = {numbered(worst.cell, base), 0, worst.quality, worst.before, worst.centre.x, worst.centre.y};
+    }
     return filled;
 }
 

@@ -102,7 +102,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_safe_options
     case 17:
         PUT(sizeof(TYPE)); AT(struct_size); AT(max_resolves); AT(skipped_strategies); AT(n_others); AT(reserved);
-        AT(others); AT(heights); AT(reached);
+        AT(others); AT(heights); AT(reached); AT(min_quality); AT(max_height_change);
         break;
 #undef TYPE
 #define TYPE hm_safe_report
@@ -111,12 +111,14 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         AT(admissible); AT(cell); AT(point); AT(untangled); AT(iterations); AT(crossing_points); AT(inverted);
         AT(min_quality_cell); AT(min_quality); AT(mean_quality); AT(mean_angle_change); AT(max_angle_change);
         AT(mean_height_ratio); AT(min_height_ratio); AT(max_height_ratio); AT(heights); AT(angle_point);
-        AT(min_height_point); AT(max_height_point); AT(reserved);
+        AT(min_height_point); AT(max_height_point); AT(n_worst); AT(turned_offset); AT(start_quality); AT(worst);
+        AT(worst[0].reserved); AT(worst[0].quality); AT(worst[0].start_quality); AT(worst[0].x); AT(worst[0].y);
+        AT(worst[1]);
         break;
 #undef TYPE
     case 19:
         PUT(HM_ABI); PUT(HM_OK); PUT(HM_NOT_CONVERGED); PUT(HM_MOVED); PUT(HM_SHORT);
-        PUT(HM_BACKTRACKS); PUT(HM_FAR_FROM_CURVE); PUT(HM_CANCELLED);
+        PUT(HM_BACKTRACKS); PUT(HM_FAR_FROM_CURVE); PUT(HM_POOR); PUT(HM_CANCELLED);
         PUT(HM_BAD_ARGUMENT); PUT(HM_BAD_MESH); PUT(HM_BAD_CURVE); PUT(HM_BAD_CONDITION); PUT(HM_BAD_BASIS);
         PUT(HM_BLOCK_TOO_SMALL); PUT(HM_NOT_POSITIVE); PUT(HM_UNSUPPORTED); PUT(HM_CROSSING);
         break;
@@ -134,7 +136,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_START_ZERO); PUT(HM_PHASE_STRUCTURE);
         PUT(HM_PHASE_ORDERING); PUT(HM_PHASE_SYMBOLIC); PUT(HM_PHASE_ASSEMBLY); PUT(HM_PHASE_FACTOR);
         PUT(HM_PHASE_SOLVE); PUT(HM_PHASE_RESIDUAL); PUT(HM_STRATEGY_LINEAR); PUT(HM_STRATEGY_OTHER);
-        PUT(HM_STRATEGY_SUBSTEPS); PUT(HM_STRATEGY_UNTANGLED);
+        PUT(HM_STRATEGY_SUBSTEPS); PUT(HM_STRATEGY_UNTANGLED); PUT(HM_STRATEGY_IMPROVED);
         break;
 #define TYPE hm_points
     case 21: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); break;

@@ -117,7 +117,7 @@ program layout
     call compare("hm_safe_options", 17, c_sizeof(safe_options), c_loc(safe_options), [c_loc(safe_options%struct_size), &
         c_loc(safe_options%max_resolves), c_loc(safe_options%skipped_strategies), c_loc(safe_options%n_others), &
         c_loc(safe_options%reserved), c_loc(safe_options%others), c_loc(safe_options%heights), &
-        c_loc(safe_options%reached)])
+        c_loc(safe_options%reached), c_loc(safe_options%min_quality), c_loc(safe_options%max_height_change)])
     call compare("hm_safe_report", 18, c_sizeof(safe_report), c_loc(safe_report), [c_loc(safe_report%struct_size), &
         c_loc(safe_report%strategy), c_loc(safe_report%other), c_loc(safe_report%steps), c_loc(safe_report%resolves), &
         c_loc(safe_report%step_fraction), c_loc(safe_report%admissible), c_loc(safe_report%cell), &
@@ -127,7 +127,10 @@ program layout
         c_loc(safe_report%max_angle_change), c_loc(safe_report%mean_height_ratio), &
         c_loc(safe_report%min_height_ratio), c_loc(safe_report%max_height_ratio), c_loc(safe_report%heights), &
         c_loc(safe_report%angle_point), c_loc(safe_report%min_height_point), c_loc(safe_report%max_height_point), &
-        c_loc(safe_report%reserved)])
+        c_loc(safe_report%n_worst), c_loc(safe_report%turned_offset), c_loc(safe_report%start_quality), &
+        c_loc(safe_report%worst), c_loc(safe_report%worst(1)%reserved), c_loc(safe_report%worst(1)%quality), &
+        c_loc(safe_report%worst(1)%start_quality), c_loc(safe_report%worst(1)%x), c_loc(safe_report%worst(1)%y), &
+        c_loc(safe_report%worst(2))])
     call compare("hm_improve_options", 101, c_sizeof(improve_options), c_loc(improve_options), &
         [c_loc(improve_options%struct_size), c_loc(improve_options%max_iterations), c_loc(improve_options%reserved), &
         c_loc(improve_options%reference)])
@@ -137,7 +140,7 @@ program layout
         c_loc(improve_report%min_quality), c_loc(improve_report%mean_quality), &
         c_loc(improve_report%min_quality_cell_before), c_loc(improve_report%min_quality_cell)])
     call compare_numbers("constants", 19, int([hm_abi, hm_ok, hm_not_converged, hm_moved, hm_short, &
-        hm_backtracks, hm_far_from_curve, hm_cancelled, &
+        hm_backtracks, hm_far_from_curve, hm_poor, hm_cancelled, &
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
@@ -152,7 +155,7 @@ program layout
         hm_start_coarsest, hm_start_zero, &
         hm_phase_structure, hm_phase_ordering, hm_phase_symbolic, hm_phase_assembly, hm_phase_factor, hm_phase_solve, &
         hm_phase_residual, hm_strategy_linear, hm_strategy_other, hm_strategy_substeps, &
-        hm_strategy_untangled], c_int64_t))
+        hm_strategy_untangled, hm_strategy_improved], c_int64_t))
 
     call compare("hm_points", 21, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
         c_loc(points%stride)])

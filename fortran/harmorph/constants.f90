@@ -6,7 +6,7 @@
     integer, parameter, public :: hm_abi = 2
 
     integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &
-        hm_backtracks = 4, hm_far_from_curve = 5
+        hm_backtracks = 4, hm_far_from_curve = 5, hm_poor = 6
     integer, parameter, public :: hm_cancelled = -1, hm_bad_argument = -2, hm_bad_mesh = -3, hm_bad_curve = -4
     integer, parameter, public :: hm_bad_condition = -5, hm_bad_basis = -6, hm_block_too_small = -7, &
         hm_not_positive = -8
@@ -37,4 +37,4 @@
     integer, parameter, public :: hm_phase_structure = 0, hm_phase_ordering = 1, hm_phase_symbolic = 2
     integer, parameter, public :: hm_phase_assembly = 3, hm_phase_factor = 4, hm_phase_solve = 5, hm_phase_residual = 6
     integer, parameter, public :: hm_strategy_linear = 0, hm_strategy_other = 1, hm_strategy_substeps = 2, &
-        hm_strategy_untangled = 3
+        hm_strategy_untangled = 3, hm_strategy_improved = 4

@@ -120,7 +120,8 @@
 !                   self_crossing 1: the boundary crosses itself, at crossing_points(4), two faces.
 ! hm_safe_report    strategy: hm_strategy_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
 !                   hm_short); admissible, cell, point of the last step tried; steps, resolves, other (0: none),
-!                   untangled; quality, angles and first-layer heights of the mesh reached.
+!                   untangled; quality, angles and first-layer heights of the mesh reached; worst(:n_worst), its cells
+!                   of lowest quality, with their places; start_quality; turned_offset, see below hm_morph_safe in harmorph.h.
 ! hm_improve_report min_quality_before, mean_quality_before, min_quality, mean_quality (size-skew, relative to the mesh as
 !                   analysed), min_quality_cell_before, min_quality_cell; iterations, movable points.
 ! hm_transfer_report  points, outside, max_distance, wall_correction: how well the coarse mesh resolves the functions.
@@ -128,7 +129,7 @@
 ! ERRORS
 !
 ! stat, err     The last arguments of every call. stat: 0 done; above 0 done, with a warning (hm_not_converged,
-!               hm_moved, hm_short, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
+!               hm_moved, hm_short, hm_poor, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
 !               made anew is empty. err%code is stat, err%text one sentence, err%item the first offending point, cell,
 !               marker, ... (-1: none), err%value what was found. Without stat, a refused call prints its name and the
 !               reason, and stops the program. Warnings without stat are not told.

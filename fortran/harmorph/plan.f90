@@ -5,6 +5,8 @@
         integer :: max_resolves = 0
         integer :: skipped_strategies = 0                       ! sum of 2**hm_strategy_... of those not to be tried
         real(c_double) :: heights = 0                           ! 0 .. 1: how far distances from walls are brought back
+        real(c_double) :: min_quality = 0                       ! of the start's smallest; 0: 0.05; negative: any
+        real(c_double) :: max_height_change = 0                 ! of first-layer heights, a factor above 1; 0: any
         ! (2, :) like move: receives the movement that x_new has; short of the target it is not all of move.
         real(c_double), pointer, contiguous :: reached(:, :) => null()
     end type

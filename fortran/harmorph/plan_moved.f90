@@ -18,7 +18,7 @@ contains
     end subroutine
 
     ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all
-    ! of move. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole,
+    ! of move; hm_poor: it is, but cells are poorer than options ask for. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole,
     ! made here if empty. others: bases to be tried where this one would invert cells; the report counts them from 1,
     ! 0: none.
     subroutine morph_safe_@FORM@(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
@@ -57,6 +57,8 @@ contains
             c_options%max_resolves = int(options%max_resolves, c_int32_t)
             c_options%skipped_strategies = int(options%skipped_strategies, c_int32_t)
             c_options%heights = options%heights
+            c_options%min_quality = options%min_quality
+            c_options%max_height_change = options%max_height_change
             if (associated(options%reached)) then
                 call check_pairs(basis, options%reached, done)
                 c_options%reached = c_loc(options%reached)

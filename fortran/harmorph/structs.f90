@@ -187,6 +187,12 @@
         type(c_ptr) :: others = c_null_ptr
         real(c_double) :: heights = 0
         type(c_ptr) :: reached = c_null_ptr
+        real(c_double) :: min_quality = 0, max_height_change = 0
+    end type
+
+    type, bind(c), public :: hm_worst_cell
+        integer(c_int32_t) :: cell = 0, reserved = 0
+        real(c_double) :: quality = 0, start_quality = 0, x = 0, y = 0
     end type
 
     type, bind(c), public :: hm_safe_report
@@ -197,7 +203,9 @@
         integer(c_int32_t) :: inverted = 0, min_quality_cell = 0
         real(c_double) :: min_quality = 0, mean_quality = 0, mean_angle_change = 0, max_angle_change = 0
         real(c_double) :: mean_height_ratio = 0, min_height_ratio = 0, max_height_ratio = 0, heights = 0
-        integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, reserved = 0
+        integer(c_int32_t) :: angle_point = 0, min_height_point = 0, max_height_point = 0, n_worst = 0
+        real(c_double) :: turned_offset = 0, start_quality = 0
+        type(hm_worst_cell) :: worst(5)
     end type
 
     type, bind(c), public :: hm_c_improve_options

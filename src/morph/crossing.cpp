@@ -29,9 +29,9 @@ struct Range {
 class Search {
 public:
     Search(Span<const Index> boundary_point, Span<const Index> loop_start, Points points, Points displacement,
-           Overlaps overlaps) noexcept
+           Overlaps overlaps, Span<const EndOf> ends = {}) noexcept
         : boundary_point_(boundary_point), loop_start_(loop_start), points_(points), displacement_(displacement),
-          overlaps_(overlaps) {}
+          overlaps_(overlaps), ends_(ends) {}
 
     // Pairs of faces within the range.
     bool within(Range range) noexcept {
@@ -68,11 +68,26 @@ private:
             if (!its.overlaps(box) || (its.is_point() && box.is_point())) continue;
             bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) || cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
-            if (!cross) continue;
+            if (!cross || !is_known(face, other)) continue;
             result_ = {true, {boundary_point_[face], end_of(face)}, {boundary_point_[other], end_of(other)}};
             return true;
         }
         return false;
+    }
+
+    bool has(Index face, EndOf what) const noexcept {
+        return ends_[boundary_point_[face]] == what || ends_[end_of(face)] == what;
+    }
+    // Does a face of a wall end on a line that points slide along?
+    bool ends_on_line(Index face) const noexcept {
+        return !has(face, EndOf::on_line) && (has(before(face), EndOf::on_line) || has(after(face), EndOf::on_line));
+    }
+    bool is_known(Index face, Index other) const noexcept {
+        if (ends_.empty()) return true;
+        if (has(face, EndOf::unknown) || has(other, EndOf::unknown)) return false;
+        bool const line = has(face, EndOf::on_line), other_line = has(other, EndOf::on_line);
+        if (line && other_line) return false;
+        return !(line && ends_on_line(other)) && !(other_line && ends_on_line(face));
     }
 
     // The ends of each lie strictly on both sides of the other.
@@ -181,6 +196,7 @@ private:
     Span<const Index> boundary_point_, loop_start_;
     Points points_, displacement_;
     Overlaps overlaps_;
+    Span<const EndOf> ends_;
     Crossing result_;
 };
 
@@ -189,6 +205,13 @@ private:
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
                        Points displacement, Overlaps overlaps) noexcept {
     Search search(boundary_point, loop_start, points, displacement, overlaps);
+    search.within({0, boundary_point.count()});
+    return search.result();
+}
+
+Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+                             Span<const EndOf> ends) noexcept {
+    Search search(boundary_point, loop_start, points, {}, Overlaps::ignored, ends);
     search.within({0, boundary_point.count()});
     return search.result();
 }

@@ -63,6 +63,15 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
                         inverted);
 }
 
+bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {
+    bool const conformal = operator_kind == Operator::conformal;
+    bool const known = method.scheme == Scheme::compact && (quarters == 0 || !conductivity.empty());
+    if (!known || (conformal && matrix.kind == MatrixKind::real)) return false;
+    method.operator_kind = operator_kind;
+    method.quarters = quarters;
+    return true;
+}
+
 Status Equations::assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept {
     if (coordinates_fingerprint(points, cells.mesh.n_points) != analysed_coordinates) {
         return fault.refuse(Status::unsupported,

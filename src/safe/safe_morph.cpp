@@ -1,18 +1,13 @@
 #include "harmorph/safe/safe_morph.hpp"
 
-#include <cstring>
-
 #include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/morph/morph.hpp"
-#include "harmorph/morph/quality.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
+#include "harmorph/safe/target.hpp"
+#include "safe_work.hpp"
 
 namespace harmorph {
 namespace {
-
-constexpr Real share_of_admissible = 0.5;  // that a substep may take
-constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
-constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
 
 // All that lies between header and values: curves, conditions, parameters.
 Span<const unsigned char> problem_of(Basis const& basis) noexcept {
@@ -40,263 +35,297 @@ struct Count {
     void merge(Count const& later) noexcept { n += later.n; }
 };
 
+Vec2 centre_of(Cell const& cell, Points points) noexcept {
+    Vec2 sum;
+    for (Index k = 0; k < cell.n; ++k) sum = sum + points[cell.point[k]];
+    return (1.0 / cell.n) * sum;
+}
+
+// Quality of one cell as measure_quality() has it.
+Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points reference) noexcept {
+    CellShape const shape(cells.cell(cell), points, false), before(cells.cell(cell), reference, false);
+    Quality one;
+    one.add(cell, shape.n, CellCorners(shape), CellCorners(before).cell_area(shape.n));
+    return one.min_quality;
+}
+
 }  // namespace
-
-struct SafeMorph::Work {
-    Plan& plan;
-    Basis const& basis;
-    SafeOptions const& options;
-    const Basis* derivative;
-    SafeReport& report;
-    Fault& fault;
-
-    Mesh const& mesh() const noexcept { return plan.mesh; }
-    OrientedMesh const& cells() const noexcept { return plan.equations.cells; }
-    Executor const& executor() const noexcept { return plan.executor; }
-};
 
 void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
     Index const n = plan.mesh.n_points, n_functions = plan.basis_counts.functions();
-    path.lay_out(arena, n_functions);
-    arena.take(x, n);
-    arena.take(y, n);
-    arena.take(next_x, n);
-    arena.take(next_y, n);
+    mesh.lay_out(arena, plan.basis_counts);
+    arena.take(best_x, n);
+    arena.take(best_y, n);
     arena.take(reached, 2 * Offset{n_functions});
-    arena.take(aimed, 2 * Offset{n_functions});
-    arena.take(difference, 2 * Offset{n_functions});
     arena.take(weight, n_functions);
     arena.take(block, Basis::bytes(plan.basis_counts));
-    arena.take(representative, n);
-    arena.take(held, n);
-    untangling.lay_out(arena, plan.region_counts);
     first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     arena.take(kinds, n);
-}
-
-// The two ends of a cut move as one; all of the boundary is held.
-void SafeMorph::mark_held(Work const& work) const noexcept {
-    Matrix const& matrix = work.plan.equations.matrix;
-    for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.row_of[matrix.components() * k];
-        held[k] = static_cast<std::uint8_t>(place < 0 ? 1 : 0);
-        representative[k] = place < 0 ? k : work.plan.equations.point_of(place);
-    }
-    for (Index const point : work.basis.boundary_point) {
-        held[point] = 1;
-        representative[point] = point;
-    }
+    Size const shared = arena.mark();
+    untangling.lay_out(arena, plan.region_counts);
+    arena.release(shared);
+    improvement.lay_out(arena, plan);
 }
 
 Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options,
                       const Basis* derivative, SafeReport& report, Fault& fault) noexcept {
-    Work work{plan, basis, options, derivative, report, fault};
+    Work work{plan, basis, options, derivative, report, fault, {}};
     HARMORPH_TRY(plan.check_fit(basis, fault));
     if (!basis.header->counts.complete() || (derivative != nullptr && !derivative->header->counts.complete())) {
         return fault.refuse(Status::bad_basis, "a share of the functions cannot move the mesh: all of them are needed");
     }
     if (derivative != nullptr) HARMORPH_TRY(plan.check_fit(*derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
-    path.init(basis, move);
-    mark_held(work);
-    for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        x[k] = plan.mesh.points[k].x;
-        y[k] = plan.mesh.points[k].y;
-    }
+    mesh.init(plan, basis, move);
+    copy(best_x, Span<const Real>(mesh.x));
+    copy(best_y, Span<const Real>(mesh.y));
     fill(reached, 0.0);
-    aim(1);
-    bool const fits = is_admissible(work, basis) && is_valid(work);
-    report.crossing = find_crossing(basis.boundary_point, basis.loop_start, next(), {}, Overlaps::ignored);
-    if (report.crossing.found) {
-        return fault.refuse(Status::crossing, "the moved boundary crosses itself: the faces that begin at points # and @",
-                            Counts::mesh, report.crossing.first[0], report.crossing.second[0]);
+    report.limit = look_ahead(work, basis, 1);
+    Target const target{work.cells(), basis.boundary_point, basis.loop_start, mesh.ends, plan.mesh.points, mesh.ahead()};
+    for (Index k = 0; k < mesh.ends.count(); ++k) {
+        if (mesh.ends[k] == EndOf::on_line) mesh.to_ahead().set(k, plan.mesh.points[k]);
     }
-    if (derivative != nullptr) {
-        derivative->unseal();
-        fill(derivative->value, 0.0);
-    }
-    if (fits && options.tries(Strategy::linear)) {
-        take_step(work, basis, 0, 1);
-    } else {
-        for (Index i = 0; i < options.others.count() && report.fraction < 1 && options.tries(Strategy::other); ++i) {
-            Basis const& other = options.others[i];
-            if (derivative != nullptr && other.kind() != basis.kind()) continue;
-            if (!is_admissible(work, other) || !is_valid(work)) continue;
-            report.strategy = Strategy::other;
-            report.other = i;
-            take_step(work, other, 0, 1);
-        }
-        if (report.fraction < 1) HARMORPH_TRY(substeps(work));
-    }
-    if (derivative != nullptr) finish_derivative(work);
-    if (options.heights > 0) restore_heights(work);
-    measure_first_layer(work);
-    if (report.fraction >= 1) return fault.status;
-    return fault.refuse(Status::short_of_target, "the mesh could follow ~ of the movement; then cell # stands in the way",
-                        Counts::mesh, report.limit.cell, none, report.fraction);
+    HARMORPH_TRY(check_target(target, report.crossing, fault));
+
+    report.start_quality = measure_quality(work.cells(), mesh.now(), {}, work.executor()).min_quality;
+    report.outcome.min_quality = report.start_quality;
+    plan.equations.wall.build(plan.mesh.points);
+    first_layer.find(plan.mesh, plan.mesh.points, mesh.representative, plan.equations.wall);
+    Method const method = plan.equations.method;
+    Status const status = climb(work);
+    plan.equations.method = method;
+    HARMORPH_TRY(status);
+    return finish(work);
 }
 
-void SafeMorph::write(MutablePoints to) const noexcept {
-    for (Index k = 0; k < x.count(); ++k) to.set(k, now()[k]);
-}
-
-// From where the movements are to where they shall be at that time of the way.
-void SafeMorph::aim(Real time) noexcept {
-    path.at(time, aimed);
-    for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
-}
-
-// The step by `difference`, where it leads, and whether no cell inverts before its end.
-bool SafeMorph::is_admissible(Work& work, Basis const& by) noexcept {
-    morph(by, difference.data(), {}, next(), work.executor());
-    work.report.limit = admissible_step(work.cells(), now(), next(), work.executor());
-    for (Index k = 0; k < x.count(); ++k) {
-        next_x[k] = next_x[k] == 0 ? x[k] : x[k] + next_x[k];
-        next_y[k] = next_y[k] == 0 ? y[k] : y[k] + next_y[k];
+// Until the mesh is good.
+Status SafeMorph::climb(Work& work) noexcept {
+    SafeOptions const& options = work.options;
+    bool const may_turn_back = work.derivative == nullptr;
+    if (options.tries(Strategy::linear)) single_step(work, work.basis, Strategy::linear, none);
+    for (Index i = 0; i < options.others.count() && options.tries(Strategy::other); ++i) {
+        if (work.is_good(work.best())) return Status::ok;
+        Basis const& other = options.others[i];
+        if (work.derivative == nullptr || other.kind() == work.basis.kind()) single_step(work, other, Strategy::other, i);
     }
-    put_wall(work);
-    return work.report.limit.step > 1;
+    if (work.is_good(work.best())) return Status::ok;
+    HARMORPH_TRY(substeps(work));
+    if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {
+        mesh.path.straighten(work.basis);
+        mesh.carried.init(work.basis, mesh.path, work.mesh().points);
+        HARMORPH_TRY(substeps(work));
+    }
+    if (work.best().fraction < 1 && options.tries(Strategy::linear)) longest_linear_step(work);
+    if (!work.is_good(work.best()) && options.tries(Strategy::improved)) improve(work);
+    return Status::ok;
+}
+
+void SafeMorph::begin(Work& work) noexcept {
+    mesh.begin(work.plan);
+    work.attempt = {};
+    work.derivative_of_best = false;
+    if (work.derivative == nullptr) return;
+    work.derivative->unseal();
+    fill(work.derivative->value, 0.0);
+}
+
+AdmissibleStep SafeMorph::look_ahead(Work& work, Basis const& by, Real to) noexcept {
+    return mesh.look_ahead(work.plan, work.basis, by, to);
+}
+
+void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Index other) noexcept {
+    begin(work);
+    AdmissibleStep const limit = look_ahead(work, by, 1);
+    if (strategy == Strategy::linear) work.report.limit = limit;
+    if (!(limit.step > 1) || !is_valid(work, mesh.ahead())) return;
+    work.attempt.strategy = strategy;
+    work.attempt.other = other;
+    take_step(work, by);
+    keep_if_better(work);
+}
+
+// No way is worse than this one: straight ahead with the functions of the start, as far as no cell inverts.
+void SafeMorph::longest_linear_step(Work& work) noexcept {
+    constexpr Index most_trials = 8;
+    if (work.derivative != nullptr && mesh.path.is_bent()) return;
+    begin(work);
+    Real length = smaller(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
+    for (Index trial = 0; trial < most_trials && length > work.best().fraction; ++trial, length *= 0.8) {
+        look_ahead(work, work.basis, length);
+        if (!is_valid(work, mesh.ahead())) continue;
+        take_step(work, work.basis);
+        keep_if_better(work);
+        return;
+    }
 }
 
 // Of the coordinates as they will be stored, after all roundings: every corner is positive exactly and as quality measures
 // it, and the boundary does not cross itself.
-bool SafeMorph::is_valid(Work const& work) const noexcept {
-    for (Index k = 0; k < x.count(); ++k) {
-        if (!is_in_range(next()[k])) return false;
+bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
+    for (Index k = 0; k < best_x.count(); ++k) {
+        if (!is_in_range(points[k])) return false;
     }
-    return count_inverted(work) == 0 && !find_crossing(work.basis.boundary_point, work.basis.loop_start, next()).found;
+    return count_inverted(work, points) == 0 &&
+           !find_crossing(work.basis.boundary_point, work.basis.loop_start, points).found;
 }
 
-Index SafeMorph::count_inverted(Work const& work) const noexcept {
+Index SafeMorph::count_inverted(Work const& work, Points points) const noexcept {
     OrientedMesh const cells = work.cells();
     return reduce_cells<Count>(cells.mesh.n_cells, work.executor(), [&](Index cell, Count& count) {
-        CellShape const shape(cells.mesh.cell(cell), next(), cells.reversed[cell] != 0);
+        CellShape const shape(cells.mesh.cell(cell), points, cells.reversed[cell] != 0);
         count.n += is_inverted(shape) || is_inverted_exactly(shape) ? 1 : 0;
     }).n;
 }
 
-Status SafeMorph::substeps(Work& work) noexcept {
-    SafeReport& report = work.report;
-    Basis const here = unsolved_copy(work.basis);
-    // A solution that failed may have left anything in `here`; the functions of the start always serve.
-    auto const functions = [&]() -> Basis const& { return here.header->solved == 1 ? here : work.basis; };
-    while (work.options.tries(Strategy::substeps)) {
-        Real const length = find_step(work, functions(), report.fraction);
-        if (length < least_step) break;
-        report.strategy = Strategy::substeps;
-        take_step(work, functions(), report.fraction, smaller(report.fraction + length, 1.0));
-        if (report.fraction >= 1) return Status::ok;
-        if (report.resolves == work.options.most_resolves) break;
-        Fault why;
-        Status const status = solve_at_present(work, here, why);
-        if (failed(status) && status != Status::cancelled) break;  // a scheme that cannot, or a mesh too poor
-        if (status != Status::ok) work.fault = why;                // not converged: a warning, and on
-        HARMORPH_TRY(status);
-        ++report.resolves;
-    }
-    if (!work.options.tries(Strategy::untangled)) return Status::ok;
-    return untangle(work, functions());
-}
-
-// All but the values stays as it is.
-Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
-    auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
-    auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
-    std::memcpy(block.data(), begin, static_cast<Size>(end - begin));
-    Basis const copy = Basis::view(static_cast<void*>(block.data()));
-    copy.unseal();
-    return copy;
-}
-
-// The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible.
-Real SafeMorph::find_step(Work& work, Basis const& by, Real from) noexcept {
-    Real length = 1 - from;
-    for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
-        Real const end = from + length;
-        aim(end);
-        is_admissible(work, by);
-        Real const share = work.report.limit.step * share_of_admissible;
-        if (share >= 1 && is_valid(work)) return length;
-        length *= clamp(0.99 * share, 0.05, share >= 1 ? 0.5 : 0.9);
-    }
-    return 0;
-}
-
-// The mesh becomes the next one, which is valid.
-void SafeMorph::take_step(Work& work, Basis const& by, Real from, Real to_time) noexcept {
-    copy(x, Span<const Real>(next_x));
-    copy(y, Span<const Real>(next_y));
-    copy(reached, Span<const Real>(aimed));
+// To where it looked, which is valid.
+void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
     if (work.derivative != nullptr) {
-        for (Index i = 0; i < weight.count(); ++i) weight[i] = path.weight(i, to_time) - path.weight(i, from);
+        for (Index i = 0; i < weight.count(); ++i) {
+            weight[i] = mesh.path.weight(i, mesh.aimed_time) - mesh.path.weight(i, mesh.time);
+        }
         add_weighted(*work.derivative, by, weight, work.executor());
     }
-    work.report.fraction = to_time;
-    ++work.report.steps;
+    mesh.advance();
+    work.attempt.turned_offset = mesh.carried.largest(work.basis, mesh.path, mesh.time);
+    work.attempt.fraction = mesh.time;
+    ++work.attempt.steps;
 }
 
-// From the start, and not from step to step: rounding does not add up.
-void SafeMorph::put_wall(Work const& work) const noexcept {
-    Matrix const& matrix = work.plan.equations.matrix;
-    for (Index k = 0; k < work.mesh().n_points; ++k) {
-        Index const place = matrix.row_of[matrix.components() * k];
-        if (!Matrix::is_wall(place)) continue;
-        Vec2 const moved = work.basis.wall_move(Matrix::wall(place) / matrix.components(), aimed.data());
-        Vec2 const start = work.mesh().points[k];
-        next().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
-    }
+void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const noexcept {
+    outcome.min_quality = measure_quality(work.cells(), points, work.mesh().points, work.executor()).min_quality;
+    if (!is_finite(work.options.most_height_change)) return;
+    FirstLayerChange const change = compare(first_layer, work.mesh().points, points);
+    if (change.points == 0) return;
+    outcome.height_change = larger(larger(change.max_ratio, change.min_ratio > 0 ? 1 / change.min_ratio : infinity), 1.0);
 }
 
-Status SafeMorph::solve_at_present(Work& work, Basis const& basis, Fault& why) noexcept {
-    SolveReport solved;
-    HARMORPH_TRY(work.plan.factor(now(), why));
-    return work.plan.solve(basis, solved, why);
+void SafeMorph::keep_if_better(Work& work) noexcept {
+    measure(work, mesh.now(), work.attempt);
+    if (!work.is_better(work.attempt, work.best())) return;
+    copy(best_x, Span<const Real>(mesh.x));
+    copy(best_y, Span<const Real>(mesh.y));
+    copy(reached, Span<const Real>(mesh.reached));
+    work.best() = work.attempt;
+    work.derivative_of_best = true;
 }
 
 // The rest of the way in one step, whatever it inverts, and then the inner points find their places.
 Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
-    aim(1);
-    morph(by, difference.data(), now(), next(), work.executor());
-    put_wall(work);
-    untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, representative, held};
+    look_ahead(work, by, 1);
+    untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, mesh.representative, mesh.held};
     untangling.executor = work.executor();
     Fault why;
-    Status const status = untangling.run(work.options.untangle, next(), work.report.untangle, why);
-    if (status != Status::ok || !is_valid(work)) return Status::ok;  // points that slide may have passed others
-    take_step(work, by, work.report.fraction, 1);
-    work.report.strategy = Strategy::untangled;
+    Status const status = untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
+    if (status != Status::ok || !is_valid(work, mesh.ahead())) return Status::ok;  // points that slide may have passed others
+    take_step(work, by);
+    work.attempt.strategy = Strategy::untangled;
+    keep_if_better(work);
     return Status::ok;
+}
+
+// The best mesh's inner points, for the quality that is reported. The derivative remains that of the way.
+void SafeMorph::improve(Work& work) noexcept {
+    ImproveReport report;
+    Fault why;
+    if (work.best().fraction < 1) return;
+    if (failed(improvement.run(work.plan, work.options.improve, work.mesh().points, result(), mesh.to_ahead(), report, why))) return;
+    Outcome outcome = work.best();
+    measure(work, mesh.ahead(), outcome);
+    if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return;
+    outcome.strategy = Strategy::improved;
+    copy(best_x, Span<const Real>(mesh.ahead_x));
+    copy(best_y, Span<const Real>(mesh.ahead_y));
+    work.best() = outcome;
 }
 
 // As much as no cell inverts for: all that is asked for, or a half, or a quarter, ...
 void SafeMorph::restore_heights(Work& work) noexcept {
     constexpr Index most_halvings = 4;
     Points const before = work.mesh().points;
-    for (Index k = 0; k < x.count(); ++k) kinds[k] = held[k] != 0 ? PointKind::fixed : PointKind::inside;
+    for (Index k = 0; k < kinds.count(); ++k) kinds[k] = mesh.held[k] != 0 ? PointKind::fixed : PointKind::inside;
     work.plan.equations.wall.build(before);
-    wall_heights.find(work.mesh(), before, kinds, representative, work.plan.equations.wall, work.executor());
-    Real amount = work.options.heights;
+    wall_heights.find(work.mesh(), before, kinds, mesh.representative, work.plan.equations.wall, work.executor());
+    bool const is_asked_for = work.options.heights > 0;
+    Real amount = is_asked_for ? work.options.heights : 1;
     for (Index halving = 0; halving <= most_halvings; ++halving, amount *= 0.5) {
-        copy(next_x, Span<const Real>(x));
-        copy(next_y, Span<const Real>(y));
-        wall_heights.restore(work.plan.equations.wall, before, next(), representative, amount, work.executor());
-        if (!is_valid(work)) continue;
-        copy(x, Span<const Real>(next_x));
-        copy(y, Span<const Real>(next_y));
+        copy(mesh.ahead_x, Span<const Real>(best_x));
+        copy(mesh.ahead_y, Span<const Real>(best_y));
+        wall_heights.restore(work.plan.equations.wall, before, mesh.to_ahead(), mesh.representative, amount, work.executor());
+        if (!is_valid(work, mesh.ahead())) continue;
+        Outcome outcome = work.best();
+        measure(work, mesh.ahead(), outcome);
+        if (!is_asked_for && !work.is_better(outcome, work.best())) continue;
+        copy(best_x, Span<const Real>(mesh.ahead_x));
+        copy(best_y, Span<const Real>(mesh.ahead_y));
+        work.best() = outcome;
         work.report.heights = amount;
         return;
     }
 }
 
-void SafeMorph::measure_first_layer(Work& work) noexcept {
-    first_layer.find(work.mesh(), work.mesh().points, representative, work.plan.equations.wall);
-    work.report.first_layer = compare(first_layer, work.mesh().points, now());
+// By insertion into the short list.
+void SafeMorph::measure_worst(Work& work) const noexcept {
+    SafeReport& report = work.report;
+    report.n_worst = 0;
+    for (Index cell = 0; cell < work.mesh().n_cells; ++cell) {
+        Real const quality = quality_of(work.cells(), cell, result(), work.mesh().points);
+        Index place = report.n_worst;
+        while (place > 0 && quality < report.worst[place - 1].quality) --place;
+        if (place == SafeReport::most_worst) continue;
+        if (report.n_worst < SafeReport::most_worst) ++report.n_worst;
+        for (Index k = report.n_worst - 1; k > place; --k) report.worst[k] = report.worst[k - 1];
+        report.worst[place] = {cell, quality, quality_of(work.cells(), cell, work.mesh().points, work.mesh().points),
+                               centre_of(work.mesh().cell(cell), result())};
+    }
 }
 
 void SafeMorph::finish_derivative(Work const& work) const noexcept {
-    work.derivative->header->coordinates = work.basis.header->coordinates;
-    work.derivative->seal();
+    Basis const& derivative = *work.derivative;
+    Outcome const& best = work.report.outcome;
+    if (!work.derivative_of_best) {  // the best mesh is that of one step, or the start
+        fill(derivative.value, 0.0);
+        Basis const& by = best.other == none ? work.basis : work.options.others[best.other];
+        for (Index i = 0; i < weight.count(); ++i) weight[i] = mesh.path.weight(i, best.fraction);
+        if (best.steps > 0) add_weighted(derivative, by, weight, work.executor());
+    }
+    derivative.header->coordinates = work.basis.header->coordinates;
+    derivative.seal();
+}
+
+Status SafeMorph::finish(Work& work) noexcept {
+    SafeReport& report = work.report;
+    Outcome const& best = report.outcome;
+    if (work.derivative != nullptr) finish_derivative(work);
+    if (work.options.heights > 0 || best.height_change > work.options.most_height_change) restore_heights(work);
+    report.first_layer = compare(first_layer, work.mesh().points, result());
+    measure_worst(work);
+    WorstCell const& worst = report.worst[0];
+    if (best.fraction < 1) {
+        Index const cell = report.limit.cell;
+        Vec2 const at = cell != none ? centre_of(work.mesh().cell(cell), result()) : Vec2{};
+        return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
+                                    cell != none ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
+                                                 : "the mesh could follow ~ of the movement",
+                                    Counts::mesh, cell, none, best.fraction);
+    }
+    if (work.is_good(best)) return work.fault.status;
+    if (best.min_quality < work.goal()) {
+        return work.fault.refuse_at(worst.centre.x, worst.centre.y, Status::poor,
+                                    "the smallest quality is ~, less than was asked for: cell # at $", Counts::mesh, worst.cell,
+                                    none, worst.quality);
+    }
+    bool const shrunk = report.first_layer.min_ratio * report.first_layer.max_ratio < 1;
+    Index const point = shrunk ? report.first_layer.min_ratio_point : report.first_layer.max_ratio_point;
+    Vec2 const at = result()[point];
+    return work.fault.refuse_at(at.x, at.y, Status::poor,
+                                "the height of the first layer at point # $ is ~ of what it was, beyond what was asked for",
+                                Counts::mesh, point, none,
+                                shrunk ? report.first_layer.min_ratio : report.first_layer.max_ratio);
+}
+
+void SafeMorph::write(MutablePoints to) const noexcept {
+    for (Index k = 0; k < best_x.count(); ++k) to.set(k, result()[k]);
 }
 
 }  // namespace harmorph

@@ -18,11 +18,11 @@ TEST_CASE("versions and names") {
     CHECK(std::string(hm_version()) == HM_VERSION);
     CHECK(sizeof(hm_error) == 128);
     std::set<std::string> names;
-    for (hm_status status = HM_CROSSING; status <= HM_FAR_FROM_CURVE; ++status) names.insert(hm_status_name(status));
-    CHECK(names.size() == 16);
+    for (hm_status status = HM_CROSSING; status <= HM_POOR; ++status) names.insert(hm_status_name(status));
+    CHECK(names.size() == 17);
     CHECK(names.count("unknown status") == 0);
     CHECK(std::string(hm_status_name(HM_BLOCK_TOO_SMALL)) == "HM_BLOCK_TOO_SMALL");
-    CHECK(std::string(hm_status_name(HM_FAR_FROM_CURVE + 1)) == "unknown status");
+    CHECK(std::string(hm_status_name(HM_POOR + 1)) == "unknown status");
     CHECK(std::string(hm_status_name(HM_CROSSING - 1)) == "unknown status");
 }
 

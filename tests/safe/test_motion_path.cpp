@@ -22,12 +22,13 @@ class Path {
 public:
     Path(Solved const& solved, std::vector<double> const& move) : n_(solved.info().functions) {
         REQUIRE(move.size() == 2 * static_cast<std::size_t>(n_));
+        harmorph::Basis const basis = harmorph::Basis::view(static_cast<const void*>(solved.basis));
         harmorph::Arena counting;
-        path.lay_out(counting, n_);
+        path.lay_out(counting, basis.header->counts);
         block_ = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block_->data(), block_->size());
-        path.lay_out(placing, n_);
-        path.init(harmorph::Basis::view(static_cast<const void*>(solved.basis)), move.data());
+        path.lay_out(placing, basis.header->counts);
+        path.init(basis, move.data());
         CHECK(block_->guards_intact());
     }
     // Movements at t, as complex numbers.

@@ -27,6 +27,7 @@ enum class Status : std::int32_t {
     short_of_target = 3,
     backtracks = 4,
     far_from_curve = 5,
+    poor = 6,
     cancelled = -1,
     bad_argument = -2,
     bad_mesh = -3,
@@ -46,7 +47,7 @@ constexpr bool failed(Status status) noexcept { return static_cast<std::int32_t>
 // `mesh_and_marker`, a point as `item` and a marker as `other`, whose number is the caller's own.
 enum class Counts : std::int32_t { from_zero, mesh, curves, mesh_and_marker };
 
-// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value and % for argument.
+// Why a call was refused. In the sentence # stands for item, @ for other, ~ for value, $ for the place and % for argument.
 struct Fault {
     Status status = Status::ok;
     Counts counts = Counts::from_zero;
@@ -55,11 +56,19 @@ struct Fault {
     Real value = 0;
     const char* sentence = "";
     const char* argument = "";
+    Real place[2] = {0, 0};  // coordinates
 
     Status refuse(Status why, const char* text, Counts base = Counts::from_zero, Index first = none,
                   Index second = none,
                   Real found = 0) noexcept {
-        *this = {why, base, first, second, found, text, ""};
+        *this = {why, base, first, second, found, text, "", {0, 0}};
+        return why;
+    }
+    Status refuse_at(Real x, Real y, Status why, const char* text, Counts base = Counts::from_zero, Index first = none,
+                     Index second = none, Real found = 0) noexcept {
+        refuse(why, text, base, first, second, found);
+        place[0] = x;
+        place[1] = y;
         return why;
     }
     // An argument of the call that cannot be used as it is.

@@ -17,6 +17,9 @@ struct Crossing {
 // step says nothing about the way there in several.
 enum class Overlaps { cross, ignored };
 
+// What is known of the end of a boundary point before the mesh has moved: all; the line that it slides along; nothing.
+enum class EndOf : std::uint8_t { prescribed, on_line, unknown };
+
 // A boundary crosses where faces do, where faces lie on each other, and where it passes exactly through a point of its own
 // or a face; decided exactly. To touch in a point is not to cross, nor are the two sides of a wall without thickness, whose
 // faces have the same ends: of walls that came to lie on each other face by face, mesh is between them where they part.
@@ -25,5 +28,9 @@ enum class Overlaps { cross, ignored };
 // `displacement` (not given: 0) puts them.
 Crossing find_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
                        Points displacement = {}, Overlaps overlaps = Overlaps::cross) noexcept;
+// Of what is known alone, ends [n_points]. Points that slide may stand anywhere on their line; faces of points of which
+// nothing is known are passed over, and so are pairs of a face along a line and a face of a wall that ends on this line.
+Crossing find_known_crossing(Span<const Index> boundary_point, Span<const Index> loop_start, Points points,
+                             Span<const EndOf> ends) noexcept;
 
 }  // namespace harmorph

@@ -27,6 +27,8 @@ struct Equations {
     void build(Analysis const& analysis) noexcept;
     // Computes the entries for these coordinates. On Status::bad_mesh (an inverted cell) the matrix must not be used.
     Status assemble(Points points, Executor const& executor, Fault& fault) noexcept;
+    // From now on another operator, for which the matrix and the memory of these equations suffice: false if they do not.
+    bool change_operator(Operator operator_kind, Index quarters) noexcept;
 
     DofValues dofs(Basis const& basis) const noexcept { return {basis, dof_of, matrix.components()}; }
     Index point_of(Index position) const noexcept { return dof_of[position] / matrix.components(); }

@@ -1,0 +1,46 @@
+// A mesh on the way of a large movement: where it is, and where one more step leads.
+#pragma once
+
+#include "harmorph/morph/admissible_step.hpp"
+#include "harmorph/morph/crossing.hpp"
+#include "harmorph/plan/plan.hpp"
+#include "harmorph/safe/carried_offsets.hpp"
+
+namespace harmorph {
+
+struct MovingMesh {
+    MovementPath path;
+    CarriedOffsets carried;
+    Real time = 0;                          // 0..1 on the path
+    Span<Real> x, y;                        // [n_points] now
+    Span<Real> ahead_x, ahead_y;            // [n_points] after the step that was looked at last
+    Span<Real> reached, aimed, difference;  // [2 * functions] movements since the start: now, ahead, and ahead - now
+    Real aimed_time = 0;
+    Span<EndOf> ends;                       // [n_points] what is known of where points end
+    Span<Index> representative;             // [n_points] of points that a cut joins: the one that stands for all
+    Span<std::uint8_t> held;                // [n_points] 1: on the boundary, wherever the step takes it
+
+    void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
+    // The plan's mesh is the start.
+    void init(Plan const& plan, Basis const& basis, const Real* move) noexcept;
+    // Back to the start.
+    void begin(Plan const& plan) noexcept;
+
+    Points now() const noexcept { return {x.data(), y.data(), 1}; }
+    Points ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
+    MutablePoints to_ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
+
+    // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how much of that displacement
+    // is admissible. Points of walls are where the B-spline, or the rigid body, and what is carried put them from the start,
+    // not from step to step: rounding does not add up.
+    AdmissibleStep look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept;
+    // Goes where it looked.
+    void advance() noexcept;
+
+private:
+    // visit(point, start, displacement from there at the time it looks to)
+    template <class Visit>
+    void for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept;
+};
+
+}  // namespace harmorph

@@ -1,0 +1,97 @@
+#include "harmorph/safe/carried_offsets.hpp"
+
+#include "harmorph/morph/morph.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index least_points = 4096;    // for a thread
+constexpr Real least_residual = 1e-12;  // of the extent of the control points: below, it is rounding
+
+Real fade(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
+
+}  // namespace
+
+void CarriedOffsets::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
+    arena.take(wall, counts.wall);
+    arena.take(x, counts.points);
+    arena.take(y, counts.points);
+    arena.take(group, counts.points);
+    arena.take(control, 2 * Offset{counts.functions()});
+}
+
+void CarriedOffsets::init(Basis const& basis, MovementPath const& path, Points start) noexcept {
+    forget();
+    Real largest = 0, extent = 0;
+    for (Index slot = 0; slot < wall.count(); ++slot) {
+        wall[slot] = {};
+        if (!basis.is_on_curve(slot) || path.groups[path.group_of_slot(basis, slot)].is_straight()) continue;
+        Curve const curve = basis.curve(basis.wall_curve[slot]);
+        wall[slot] = start[basis.wall_point[slot]] - curve_point(curve, basis.wall_u[slot]) - basis.wall_offset[slot];
+        largest = larger(largest, length(wall[slot]));
+        extent = larger(extent, length(path.start[curve.control_point(0)]));
+    }
+    reach = largest > least_residual * extent ? reach_per_residual * largest : 0;
+    if (reach == 0) fill(wall, Vec2{});
+}
+
+void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const Real> reached, Points now, FaceDistance& walls,
+                          Span<const Index> representative, Span<const std::uint8_t> held, Executor const& executor) noexcept {
+    if (reach == 0 || found_with == by.value.data()) return;
+    found_with = by.value.data();
+    Index const n_control = by.header->counts.control;
+    for (Index i = 0; i < control.count(); ++i) control[i] = i < 2 * n_control ? by.control[i] + reached[i] : 0;
+    walls.build(now);
+    morph(by, control.data(), {}, {x.data(), y.data(), 1}, executor);
+    executor.for_ranges(group.count(), least_points, [&](Index begin, Index end) {
+        Index nearest = 0;
+        for (Index k = begin; k < end; ++k) {
+            group[k] = none;
+            if (held[k] != 0 || representative[k] != k) continue;
+            FaceDistance::Foot const foot = walls.foot(now[k], nearest);
+            if (foot.face == none) continue;
+            Real const weight = fade(length(now[k] - walls.at(foot, now)) / reach);
+            if (weight == 0) continue;
+            Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
+            if (slot == none || !by.is_on_curve(slot)) continue;
+            Index const its = path.group_of_slot(by, slot);
+            if (path.groups[its].is_straight()) continue;
+            group[k] = its;
+            x[k] = weight * (now[k].x - x[k]);
+            y[k] = weight * (now[k].y - y[k]);
+        }
+    });
+    for (Index k = 0; k < group.count(); ++k) {
+        Index const same = representative[k];
+        if (same == k || held[k] != 0) continue;
+        group[k] = group[same];
+        x[k] = x[same];
+        y[k] = y[same];
+    }
+}
+
+Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real t) const noexcept {
+    Real most = 0;
+    for (Index slot = 0; slot < wall.count(); ++slot) most = larger(most, length(of_wall(basis, path, slot, t)));
+    return most;
+}
+
+void CarriedOffsets::add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
+                         Executor const& executor) const noexcept {
+    if (reach == 0) return;
+    executor.for_ranges(group.count(), least_points, [&](Index begin, Index end) {
+        Index last = none;
+        Vec2 turn;
+        for (Index k = begin; k < end; ++k) {
+            if (group[k] == none) continue;
+            if (group[k] != last) {
+                last = group[k];
+                turn = quotient(path.turn(last, to), path.turn(last, from)) - Vec2{1, 0};
+            }
+            Vec2 const by = product(turn, {x[k], y[k]});
+            displacement.set(k, Vec2{displacement.x[k], displacement.y[k]} + by);
+        }
+    });
+}
+
+}  // namespace harmorph

@@ -1,0 +1,93 @@
+#include "harmorph/safe/moving_mesh.hpp"
+
+#include "harmorph/morph/morph.hpp"
+
+namespace harmorph {
+
+void MovingMesh::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
+    path.lay_out(arena, counts);
+    carried.lay_out(arena, counts);
+    Offset const n_numbers = 2 * Offset{counts.functions()};
+    arena.take(x, counts.points);
+    arena.take(y, counts.points);
+    arena.take(ahead_x, counts.points);
+    arena.take(ahead_y, counts.points);
+    arena.take(reached, n_numbers);
+    arena.take(aimed, n_numbers);
+    arena.take(difference, n_numbers);
+    arena.take(ends, counts.points);
+    arena.take(representative, counts.points);
+    arena.take(held, counts.points);
+}
+
+void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
+    path.init(basis, move);
+    carried.init(basis, path, plan.mesh.points);
+    Matrix const& matrix = plan.equations.matrix;
+    for (Index k = 0; k < plan.mesh.n_points; ++k) {
+        Index const row = matrix.row_of[matrix.components() * k];
+        bool const slides = row >= 0 && matrix.components() == 2 && matrix.row_of[2 * k + 1] == none;
+        ends[k] = row < 0 ? EndOf::prescribed : slides ? EndOf::on_line : EndOf::unknown;
+        held[k] = static_cast<std::uint8_t>(row < 0 ? 1 : 0);
+        representative[k] = row < 0 ? k : plan.equations.point_of(row);
+    }
+    for (Index const point : basis.boundary_point) {
+        held[point] = 1;
+        representative[point] = point;
+    }
+    begin(plan);
+}
+
+void MovingMesh::begin(Plan const& plan) noexcept {
+    for (Index k = 0; k < plan.mesh.n_points; ++k) {
+        x[k] = plan.mesh.points[k].x;
+        y[k] = plan.mesh.points[k].y;
+    }
+    fill(reached, 0.0);
+    time = 0;
+    carried.forget();
+}
+
+AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept {
+    Executor const& executor = plan.executor;
+    aimed_time = to;
+    path.at(to, aimed);
+    for (Index i = 0; i < difference.count(); ++i) difference[i] = aimed[i] - reached[i];
+    morph(by, difference.data(), {}, to_ahead(), executor);
+    carried.find(by, path, reached, now(), plan.equations.wall, representative, held, executor);
+    carried.add(path, time, to, to_ahead(), executor);
+    if (carried.reach > 0) for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
+        to_ahead().set(k, start + moved - now()[k]);
+    });
+    AdmissibleStep const limit = admissible_step(plan.equations.cells, now(), ahead(), executor);
+    for (Index k = 0; k < x.count(); ++k) {
+        ahead_x[k] = ahead_x[k] == 0 ? x[k] : x[k] + ahead_x[k];
+        ahead_y[k] = ahead_y[k] == 0 ? y[k] : y[k] + ahead_y[k];
+    }
+    for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
+        to_ahead().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
+    });
+    return limit;
+}
+
+void MovingMesh::advance() noexcept {
+    copy(x, Span<const Real>(ahead_x));
+    copy(y, Span<const Real>(ahead_y));
+    copy(reached, Span<const Real>(aimed));
+    time = aimed_time;
+    carried.forget();
+}
+
+template <class Visit>
+void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
+    Matrix const& matrix = plan.equations.matrix;
+    for (Index k = 0; k < plan.mesh.n_points; ++k) {
+        Index const row = matrix.row_of[matrix.components() * k];
+        if (!Matrix::is_wall(row)) continue;
+        Index const slot = Matrix::wall(row) / matrix.components();
+        visit(k, plan.mesh.points[k],
+              basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, aimed_time));
+    }
+}
+
+}  // namespace harmorph

@@ -1,0 +1,37 @@
+// What the strategies of a safe morph have in common: the arguments, the attempt at hand, and what is asked for.
+#pragma once
+
+#include "harmorph/safe/safe_morph.hpp"
+
+namespace harmorph {
+
+struct SafeMorph::Work {
+    Plan& plan;
+    Basis const& basis;
+    SafeOptions const& options;
+    const Basis* derivative;
+    SafeReport& report;
+    Fault& fault;
+    Outcome attempt;               // of the mesh at hand
+    bool derivative_of_best = true;  // the derivative is that of the best mesh, not of a later attempt
+
+    Mesh const& mesh() const noexcept { return plan.mesh; }
+    OrientedMesh const& cells() const noexcept { return plan.equations.cells; }
+    Executor const& executor() const noexcept { return plan.executor; }
+    Outcome& best() const noexcept { return report.outcome; }
+
+    Real goal() const noexcept { return options.min_quality * report.start_quality; }
+    // In parts of what is asked for; 1 is enough.
+    Real score(Outcome const& outcome) const noexcept {
+        Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;
+        return smaller(smaller(quality, options.most_height_change / outcome.height_change), 1.0);
+    }
+    bool is_good(Outcome const& outcome) const noexcept { return outcome.fraction >= 1 && score(outcome) >= 1; }
+    bool is_better(Outcome const& one, Outcome const& other) const noexcept {
+        if (one.fraction != other.fraction) return one.fraction > other.fraction;
+        if (score(one) != score(other)) return score(one) > score(other);
+        return one.min_quality > other.min_quality;
+    }
+};
+
+}  // namespace harmorph

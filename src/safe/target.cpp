@@ -1,0 +1,133 @@
+#include "harmorph/safe/target.hpp"
+
+#include "harmorph/base/predicates.hpp"
+
+namespace harmorph {
+namespace {
+
+// A loop of the boundary: the mesh is on its left.
+struct Loop {
+    Span<const Index> point;
+
+    Index next(Index k) const noexcept { return point[k + 1 == point.count() ? 0 : k + 1]; }
+
+    bool is_known(Span<const EndOf> ends) const noexcept {
+        for (Index const k : point) {
+            if (ends[k] == EndOf::unknown) return false;
+        }
+        return true;
+    }
+    bool moves(Points from, Points to) const noexcept {
+        for (Index const k : point) {
+            if (from[k].x != to[k].x || from[k].y != to[k].y) return true;
+        }
+        return false;
+    }
+    // The sign of the area that the loop encloses; 0 of a wall without thickness, whose area is rounding.
+    int sense(Points at) const noexcept {
+        Vec2 const origin = at[point[0]];
+        Real sum = 0, size = 0;
+        for (Index k = 0; k < point.count(); ++k) {
+            Real const part = cross(at[point[k]] - origin, at[next(k)] - origin);
+            sum += part;
+            size += absolute(part);
+        }
+        if (absolute(sum) <= 1e-9 * size) return 0;
+        return sum > 0 ? 1 : -1;
+    }
+    // Is p inside, by the number of faces that a ray to the right crosses? `on` if p is on a face.
+    enum class Side { outside, inside, on };
+    Side side_of(Vec2 p, Points at) const noexcept {
+        bool inside = false;
+        for (Index k = 0; k < point.count(); ++k) {
+            Vec2 const a = at[point[k]], b = at[next(k)];
+            Real const low = smaller(a.y, b.y), high = larger(a.y, b.y);
+            if (p.y < low || p.y > high) continue;
+            int const turn = orientation_sign(a, b, p);
+            if (turn == 0 && p.x >= smaller(a.x, b.x) && p.x <= larger(a.x, b.x)) return Side::on;
+            bool const spans = (a.y <= p.y) != (b.y <= p.y);
+            if (spans && (b.y > a.y ? turn > 0 : turn < 0)) inside = !inside;
+        }
+        return inside ? Side::inside : Side::outside;
+    }
+    // Where another loop lies that does not cross this one.
+    Side side_of(Loop const& other, Points at) const noexcept {
+        for (Index const k : other.point) {
+            Side const side = side_of(at[k], at);
+            if (side != Side::on) return side;
+        }
+        return Side::on;
+    }
+};
+
+Loop loop_of(Target const& target, Index number) noexcept {
+    Index const begin = target.loop_start[number];
+    return {target.boundary_point.from(begin, target.loop_start[number + 1] - begin)};
+}
+
+// Loops that do not cross must lie in each other as they did at the start.
+Status check_loops(Target const& target, Fault& fault) noexcept {
+    Index const n_loops = target.loop_start.count() - 1;
+    for (Index number = 0; number < n_loops; ++number) {
+        Loop const loop = loop_of(target, number);
+        if (loop.point.empty() || !loop.is_known(target.ends)) continue;
+        bool const moves = loop.moves(target.start, target.at_target);
+        Vec2 const place = target.at_target[loop.point[0]];
+        if (moves && loop.sense(target.start) * loop.sense(target.at_target) < 0) {
+            return fault.refuse_at(place.x, place.y, Status::crossing, "the boundary through point # at $ is inside out",
+                                   Counts::mesh, loop.point[0]);
+        }
+        for (Index other_number = 0; other_number < n_loops; ++other_number) {
+            Loop const other = loop_of(target, other_number);
+            if (other_number == number || other.point.empty() || !other.is_known(target.ends)) continue;
+            if (!moves && !other.moves(target.start, target.at_target)) continue;
+            Loop::Side const before = loop.side_of(other, target.start), after = loop.side_of(other, target.at_target);
+            if (before == after || before == Loop::Side::on || after == Loop::Side::on) continue;
+            Vec2 const at = target.at_target[other.point[0]];
+            return fault.refuse_at(at.x, at.y, Status::crossing,
+                                   after == Loop::Side::inside
+                                       ? "the body through point # at $ is inside the one through point @"
+                                       : "the body through point # at $ is outside the boundary through point @",
+                                   Counts::mesh, other.point[0], loop.point[0]);
+        }
+    }
+    return Status::ok;
+}
+
+// Only the corners of cells at the boundary have three points that are prescribed.
+Status check_corners(Target const& target, Fault& fault) noexcept {
+    Index bad_corner = none;
+    Index const cell = target.cells.mesh.find_cell([&](Index i, Cell shape) {
+        if (target.cells.reversed[i] != 0) shape.reverse();
+        for (Index k = 0; k < shape.n; ++k) {
+            Index const before = shape.previous(k), here = shape.point[k], next = shape.next(k);
+            auto const is_known = [&](Index point) { return target.ends[point] == EndOf::prescribed; };
+            if (!is_known(before) || !is_known(here) || !is_known(next)) continue;
+            if (orientation_sign(target.at_target[before], target.at_target[here], target.at_target[next]) > 0) continue;
+            bad_corner = here;
+            return true;
+        }
+        return false;
+    });
+    if (cell == none) return Status::ok;
+    Vec2 const at = target.at_target[bad_corner];
+    return fault.refuse_at(at.x, at.y, Status::crossing,
+                           "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
+                           Counts::mesh, cell, bad_corner);
+}
+
+}  // namespace
+
+Status check_target(Target const& target, Crossing& crossing, Fault& fault) noexcept {
+    crossing = find_known_crossing(target.boundary_point, target.loop_start, target.at_target, target.ends);
+    if (crossing.found) {
+        Vec2 const at = target.at_target[crossing.first[0]];
+        return fault.refuse_at(at.x, at.y, Status::crossing,
+                               "the moved boundary crosses itself: the faces that begin at points # $ and @",
+                               Counts::mesh, crossing.first[0], crossing.second[0]);
+    }
+    HARMORPH_TRY(check_loops(target, fault));
+    return check_corners(target, fault);
+}
+
+}  // namespace harmorph

@@ -1,0 +1,187 @@
+// Movements that are possible, on meshes with traits that have made them look impossible; and impossible ones.
+#include <doctest/doctest.h>
+
+#include <fixtures/channels.hpp>
+#include <fixtures/safe.hpp>
+#include <fixtures/fitted.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+// Smooth and random; 0 at both ends of an open curve, or periodic.
+std::vector<double> smooth_move(std::int32_t n, double size, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<double> move(2 * static_cast<std::size_t>(n), 0.0);
+    for (int wave = 1; wave <= 4; ++wave)
+        for (std::size_t side = 0; side < 2; ++side) {
+            double const amount = size * (2 * uniform(random) - 1) / wave * (side == 0 ? 0.2 : 1);
+            for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+                move[2 * k + side] += amount * std::sin(pi * wave * static_cast<double>(k) / (n - 1));
+        }
+    move[move.size() - 2] = move[move.size() - 1] = 0;   // and not the rounding of a sine
+    return move;
+}
+
+double start_quality(Safe const& safe) {
+    hm_mesh const view = safe.mesh.view();
+    hm_quality_report quality{};
+    quality.struct_size = sizeof quality;
+    REQUIRE(hm_quality(safe.solved().basis, &view, nullptr, nullptr, nullptr, &quality, nullptr) == HM_OK);
+    return quality.min_quality;
+}
+
+}  // namespace
+
+TEST_CASE("a piece of a channel's floor, its ends held: the ends stay where they are on the way") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Case its = channel(20, 24, 1e-5, 40, kind);
+        Safe safe(its);
+        safe.safe_options.min_quality = 0;
+        std::int32_t const corners[] = {points_on(its.mesh, body).front(), points_on(its.mesh, body).back()};
+        for (unsigned const seed : {1u, 2u, 3u, 4u}) {
+            INFO("seed " << seed << ": " << safe.report.step_fraction << ", " << safe.error.text);
+            std::vector<double> const move = smooth_move(40, 0.6, seed);
+            CHECK(safe.admissible(move) < 1);   // one step does not do
+            REQUIRE(safe.run(move) >= HM_OK);
+            CHECK(safe.report.step_fraction == 1);
+            CHECK(safe.is_valid());
+            CHECK(safe.boundary_error(move) < 1e-14);
+            // As far as one solution more leads: both ends are where they were, to the bit.
+            safe.safe_options.max_resolves = -1;
+            safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
+            REQUIRE(safe.run(move) == HM_SHORT);
+            CHECK(safe.report.steps == 1);
+            for (std::int32_t const k : corners) {
+                CHECK(safe.x[static_cast<std::size_t>(k)] == its.mesh.x[static_cast<std::size_t>(k)]);
+                CHECK(safe.y[static_cast<std::size_t>(k)] == its.mesh.y[static_cast<std::size_t>(k)]);
+            }
+            safe.safe_options.max_resolves = 0;
+            safe.safe_options.skipped_strategies = 0;
+        }
+    }
+}
+
+TEST_CASE("the wall of a nozzle from corner to corner, its axis sliding") {
+    Case its = nozzle(40, 20, 1e-4, 16);
+    Safe safe(its);
+    safe.safe_options.min_quality = 0;
+    std::vector<double> move(32, 0.0);
+    for (std::size_t k = 0; k < 16; ++k) {
+        double const x = its.curves.control[2 * k] / 2;
+        move[2 * k + 1] = -0.3 * std::pow(std::sin(pi * x), 2) + 0.08 * std::sin(2 * pi * x);
+    }
+    CHECK(safe.admissible(move) < 1);
+    REQUIRE(safe.run(move) == HM_OK);
+    CHECK(safe.is_valid());
+    CHECK(safe.report.min_quality > 0.2);
+    CHECK(safe.report.resolves <= 6);
+    for (std::int32_t const k : points_on(its.mesh, bottom)) CHECK(safe.y[static_cast<std::size_t>(k)] == 0);
+    for (std::size_t k = 1; k < 32; k += 2) move[k] *= 2;   // the throat below the axis
+    CHECK(safe.run(move) == HM_CROSSING);
+    CHECK(safe.untouched());
+}
+
+TEST_CASE("slat, main and flap turned by 20, -20 and 10 degrees") {
+    Case its = three_elements();
+    std::vector<double> const move = turn_each(its.curves, {20, -20, 10});
+    for (std::int32_t const kind : {HM_CONFORMAL, HM_LAPLACE}) {
+        Safe safe(its, options_of(kind));
+        CHECK(safe.admissible(move) < 0.5);
+        REQUIRE(safe.run(move) == HM_OK);
+        CHECK(safe.is_valid());
+        CHECK(std::fabs(safe.boundary_error(move) - safe.report.turned_offset) < 1e-14);
+    }
+}
+
+TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: its sides follow") {
+    for (Cells const kind : {Cells::quads, Cells::triangles})
+        for (Complex const shift : {Complex(0.15, 0), Complex(0, 0.5), Complex(-0.15, -0.5)}) {
+            Case its = plate_cascade(8, kind);
+            Safe safe(its);
+            safe.safe_options.min_quality = 0;
+            std::vector<double> const move = similarity_move(its.curves, 1, 0, shift);
+            REQUIRE(safe.run(move) == HM_OK);
+            CHECK(safe.is_valid());
+            CHECK(safe.report.resolves <= 6);
+            CHECK(safe.boundary_error(move) < 1e-15);
+        }
+}
+
+TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its points along, and heights are kept") {
+    Case its;
+    Outline const outline = naca4({}, 40);
+    its.mesh = o_mesh(outline, stretched(1e-6, 8, 40));
+    its.curves = fitted_loop(outline.points, 12);
+    its.put_on_curves(body);
+    Safe safe(its);
+    safe.safe_options.min_quality = 0;
+    REQUIRE(safe.solved().report.max_distance > 1e-4);   // a hundred first layers
+    for (double const degrees : {45.0, 170.0}) {
+        Complex const turn = std::polar(1.0, degrees * pi / 180), centre(0.25, 0);
+        std::vector<double> const move = similarity_move(its.curves, turn, centre);
+        REQUIRE(safe.run(move) == HM_OK);
+        CHECK(safe.is_valid());
+        CHECK(safe.report.min_height_ratio > 0.9999);
+        CHECK(safe.report.max_height_ratio < 1.0001);
+        CHECK(safe.report.max_angle_change < 0.01);
+        CHECK(safe.report.min_quality > 0.9 * start_quality(safe));
+        for (std::int32_t const k : points_on(its.mesh, body)) {   // the wall is the start's, turned
+            std::size_t const point = static_cast<std::size_t>(k);
+            Complex const start(its.mesh.x[point], its.mesh.y[point]);
+            CHECK(std::abs(Complex(safe.x[point], safe.y[point]) - (centre + turn * (start - centre))) < 1e-13);
+        }
+        CHECK(safe.report.turned_offset == doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance).epsilon(1e-3));
+    }
+    // What turns nothing is the B-spline's movement alone.
+    std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
+    REQUIRE(safe.run(shift) == HM_OK);
+    CHECK(safe.report.turned_offset < 1e-15);
+    CHECK(safe.boundary_error(shift) < 1e-15);
+}
+
+TEST_CASE("impossible targets are refused at once, with the place, and nothing is written") {
+    auto const refused = [](Safe& safe, std::vector<double> const& move, const char* why) {
+        CHECK(safe.run(move) == HM_CROSSING);
+        CHECK(safe.untouched());
+        CHECK(safe.report.resolves == 0);
+        std::string const text = safe.error.text;
+        INFO(text);
+        CHECK(text.find(why) != std::string::npos);
+        CHECK(text.find('(') != std::string::npos);
+        return safe.error.item;
+    };
+    // A wall that ends in a corner of the domain and turns by more than 90 degrees out of it: the boundary crosses nothing.
+    Case wall = nozzle(20, 8, 0.02, 8);
+    Safe corner(wall);
+    std::vector<double> move(16, 0.0);
+    move[2] = -0.3;
+    move[3] = 0.4;
+    move[4] = -0.1;
+    move[5] = 0.5;
+    std::int32_t const cell = refused(corner, move, "inverted by its points on the boundary");
+    CHECK(cell == 140);   // the uppermost one at the left side: 7 rows of 20 below
+    move[3] = -0.4;   // out of the domain
+    move[5] = -0.2;
+    refused(corner, move, "crosses itself");
+
+    Case two = two_body_case();
+    Safe bodies(two);
+    auto const first_by = [&](double scale_x, double scale_y, double shift) {
+        std::vector<double> by(40, 0.0);
+        for (std::size_t k = 0; k < 22; k += 2) {
+            by[k] = (scale_x - 1) * (two.curves.control[k] - 0.5) + shift;
+            by[k + 1] = (scale_y - 1) * (two.curves.control[k + 1] - 0.5);
+        }
+        return by;
+    };
+    std::vector<std::int32_t> const first = points_on(two.mesh, body);
+    auto const is_of_first = [&](std::int32_t k) { return std::find(first.begin(), first.end(), k) != first.end(); };
+    CHECK(is_of_first(refused(bodies, first_by(1, 1, 5), "outside the boundary")));
+    CHECK(is_of_first(refused(bodies, first_by(0.2, 0.2, 1), "is inside")));
+    CHECK(is_of_first(refused(bodies, first_by(1, -1, 0), "inside out")));
+    refused(bodies, first_by(1, 1, 0.9), "crosses itself");
+    CHECK(bodies.run(first_by(0.2, 0.2, 0.2)) >= HM_OK);   // what is possible is possible
+}
