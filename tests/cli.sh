@@ -528,8 +528,10 @@ turn 3 4.5 >"$tmp/away.txt"
 turn 60 >"$tmp/turn60.txt"
 refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" -o "$tmp/turned.su2"
 runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/turned.su2" --json
+worst_cell="cell quality start_quality x y"
+safe_keys="turned_offset start_quality warning worst_cells $worst_cell $worst_cell $worst_cell $worst_cell $worst_cell"
 has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction steps \
-    resolves strategy last_step_admissible reached_moves moved_curve
+    resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
 check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear\"' '$tmp/out'"
@@ -547,6 +549,22 @@ runs "--improve of a mesh that does not move" 0 morph "$box" "$tmp/conformal.bas
 check "--improve of a mesh that does not move: the same file" cmp "$box" "$tmp/same.su2"
 runs "--safe: a small move" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --json
 check "--safe: a small move: linear" says '"strategy": "linear"'
+check "--safe: a small move: worst cells with their places" grep -E '"worst_cells": \[\{"cell": [0-9]+, "quality": [^,]*, "start_quality": 1, "x": ' "$tmp/out"
+runs "--min-quality: missed, with a warning" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --min-quality 0.99 \
+    -o "$tmp/poor.su2"
+check "--min-quality: the warning names a cell and its place" grep -E 'smallest quality is .*: cell [0-9]+ at \(' "$tmp/err"
+refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --min-quality 0.99 --strict \
+    -o "$tmp/strict.su2"
+leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
+for bad in 1.5 -0.1 nan good; do
+    refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe --min-quality=$bad
+done
+refuses "--max-height-change 1" 2 '--max-height-change' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe --max-height-change 1
+refuses "--strict without --safe" 2 '--strict' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --strict
+: >"$tmp/empty.txt"
+refuses "an empty file of moves" 3 'empty.txt:1: the file is empty' morph "$box" "$tmp/conformal.basis" --move "$tmp/empty.txt"
+bad_body "moves: a body of scale 0" 1 'rigid block 1 0 0 0\n'
+bad_body "moves: a body of a negative scale" 1 'rigid block 1 0 0 -1\n'
 runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe
 check "--safe for people: strategy" says 'strategy:'
 runs "--other" 0 morph "$box" "$tmp/laplace.basis" --move "$tmp/turn60.txt" --safe --other "$tmp/conformal.basis" --json
@@ -564,10 +582,12 @@ leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/a
 runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/away.txt" --safe --json
 check "--safe: a boundary that crosses itself: nothing moved, nothing is off" says '"boundary_error": 0,'
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
+refuses "--safe: out of the domain" 1 'outside the boundary' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe
+turn 150 3.7676 >"$tmp/outside.txt" # so near to the side that no step of several, nor untangling, gets there
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
 has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality mean_quality \
-    morph_seconds step_fraction steps resolves strategy last_step_admissible reached_moves moved_curve
+    morph_seconds step_fraction steps resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
 runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
     -o "$tmp/outside.su2" --json

@@ -113,6 +113,15 @@ double Arguments::positive(const std::string& option, double fallback) const {
     return value;
 }
 
+double Arguments::real(const std::string& option, double fallback, double low, double high) const {
+    if (!has(option)) return fallback;
+    double value = 0;
+    if (!parse(text(option), value) || value < low || value > high) {
+        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " + quoted(text(option)));
+    }
+    return value;
+}
+
 std::int32_t Arguments::choice(const std::string& option, const std::vector<Choice>& choices) const {
     if (!has(option)) return choices[0].number;
     const std::string given = text(option);

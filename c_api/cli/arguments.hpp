@@ -47,6 +47,7 @@ public:
     std::vector<std::int32_t> whole_list(const std::string& option, std::int32_t low, std::int32_t high) const; // "3,5": must be given
     std::int32_t choice(const std::string& option, const std::vector<Choice>& choices) const; // the first: if not given
     double positive(const std::string& option, double fallback) const;
+    double real(const std::string& option, double fallback, double low, double high) const; // low and high are allowed
 
     [[noreturn]] void refuse(const std::string& message) const; // wrong usage of this command
 

@@ -86,7 +86,7 @@ void write_report_file(const Arguments& arguments, const Mesh& mesh, const Basis
 }
 
 const char* strategy_name(std::int32_t strategy) {
-    static const char* const names[] = {"linear", "other", "substeps", "untangled"};
+    static const char* const names[] = {"linear", "other", "substeps", "untangled", "improved"};
     return names[strategy];
 }
 
@@ -101,6 +101,15 @@ void print_json(const Morph& morph, bool safe, const Companions& written) {
         object.add("step_fraction", morph.safe.step_fraction).add("steps", morph.safe.steps);
         object.add("resolves", morph.safe.resolves).add("strategy", std::string(strategy_name(morph.safe.strategy)));
         object.add("last_step_admissible", morph.safe.admissible).add("reached_moves", written.reached);
+        object.add("turned_offset", morph.safe.turned_offset).add("start_quality", morph.safe.start_quality);
+        object.add("warning", morph.warning);
+        std::vector<JsonObject> worst(static_cast<std::size_t>(morph.safe.n_worst));
+        for (std::size_t i = 0; i < worst.size(); ++i) {
+            const hm_worst_cell& cell = morph.safe.worst[i];
+            worst[i].add("cell", cell.cell).add("quality", cell.quality).add("start_quality", cell.start_quality);
+            worst[i].add("x", cell.x).add("y", cell.y);
+        }
+        object.add("worst_cells", worst);
     }
     object.add("moved_curve", written.curve);
     std::printf("%s\n", object.text().c_str());
@@ -122,6 +131,11 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
                 brief(morph.boundary_error).c_str());
     std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
                 brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
+    for (std::int32_t i = 0; safe && i < morph.safe.n_worst; ++i) {
+        const hm_worst_cell& cell = morph.safe.worst[i];
+        std::printf("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "", cell.cell, brief(cell.x).c_str(),
+                    brief(cell.y).c_str(), brief(cell.quality).c_str(), brief(cell.start_quality).c_str());
+    }
     std::printf("seconds          %s\n", brief(morph.seconds).c_str());
     if (!written.curve.empty()) std::printf("moved curve      %s\n", written.curve.c_str());
     if (written.reached.empty()) return;
@@ -165,6 +179,9 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     options.n_others = static_cast<std::int32_t>(views.size());
     options.others = views.data();
     options.heights = arguments.has("--heights") ? 1 : 0;
+    const double quality = arguments.real("--min-quality", .05, 0, 1);
+    options.min_quality = quality > 0 ? quality : -1;
+    if (arguments.has("--max-height-change")) options.max_height_change = arguments.real("--max-height-change", 2, 1.0001, 1e9);
     return Morph(basis, mesh, moves, options, threads);
 }
 
@@ -191,10 +208,13 @@ void run(const Arguments& arguments) {
     const std::vector<double> moves = moves_of(arguments, basis, mesh);
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
-    if (!safe && arguments.has("--reached")) arguments.refuse("--reached goes with --safe: without it all of MOVES is reached");
+    for (const char* const option : {"--reached", "--min-quality", "--max-height-change", "--strict"}) {
+        if (!safe && arguments.has(option)) arguments.refuse(std::string(option) + " goes with --safe");
+    }
     Morph morph = safe ? safe_morph(arguments, mesh, basis, moves, threads) : Morph(basis, mesh, moves, repeats, threads);
     if (arguments.has("--improve") && morph.valid()) morph.improve(basis, mesh, threads);
-    const bool reached = morph.valid() && morph.refusal.empty();
+    const bool strict = arguments.has("--strict") && !morph.warning.empty();
+    const bool reached = morph.valid() && morph.refusal.empty() && !strict;
     Companions written;
     if (reached || arguments.has("--force")) {
         written = companions_of(arguments, basis, morph);
@@ -206,7 +226,9 @@ void run(const Arguments& arguments) {
     } else {
         print_for_people(morph, safe, written);
     }
+    if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
     if (!reached) throw Failure(exit_unusable, morph.refusal.empty() ? reason(morph, mesh) : morph.refusal);
+    if (!morph.warning.empty()) warn(morph.warning);
 }
 
 } // namespace
@@ -234,7 +256,12 @@ const Command morph_command = {
                        "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
      {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
                           "along the wall; written even if the morphed mesh is not valid"},
-     {"--safe", nullptr, "reach the target whatever it takes: other bases, several steps on the mesh as it moves, untangling"},
+     {"--safe", nullptr, "reach the target with good cells whatever it takes: other bases, several steps on the mesh as it moves,\n"
+                         "untangling. A body that turns takes along the offsets of its points from the curve"},
+     {"--min-quality", "Q", "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default 0.05); where it cannot\n"
+                            "be had, the best mesh is written with a warning"},
+     {"--max-height-change", "F", "for --safe: first-layer heights may grow and shrink by this factor at most (default: any)"},
+     {"--strict", nullptr, "for --safe: a mesh poorer than asked for is not written, exit code 1"},
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},
      {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
@@ -251,8 +278,10 @@ const Command morph_command = {
      {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing,\n"
                          "boundary_error (from the B-spline as far as it went), min_quality, mean_quality,\n"
                          "morph_seconds, moved_curve (its file, or empty); with --safe no admissible_step but step_fraction\n"
-                         "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, untangled),\n"
-                         "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file)"}},
+                         "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, untangled, improved),\n"
+                         "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file),\n"
+                         "turned_offset (of wall points from the curve, turned with the body beside the B-spline's movement),\n"
+                         "start_quality, warning, worst_cells (cell, quality, start_quality, x, y)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
     run};
 

@@ -4,6 +4,8 @@
 #include "solver.hpp"
 #include "stopwatch.hpp"
 
+#include <cmath>
+
 namespace cli {
 
 namespace {
@@ -71,7 +73,12 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     hm_error error = {};
     const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes, &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
-    if (status != HM_OK) refusal = error.text;
+    impossible = status == HM_CROSSING;
+    if (status == HM_POOR || status == HM_NOT_CONVERGED) {
+        warning = error.text;
+    } else if (status != HM_OK) {
+        refusal = error.text;
+    }
     seconds = watch.seconds();
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         displacement.x[point] = moved.x[point] - mesh.x[point];
@@ -125,6 +132,7 @@ void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) 
     call(mesh, hm_assess, basis.get(), &view, nullptr, &along, threads.executor(), &step, &quality);
     std::int32_t worst_point = -1; // of no interest
     call(mesh, hm_boundary_error, basis.get(), moves.data(), &view.points, &to, &boundary_error, &worst_point);
+    boundary_error = std::fabs(boundary_error - safe.turned_offset); // what is left beside the offsets that turned
 }
 
 } // namespace cli

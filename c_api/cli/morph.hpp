@@ -32,6 +32,8 @@ struct Morph {
     double seconds = 0;        // of one hm_morph: the median; of hm_morph_safe
     hm_safe_report safe;       // where it went the safe way
     std::string refusal;       // of the safe way: why it did not reach the target
+    bool impossible = false;   // of the safe way: no mesh can have the target's boundary
+    std::string warning;       // of the safe way: it did, but not as well as was asked for
 
     Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& its_moves, std::int32_t repeats,
           const Threads& threads);

@@ -52,6 +52,7 @@ private:
         if (moved_[function]) lines_.fail("the body of " + quoted(std::string(words[1])) + " is moved a second time");
         moved_[function] = true;
         const double angle = number(words[4]) * pi / 180, scale = words.size() > 5 ? number(words[5]) : 1;
+        if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
         moves_[2 * function] = number(words[2]);
         moves_[2 * function + 1] = number(words[3]);
         moves_[2 * function + 2] = scale * std::cos(angle) - 1;
@@ -84,6 +85,7 @@ private:
 
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
     const TextFile file(path);
+    if (trimmed(file.text()).empty()) file.fail(0, "the file is empty: a file of moves without any says so by a comment, as in `# nothing moves`");
     return MovesReader(file, basis, mesh).read();
 }
 

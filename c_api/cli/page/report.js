@@ -71,7 +71,7 @@ class Report {
     write_cards() {
         const { data, cells_before } = this,
             step = data.admissible_step === null ? Infinity : data.admissible_step;
-        const strategies = ["one linear morph", "another basis", "several steps", "steps, then untangling"];
+        const strategies = ["one linear morph", "another basis", "several steps", "steps, then untangling", "steps, then better cells"];
         const cards = [
             ["Inverted cells", brief(data.inverted), `of ${data.all_cells.toLocaleString("en")}`],
             [
