@@ -83,7 +83,7 @@ rules:
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
-	    objects cli "$$cli tests/deform/movements.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
+	    objects cli "$$cli tests/deform/movements.hpp tests/deform/seeds.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	} >$(BUILD)/rules.new
 	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk

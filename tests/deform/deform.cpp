@@ -10,11 +10,14 @@
 #include "../../c_api/cli/output_file.hpp"
 #include "../../c_api/cli/pictures/pictures.hpp"
 #include "../../c_api/cli/solver.hpp"
+#include "../../c_api/cli/stopwatch.hpp"
 #include "movements.hpp"
+#include "seeds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -117,7 +120,7 @@ void print_limits(const char* name, const Case& its, const Movements& movements,
 bool print_safe(const std::string& name, const std::string& what, const Case& its, const Moves& moves,
                 const std::string& picture) {
     const cli::Morph morph = its.safe(moves);
-    static const char* const strategies[] = {"linear", "other", "substeps", "untangled"};
+    static const char* const strategies[] = {"linear", "other", "substeps", "untangled", "improved"};
     const hm_safe_report& report = morph.safe;
     const bool good = morph.valid() && morph.refusal.empty();
     std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n", name.c_str(), 100 * report.step_fraction,
@@ -156,6 +159,34 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
     return missed;
 }
 
+// Safe morphs by random movements, those left out that no mesh can follow. SEEDS in the environment: how many.
+void random_targets(const Case& its, const Movements& movements) {
+    const char* const asked = std::getenv("SEEDS");
+    const int wanted = asked != nullptr ? std::atoi(asked) : 20;
+    int counted = 0, impossible = 0, reached = 0, good = 0, few_resolves = 0;
+    std::vector<double> seconds;
+    for (std::uint64_t seed = 1; counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
+        const cli::Morph morph = its.safe(random_movement(movements.points(), seed));
+        if (morph.impossible) {
+            ++impossible;
+            continue;
+        }
+        ++counted;
+        const bool whole = morph.valid() && morph.safe.step_fraction >= 1;
+        const bool is_good = whole && morph.quality.min_quality >= .05 * morph.safe.start_quality;
+        reached += whole ? 1 : 0;
+        good += is_good ? 1 : 0;
+        few_resolves += morph.safe.resolves <= 6 ? 1 : 0;
+        seconds.push_back(morph.seconds);
+        const std::string& why = morph.refusal.empty() ? morph.warning : morph.refusal;
+        if (!is_good) std::printf("    seed %d: %d solutions; %s\n", static_cast<int>(seed), morph.safe.resolves, why.c_str());
+    }
+    if (counted == 0) return;
+    std::printf("  %d random movements (%d that no mesh can follow left out): %d at the target and valid, %d of these with .05\n"
+                "    of the smallest quality before, or more; %d with at most 6 solutions; median %.2g s\n",
+                counted, impossible, reached, good, few_resolves, cli::median(seconds));
+}
+
 int airfoil(const std::string& folder, const std::string& path, const std::string& marker, const cli::Threads& threads) {
     const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
     std::printf("\n== %s\n", path.c_str());
@@ -182,6 +213,7 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         print_limits(its_operator.name, *its, movements, laplace_seconds);
         if (its_operator.kind == HM_CONFORMAL && its_operator.quarters == 6) usual = std::move(its);
     }
+    random_targets(*usual, movements);
     return safe_targets(*usual, movements, stem);
 }
 
