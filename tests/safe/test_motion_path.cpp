@@ -1,6 +1,7 @@
 // The way of the control points in several steps: similarities on the way, exact at its end, and its derivative.
 #include <doctest/doctest.h>
 
+#include <fixtures/channels.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/operators.hpp>
 
@@ -171,6 +172,43 @@ TEST_CASE("each body has its own similarity, and curves that share control point
     Path const vanishing(with_flap, move);
     CHECK(std::abs(vanishing.at(0.25)[21] + 0.25) < 1e-15);
     CHECK(number(vanishing.path.weight(21, 0.5)) == 0.5);
+}
+
+TEST_CASE("a wall that ends on another boundary goes straight, and what is held stays to the bit") {
+    Case its = channel(6, 4, 0.1, 6);
+    Solved const solved(its, &conformal);
+    std::vector<double> move = some_move(6, 0.2, 8);
+    move[0] = move[1] = move[10] = move[11] = 0;
+    Path const path(solved, move);
+    CHECK_FALSE(path.path.is_bent());
+    for (double const t : {0.2, 0.7}) {
+        Field const at = path.at(t);
+        for (std::size_t k = 0; k < at.size(); ++k) CHECK(at[k] == t * Complex(move[2 * k], move[2 * k + 1]));
+    }
+}
+
+TEST_CASE("curves round one body turn as one, though they share no control point") {
+    Case its = tiny_case();
+    its.curves = CurveSet{};
+    its.curves.control = {2, 2, 4, 2, 4, 2, 4, 4, 2, 4, 2, 2};
+    its.curves.add_over(1, {0, 1}, {0, 0, 1, 1});
+    its.curves.add_over(1, {2, 3, 4, 5}, {0, 0, 1, 2, 3, 3});
+    its.conditions.clear();
+    its.put_on_curves(body, 0, 2);
+    Solved const solved(its, &conformal);
+    std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 1.0), {3, 3});
+    Path path(solved, move);
+    CHECK(path.path.is_bent());
+    Field const half = path.at(0.5);
+    auto const at = [&](std::size_t k) { return Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]); };
+    for (std::size_t k = 1; k < 6; ++k) {   // turned by half as much, wherever its middle is then
+        Complex const before = at(k) - at(0), now = before + half[k] - half[0];
+        CHECK(std::abs(now - std::polar(1.0, 0.5) * before) < 1e-12);
+    }
+    path.path.straighten(harmorph::Basis::view(static_cast<const void*>(solved.basis)));
+    CHECK_FALSE(path.path.is_bent());
+    for (double& number : move) number *= 0.5;
+    CHECK(largest_difference(path.numbers_at(0.5), move) < 1e-15);
 }
 
 TEST_CASE("weights are the derivative by the target with the similarities held, and complex numbers") {
