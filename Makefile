@@ -25,7 +25,14 @@ BUILD = build
 PREFIX = /usr/local
 DESTDIR =
 CXX = c++
-CXXFLAGS = -O3
+# Comes behind the level of optimisation of each file, so that CXXFLAGS="-O1 -g" is heard everywhere.
+CXXFLAGS =
+# Where the time is spent: loops over points, cells, matrix entries, and the kernels. Everything else is at LEVEL.
+LEVEL = -O2
+LEVEL_OF_LOOPS = -O3
+LOOPS = src/dense/* src/operators/* src/direct/* src/ordering/* src/boundary/distance* src/multigrid/multigrid* \
+	src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp src/mesh/orientation.cpp \
+	src/morph/admissible_step.cpp src/morph/assessment.cpp src/morph/quality.cpp src/morph/weighted_sum.cpp
 CC = cc
 CFLAGS = -O2
 FC = gfortran
@@ -61,14 +68,16 @@ rules:
 	@sh fortran/join.sh >$(BUILD)/harmorph.f90
 	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
 	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
-	@echo '$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
+	@echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
 	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
 	@objects() { \
 	    part=$$1 headers=$$2; shift 2; list=; \
 	    for source do \
 	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | tr / -`.o; list="$$list $$object"; \
+	        level='$(LEVEL)'; \
+	        for loops in $(LOOPS); do if [ $$source = $$loops ]; then level='$(LEVEL_OF_LOOPS)'; fi; done; \
 	        printf '%s: %s %s $(BUILD)/flags\n' $$object $$source "$$headers"; \
-	        printf '\techo $(CXX) %s\n\t$$(CXX) $$(CXXFLAGS) %s -c -o $$@ %s\n' $$source "$$flags" $$source; \
+	        printf '\techo $(CXX) %s\n\t$$(CXX) %s $$(CXXFLAGS) %s -c -o $$@ %s\n' $$source "$$level" "$$flags" $$source; \
 	    done; \
 	}; \
 	program() { \
@@ -133,6 +142,7 @@ demo: all
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
+	include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
 	share/harmorph/harmorph_mpi.c share/harmorph/read_su2.c share/harmorph/read_su2.h \

@@ -1,4 +1,4 @@
-// The C interface: the basis as a block: made, attached, and what it holds.
+// The C interface: the basis as a block: attached, and what it holds. Nothing here needs a plan.
 #include "handles.hpp"
 
 namespace harmorph {
@@ -56,24 +56,6 @@ hm_curves curves_of(Basis const& basis, const double* control, hm_curve* curve) 
 using namespace harmorph;
 
 extern "C" {
-
-hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        Basis made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, of->basis_counts()); });
-    });
-}
-
-hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        const Analysis* of = nullptr;
-        HARMORPH_TRY(require({{"basis", basis}}, fault));
-        HARMORPH_TRY(open_complete(analysis, of, fault));
-        return make_basis(*of, of->basis_counts(), block, bytes, basis, fault);
-    });
-}
 
 hm_status hm_basis_attach(const hm_basis** basis, const void* block, size_t bytes, const hm_mesh* mesh, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {

@@ -1,6 +1,5 @@
-// The C interface: movements of the mesh points, the transpose, and the check on the curves.
+// The C interface: movements of the mesh points, and the transpose.
 #include "handles.hpp"
-#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/adjoint.hpp"
 #include "harmorph/morph/morph.hpp"
 
@@ -36,23 +35,6 @@ hm_status hm_adjoint(const hm_basis* basis, const hm_points* dj, double* gradien
         HARMORPH_TRY(view_points(dj, "dj", by_points, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
         adjoint_morph(b, by_points, gradient, threads);
-        return Status::ok;
-    });
-}
-
-hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from, const hm_points* to,
-                            double* error, int32_t* point, hm_error* err) {
-    return guarded(err, [&](CallFault& fault) {
-        Basis b;
-        Points before, after;
-        HARMORPH_TRY(require({{"error", error}}, fault));
-        HARMORPH_TRY(open_basis(basis, b, fault));
-        HARMORPH_TRY(check_move(b, move, fault));
-        HARMORPH_TRY(view_points(from, "from", before, fault));
-        HARMORPH_TRY(view_points(to, "to", after, fault));
-        BoundaryError const worst = boundary_error(b, move, before, after);
-        *error = worst.error;
-        if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
         return Status::ok;
     });
 }

@@ -1,4 +1,4 @@
-// The C interface: the plan of an analysis; factorisation and solution.
+// The C interface: the plan of an analysis and a basis for its solution; factorisation and solution.
 #include "handles.hpp"
 #include "harmorph/basis/basis_measures.hpp"
 
@@ -54,6 +54,24 @@ hm_status hm_plan_init(hm_plan** plan, void* block, size_t bytes, const hm_analy
         made.object.init(*of);
         made.give(plan);
         return Status::ok;
+    });
+}
+
+hm_status hm_basis_size(const hm_analysis* analysis, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        Basis made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, of->basis_counts()); });
+    });
+}
+
+hm_status hm_basis_init(hm_basis** basis, void* block, size_t bytes, const hm_analysis* analysis, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        HARMORPH_TRY(require({{"basis", basis}}, fault));
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        return make_basis(*of, of->basis_counts(), block, bytes, basis, fault);
     });
 }
 

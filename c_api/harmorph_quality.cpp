@@ -1,5 +1,6 @@
-// The C interface: is a mesh valid, how far may it move, and how good are its cells?
+// The C interface: is a mesh valid, how far may it move, how good are its cells, and is its wall where the curves are?
 #include "handles.hpp"
+#include "harmorph/basis/basis_measures.hpp"
 #include "harmorph/morph/assessment.hpp"
 #include "harmorph/morph/crossing.hpp"
 
@@ -112,6 +113,23 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
         write_struct(report_of(assessment.limit, view, b), step);
         write_struct(report_of(assessment.quality, crossing, view), quality);
+        return Status::ok;
+    });
+}
+
+hm_status hm_boundary_error(const hm_basis* basis, const double* move, const hm_points* from, const hm_points* to,
+                            double* error, int32_t* point, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Basis b;
+        Points before, after;
+        HARMORPH_TRY(require({{"error", error}}, fault));
+        HARMORPH_TRY(open_basis(basis, b, fault));
+        HARMORPH_TRY(check_move(b, move, fault));
+        HARMORPH_TRY(view_points(from, "from", before, fault));
+        HARMORPH_TRY(view_points(to, "to", after, fault));
+        BoundaryError const worst = boundary_error(b, move, before, after);
+        *error = worst.error;
+        if (point != nullptr) *point = numbered(worst.point, b.header->index_base);
         return Status::ok;
     });
 }

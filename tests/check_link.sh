@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: check_link.sh BUILD   (CC, CFLAGS from the environment)
 # The library stands alone: merged into one object, it needs only mem* from outside, keeps no writable data, shows
-# only hm_*; and the C compiler, which knows no C++ runtime, links a program with it.
+# only hm_*; a small program links a small part; and the C compiler, which knows no C++ runtime, links a program with it.
 build=$1
 : "${CC:=cc}" "${CFLAGS:=-O2}"
 passed=0 failed=0
@@ -34,5 +34,11 @@ else
     failed=$((failed + 1))
     echo "check-link: tests/use.c does not link with $CC"
 fi
+# A program that attaches a basis, morphs and takes the adjoint links this much of the library; engines stay outside.
+most=65536
+$CC -std=c99 $CFLAGS -Ic_api -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" "$build/small.o" \
+    "$build/libharmorph.a" || exit 1
+bytes=$(size "$build/small_linked.o" | awk 'NR == 2 { print $1 + $2 + $3 }')
+verdict "bytes in a program that morphs, of at most $most" "$([ "$bytes" -le $most ] || echo "$bytes")"
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -2,7 +2,7 @@
 # usage: examples.sh BUILD   (MAKE, CC, FC, ... from the environment)
 # Each folder of examples, copied elsewhere: built and run against an installed harmorph, by its own Makefile with
 # pkg-config and by CMake with find_package.
-: "${MAKE:=make}" "${CXX:=c++}" "${CXXFLAGS:=-O3}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
+: "${MAKE:=make}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 build=$(cd "$1" && pwd)
 dir=$build/examples
 log=$dir/log

@@ -30,6 +30,7 @@ cat >"$dir/expected" <<END
 ./include/harmorph.h
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
+./include/harmorph_pages.h
 ./include/harmorph_pthreads.h
 ./lib/cmake/harmorph/harmorphConfig.cmake
 ./lib/cmake/harmorph/harmorphConfigVersion.cmake

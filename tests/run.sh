@@ -1,7 +1,7 @@
 #!/bin/sh
 # All tests (called by `make test`, which says with what compilers and where). Each step prints one or several lines
 # "N passed, M failed", or is the doctest program; the sum is the last line.
-: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}"
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}"
 export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
 passed=0 failed=0
 log=$BUILD/test.log

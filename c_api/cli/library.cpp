@@ -4,6 +4,7 @@
 #include "marker_names.hpp"
 #include "numbers.hpp"
 
+#include <new>
 #include <sstream>
 
 namespace cli {
@@ -46,7 +47,8 @@ std::string place(const std::string& sentence, const Mesh& mesh) {
 void Block::resize(std::size_t bytes) {
     if (!memory_ || bytes > capacity_) {
         memory_.reset(); // first, so that old and new are never there together
-        memory_.reset(new unsigned char[bytes]);
+        memory_.reset(static_cast<unsigned char*>(hm_pages_alloc(bytes)));
+        if (!memory_) throw std::bad_alloc();
         capacity_ = bytes;
     }
     size_ = bytes;

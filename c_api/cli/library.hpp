@@ -2,7 +2,7 @@
 #pragma once
 
 #include "commands.hpp"
-#include "harmorph.h"
+#include "harmorph_pages.h"
 #include "mesh.hpp"
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 
 namespace cli {
 
-// Memory for an object of the library. It is not filled: untouched pages cost nothing until the library needs them.
+// Memory for an object of the library, in huge pages where the system has them. It is not filled: untouched pages cost
+// nothing until the library needs them.
 class Block {
 public:
     Block() = default;
@@ -22,7 +23,10 @@ public:
     std::size_t size() const { return size_; }
 
 private:
-    std::unique_ptr<unsigned char[]> memory_;
+    struct Free {
+        void operator()(unsigned char* block) const { hm_pages_free(block); }
+    };
+    std::unique_ptr<unsigned char[], Free> memory_;
     std::size_t size_ = 0, capacity_ = 0;
 };
 

@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index chunk_blocks = 128;  // so many points' factors are on the stack at a time
+constexpr Index most_blocks = 1 << 12;  // of one call of a kernel
 constexpr Index most_ranges = 16;    // their sums are on the stack
 constexpr Index least_range = 128;   // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
@@ -26,22 +26,13 @@ struct Part {
     Index first, width;
 };
 
-// The gradients by the points of some blocks in units of the fixed-point sums, 0 behind the last point.
-struct ChunkGradient {
-    Real x[chunk_blocks * block_points], y[chunk_blocks * block_points];
+// The gradients by the points of a block, 0 behind the last point.
+struct BlockGradient {
+    Real x[block_points] = {}, y[block_points] = {};
 
-    void take(Points from, Index begin, Index n, BinaryScale::Factor unit) noexcept {
-        if (from.stride == 1) {
-            for (Index i = 0; i < n; ++i) x[i] = unit.times(from.x[begin + i]);
-            for (Index i = 0; i < n; ++i) y[i] = unit.times(from.y[begin + i]);
-        } else {
-            for (Index i = 0; i < n; ++i) set(i, from[begin + i], unit);
-        }
-        for (Index i = n; i < whole_blocks(n); ++i) x[i] = y[i] = 0;
-    }
-    void set(Index i, Vec2 gradient, BinaryScale::Factor unit) noexcept {
-        x[i] = unit.times(gradient.x);
-        y[i] = unit.times(gradient.y);
+    void set(Index i, Vec2 gradient) noexcept {
+        x[i] = gradient.x;
+        y[i] = gradient.y;
     }
 };
 
@@ -54,22 +45,31 @@ struct Adder {
     Part part;
 
     template <class Number>
-    void add(Span<Number> values, Index first_block, Index n_blocks, ChunkGradient const& by,
+    void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
              FixedSums& total) const noexcept {
         Offset const stride = Offset{basis.row_length()} * block_points;
         ValueBlocks<Number> const blocks{values.data() + first_block * stride + Offset{part.first} * block_points, stride,
                                          n_blocks, part.width};
-        kernels.of(blocks).multiply_transposed(blocks, {by.x, by.y}, total);
+        kernels.of(blocks).multiply_transposed(blocks, by, unit, total);
+    }
+    template <class Number>
+    void add_block(Span<Number> values, Index block, BlockGradient const& by, FixedSums& total) const noexcept {
+        add(values, block, 1, {by.x, by.y}, total);
     }
 
-    // Of the points of blocks begin .. end-1.
+    // Of the points of blocks begin .. end-1. Numbers that lie side by side are read by the kernels.
     template <class Number>
     void add_points(Span<Number> values, Index begin, Index end, FixedSums& total) const noexcept {
-        for (Index block = begin; block < end; block += chunk_blocks) {
-            Index const n_blocks = smaller(chunk_blocks, end - block), point = block * block_points;
-            ChunkGradient by;
-            by.take(by_points, point, smaller(n_blocks * block_points, basis.n_points() - point), unit);
-            add(values, block, n_blocks, by, total);
+        Index const whole = by_points.stride == 1 ? smaller(end, basis.n_points() / block_points) : begin;
+        for (Index block = begin; block < whole; block += most_blocks) {
+            Index const point = block * block_points;
+            add(values, block, smaller(most_blocks, whole - block), {by_points.x + point, by_points.y + point}, total);
+        }
+        for (Index block = whole; block < end; ++block) {
+            BlockGradient by;
+            Index const point = block * block_points, n = smaller(block_points, basis.n_points() - point);
+            for (Index i = 0; i < n; ++i) by.set(i, by_points[point + i]);
+            add_block(values, block, by, total);
         }
     }
 
@@ -77,18 +77,16 @@ struct Adder {
     void add_wall(FixedSums& total) const noexcept {
         Index const slots = basis.wall_point.count();
         for (Index begin = 0; begin < slots; begin += block_points) {
-            ChunkGradient by;
-            for (Index i = 0; i < block_points; ++i) {
-                by.set(i, begin + i < slots ? by_points[basis.wall_point[begin + i]] : Vec2{}, unit);
-            }
-            add(basis.value, begin / block_points, 1, by, total);
+            BlockGradient by;
+            Index const n = smaller(block_points, slots - begin);
+            for (Index i = 0; i < n; ++i) by.set(i, by_points[basis.wall_point[begin + i]]);
+            add_block(basis.value, begin / block_points, by, total);
         }
         for (Index k = 0; k < basis.joined_point.count(); ++k) {
             Index const slot = basis.joined_slot[k];
-            ChunkGradient by;
-            for (Index i = 0; i < block_points; ++i) by.set(i, {}, unit);
-            by.set(slot % block_points, by_points[basis.joined_point[k]], unit);
-            add(basis.value, slot / block_points, 1, by, total);
+            BlockGradient by;
+            by.set(slot % block_points, by_points[basis.joined_point[k]]);
+            add_block(basis.value, slot / block_points, by, total);
         }
     }
 };

@@ -1,4 +1,5 @@
 // The products of morphing with the registers of one instruction set; product.cpp compiles this file for each of them.
+// Loops over the vectors of a block are unrolled whatever the compiler's level, so that sums stay in registers.
 
 namespace harmorph::HARMORPH_SET {
 namespace {
@@ -16,12 +17,14 @@ struct Pair {
     Vector x[at_once], y[at_once];
 
     HARMORPH_INLINE void load(PerPoint<const Real> from, Offset point) noexcept {
+#pragma GCC unroll 8
         for (Index v = 0; v < at_once; ++v) {
             x[v] = Registers::load(from.x + point + v * lanes);
             y[v] = Registers::load(from.y + point + v * lanes);
         }
     }
     HARMORPH_INLINE void store(PerPoint<Real> to, Offset point) const noexcept {
+#pragma GCC unroll 8
         for (Index v = 0; v < at_once; ++v) {
             Registers::store(to.x + point + v * lanes, x[v]);
             Registers::store(to.y + point + v * lanes, y[v]);
@@ -30,6 +33,7 @@ struct Pair {
     template <class Number>
     HARMORPH_INLINE void add_products(const Number* values, Index n, Movements const& by) noexcept {
         for (Index k = 0; k < n; ++k) {
+#pragma GCC unroll 8
             for (Index v = 0; v < at_once; ++v) {
                 Vector const f = Registers::load(values + k * block_points + v * lanes);
                 x[v] += f * by.x[k];
@@ -66,6 +70,7 @@ void move(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const
         Pair sum = {}, at = {};
         sum.add_products(values, blocks.n_numbers, by);
         if (from.x != nullptr) at.load(from, point);
+#pragma GCC unroll 8
         for (Index v = 0; v < at_once; ++v) {
             at.x[v] = sum.x[v] == 0 ? at.x[v] : at.x[v] + sum.x[v];
             at.y[v] = sum.y[v] == 0 ? at.y[v] : at.y[v] + sum.y[v];
@@ -134,19 +139,22 @@ struct SumPair {
 };
 
 template <class Number>
-void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, FixedSums& total) noexcept {
+void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
+                         FixedSums& total) noexcept {
     Index const n = blocks.n_numbers;
     SumPair sums[Movements::most];
     for (Index k = 0; k < n; ++k) sums[k] = SumPair{};
     for (Index block = 0; block < blocks.n_blocks; ++block) {
         const Number* const values = blocks.values + block * blocks.stride;
         Vector by_x[vectors], by_y[vectors];
+#pragma GCC unroll 4
         for (Index v = 0; v < vectors; ++v) {
-            by_x[v] = Registers::load(by.x + block * block_points + v * lanes);
-            by_y[v] = Registers::load(by.y + block * block_points + v * lanes);
+            by_x[v] = Registers::load(by.x + block * block_points + v * lanes) * unit.first * unit.second;
+            by_y[v] = Registers::load(by.y + block * block_points + v * lanes) * unit.first * unit.second;
         }
         for (Index k = 0; k < n; ++k) {
             SumPair sum = sums[k];
+#pragma GCC unroll 4
             for (Index v = 0; v < vectors; ++v) {
                 Vector const f = Registers::load(values + k * block_points + v * lanes);
                 sum.x.add(f * by_x[v]);
@@ -167,6 +175,7 @@ std::uint64_t largest_bits(const Real* numbers, Index n) noexcept {
     Words most[chains] = {};
     Index i = 0;
     for (; i + chains * lanes <= n; i += chains * lanes) {
+#pragma GCC unroll 8
         for (Index c = 0; c < chains; ++c) {
             Words const bits = reinterpret_cast<Words>(Registers::load(numbers + i + c * lanes)) & without_sign;
             most[c] = bits > most[c] ? bits : most[c];

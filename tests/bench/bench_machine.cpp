@@ -96,10 +96,16 @@ void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t
 std::size_t const distances[] = {0, 128, 512, 1024};   // of prefetches
 
 // Bytes per second.
-double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings) {
+// [bytes/s], and the distance of prefetches that is the best for this processor.
+double measure_reading(Loops const& loops, double const* data, std::size_t n, Settings const& settings,
+                       std::size_t& distance) {
     double best = 0;
-    for (std::size_t const ahead : distances)
-        best = std::max(best, 1 / time_of([&] { read_all(loops, data, n, ahead, settings); }));
+    for (std::size_t const ahead : distances) {
+        double const speed = 1 / time_of([&] { read_all(loops, data, n, ahead, settings); });
+        if (speed <= best) continue;
+        best = speed;
+        distance = ahead;
+    }
     return 8.0 * static_cast<double>(n) * best;
 }
 
@@ -149,9 +155,10 @@ Limits measure_machine(Settings const& settings, Report& report) {
     std::size_t const n = bytes_in_no_cache() / 8 / 1024 * 1024;
     std::vector<double> memory(n + 1024, 1.0);
     double* const data = memory.data() + (aligned(memory.data()) - memory.data());
-    limits.read = measure_reading(loops, data, n, settings);
-    limits.read_once = [loops, &settings](void const* from, std::size_t bytes) {
-        read_all(loops, aligned(from), bytes / 8 - 8, distances[3], settings);
+    std::size_t distance = 0;
+    limits.read = measure_reading(loops, data, n, settings, distance);
+    limits.read_once = [loops, distance, &settings](void const* from, std::size_t bytes) {
+        read_all(loops, aligned(from), bytes / 8 - 8, distance, settings);
     };
     std::string const threads = settings.threads == 1 ? "one thread" : std::to_string(settings.threads) + " threads";
     table.add({"reading " + std::to_string(n >> 17) + " MB, " + threads + ", best of four prefetches",

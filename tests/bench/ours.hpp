@@ -3,6 +3,11 @@
 
 #include "cases.hpp"
 
+#include <harmorph_pages.h>
+
+#include <cstdlib>
+#include <memory>
+
 namespace bench {
 
 struct Phases {
@@ -16,19 +21,27 @@ struct Phases {
     double around() const { return structure + assembly; }
 };
 
+enum class Pages { plain, huge };
+
 // Memory comes untouched, and is kept for the next run.
 struct Block {
-    std::unique_ptr<unsigned char[]> data;
+    Pages pages = Pages::huge;
+    std::unique_ptr<void, void (*)(void*)> data{nullptr, std::free};
     std::size_t bytes = 0;
 
+    Block() = default;
+    explicit Block(Pages which) : pages(which) {}
     void* give(std::size_t wanted) {
         if (wanted > bytes) {
             data.reset();
-            data.reset(new unsigned char[wanted]);
+            if (pages == Pages::huge) data = {hm_pages_alloc(wanted), hm_pages_free};
+            else data = {std::malloc(wanted), std::free};
+            if (!data) throw std::bad_alloc();
             bytes = wanted;
         }
         return data.get();
     }
+    double* numbers(std::size_t n) { return static_cast<double*>(give(n * sizeof(double))); }
 };
 
 // What only a run needs: several problems may take turns with it.

@@ -59,7 +59,7 @@ struct Product {
         for (double const w : weight_x) x.push_back(std::ldexp(w, 63));
         for (double const w : weight_y) y.push_back(std::ldexp(w, 63));
         harmorph::FixedSums total{};
-        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()}, total);
+        harmorph::product_kernels(kernel).of(of).multiply_transposed(of, {x.data(), y.data()}, {0.5, 2}, total);
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.x[k].value());
         for (Index k = 0; k < of.n_numbers; ++k) out.push_back(total.y[k].value());
         for (Index k = of.n_numbers; k < Movements::most; ++k) {

@@ -44,8 +44,9 @@ struct BlockProducts {
     // be to, or 0 for all points: x and y null.
     void (*move)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const Real> from,
                  PerPoint<Real> to) noexcept;
-    // total += sum over the points of their values times by; no product may reach 2^63, and n_blocks not 2^16.
-    void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by,
+    // total += sum over the points of their values times by, in units of the sums; no product may reach 2^63, and
+    // n_blocks not 2^16.
+    void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
                                 FixedSums& total) noexcept;
 };
 
