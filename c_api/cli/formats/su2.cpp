@@ -1,7 +1,7 @@
 // SU2 mesh files (https://su2code.github.io/docs_v7/Mesh-File): two dimensions, triangles and quadrilaterals.
 #include "formats/su2.hpp"
 
-#include "numbers.hpp"
+#include "text_out.hpp"
 
 #include <ostream>
 
@@ -19,24 +19,28 @@ bool probe(const TextFile& file) {
            key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
 }
 
-void create(std::ostream& out, const Mesh& mesh) {
+void create(std::ostream& stream, const Mesh& mesh) {
+    TextOut out(stream);
     out << "NDIME= 2\nNELEM= " << mesh.cells() << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
         const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
-        out << (end - begin == 3 ? element_triangle : element_quad);
+        out << static_cast<int>(end - begin == 3 ? element_triangle : element_quad);
         for (std::int32_t i = begin; i < end; ++i) out << ' ' << mesh.cell_points[static_cast<std::size_t>(i)];
         out << ' ' << cell << '\n';
     }
     out << "NPOIN= " << mesh.points() << '\n';
-    for (std::size_t i = 0; i < mesh.x.size(); ++i)
-        out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << ' ' << i << '\n';
+    for (std::int32_t i = 0; i < mesh.points(); ++i) {
+        const auto point = static_cast<std::size_t>(i);
+        out << mesh.x[point] << ' ' << mesh.y[point] << ' ' << i << '\n';
+    }
     out << "NMARK= " << mesh.markers.size() << '\n';
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         const auto number = static_cast<std::int32_t>(marker);
         out << "MARKER_TAG= " << mesh.markers[marker] << "\nMARKER_ELEMS= " << mesh.faces(number) << '\n';
         for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
             if (mesh.face_markers[face] != number) continue;
-            out << element_line << ' ' << mesh.face_points[2 * face] << ' ' << mesh.face_points[2 * face + 1] << '\n';
+            out << static_cast<int>(element_line) << ' ' << mesh.face_points[2 * face] << ' '
+                << mesh.face_points[2 * face + 1] << '\n';
         }
     }
 }
