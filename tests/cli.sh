@@ -745,5 +745,26 @@ echo '7 1' >"$tmp/values"
 refuses "a variable that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" \
     --variables "$tmp/map" --move "$tmp/values"
 
+# Functions by table: a mode moves the mesh as the same displacement does.
+awk '/^MARKER_TAG/ { on = $0 ~ /airfoil/ } on && $1 == 3 { seen[$2]; seen[$3] } END { for (p in seen) print p, 0, 1 }' \
+    "$tmp/demo/mesh.su2" >"$tmp/plunge"
+awk '{ print $1, 1, 0.5 }' "$tmp/plunge" | sort >"$tmp/surge"
+sed 's/ 0 1$/ 0.004 0.022/' "$tmp/plunge" >"$tmp/field"
+runs "functions by table" 0 solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/plunge" --mode "$tmp/surge" -o "$tmp/modes.basis"
+printf 'mode 1 0.02\nmode 2 0.004\n' >"$tmp/values"
+runs "moved by modes" 0 morph "$tmp/demo/mesh.su2" "$tmp/modes.basis" --move "$tmp/values" -o "$tmp/by-modes.su2"
+runs "displaced" 0 displace "$tmp/demo/mesh.su2" --given airfoil --wall "$tmp/field" -o "$tmp/displaced.su2"
+same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF / 2; i++) { d = $i - $(i + NF / 2)
+    if (d > 1e-12 || d < -1e-12) bad = 1 } ++n } END { exit bad || n < 1000 }'; }
+check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
+refuses "modes without --given" 2 '--given' solve "$tmp/demo/mesh.su2" --mode "$tmp/plunge" -o "$tmp/x"
+sed 1d "$tmp/plunge" >"$tmp/fewer"
+refuses "a mode of fewer points" 3 'has not the points' solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/plunge" \
+    --mode "$tmp/fewer" -o "$tmp/x"
+sed 's/ 0 1$/ 0 0/' "$tmp/plunge" >"$tmp/zero"
+refuses "a mode that is zero" 2 'mode 0 (from 0) is zero' solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/zero" -o "$tmp/x"
+echo 'mode 3 1' >"$tmp/values"
+refuses "a mode that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/modes.basis" --move "$tmp/values"
+
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]

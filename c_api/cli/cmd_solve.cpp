@@ -8,10 +8,12 @@
 #include "solver.hpp"
 #include "storage.hpp"
 #include "task.hpp"
+#include "wall_field.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace cli {
 
@@ -60,16 +62,68 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
     std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
                 report.max_distance_point);
-    std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(), brief(times.factor).c_str(),
+    std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
+                brief(times.factor).c_str(),
                 report.factor_entries > 0 ? "factorisation" : "agglomeration", brief(times.solve).c_str());
-    std::printf("megabytes        %s plan, %s basis%s\n", brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
+    std::printf("megabytes        %s plan, %s basis%s\n",
+                brief(1e-6 * static_cast<double>(solver.plan_bytes())).c_str(),
                 brief(1e-6 * static_cast<double>(stored.bytes())).c_str(),
                 stored.in_single() ? " in single precision" : "");
 }
 
+// Functions by table, solved behind the others: one for each file of --mode.
+class Modes {
+public:
+    Modes(const Arguments& arguments, const Mesh& mesh) : paths_(arguments.all("--mode")) {
+        if (paths_.empty()) return;
+        if (!arguments.has("--given")) arguments.refuse("--mode is of the markers of --given, which is missing");
+        for (const std::string& path : paths_) add(path, read_wall_field(path, mesh));
+    }
+    const hm_basis* append_to(Solver& solver) {
+        if (paths_.empty()) return solver.basis();
+        const auto n = static_cast<std::int32_t>(points_.size()), n_modes = static_cast<std::int32_t>(paths_.size());
+        std::size_t bytes = 0, work_bytes = 0;
+        call(paths_[0], hm_tabulate_size, solver.plan(), solver.basis(), n_modes, 2, &bytes, &work_bytes);
+        block_.resize(bytes);
+        Block work(work_bytes);
+        hm_basis* basis = nullptr;
+        call(paths_[0], hm_tabulate, &basis, static_cast<void *>(block_.data()), bytes, solver.plan(), solver.basis(),
+             n,
+             points_.data(), n_modes, 2, values_.data(), static_cast<void *>(work.data()), work_bytes, nullptr);
+        return basis;
+    }
+
+private:
+    // In the order of the first file.
+    void add(const std::string& path, const WallField& field) {
+        if (points_.empty()) points_ = field.points;
+        std::vector<std::size_t> place(points_.size());
+        std::iota(place.begin(), place.end(), std::size_t{0});
+        if (field.points != points_) {
+            for (std::size_t k = 0; k < points_.size(); ++k) {
+                const auto found = std::find(field.points.begin(), field.points.end(), points_[k]);
+                if (found == field.points.end() || field.points.size() != points_.size()) {
+                    throw Failure(exit_file, path + ": has not the points of " + paths_[0]);
+                }
+                place[k] = static_cast<std::size_t>(found - field.points.begin());
+            }
+        }
+        for (const std::size_t k : place) {
+            values_.push_back(field.x[k]);
+            values_.push_back(field.y[k]);
+        }
+    }
+
+    std::vector<std::string> paths_;
+    std::vector<std::int32_t> points_;
+    std::vector<double> values_;
+    Block block_;
+};
+
 std::string what_is_missed(const Solver& solver, const hm_options& options) {
     const double residual = solver.report().residual;
-    if (!(residual <= options.tolerance)) return "the residual " + brief(residual) + " is above " + brief(options.tolerance);
+    if (!(residual <= options.tolerance)) return "the residual " + brief(residual) + " is above " +
+        brief(options.tolerance);
     if (solver.found() == 0) return "values are still off by more than " + brief(options.tolerance);
     return "values may still be off by " + brief(solver.found()) + ", as cells are very thin" +
            (options.precision == HM_SINGLE ? ": --precision double brings them nearer" : "");
@@ -78,8 +132,11 @@ std::string what_is_missed(const Solver& solver, const hm_options& options) {
 void run(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
-    if (!arguments.has("--curve") && !arguments.has("--rigid")) arguments.refuse("--curve or --rigid is missing");
+    if (!arguments.has("--curve") && !arguments.has("--rigid") && !arguments.has("--mode")) {
+        arguments.refuse("--curve, --rigid or --mode is missing");
+    }
     const Mesh mesh = read_mesh(arguments, 0);
+    Modes modes(arguments, mesh);
     Task task = task_of(arguments, mesh);
     std::vector<double> history(arguments.has("--history") ? longest_history : 0);
     task.options.history = history.data();
@@ -88,9 +145,10 @@ void run(const Arguments& arguments) {
     Solver solver(mesh, task, threads);
     const bool converged = solver.run() == HM_OK;
     const SolveTimes times = repeats > 1 ? repeat(solver, repeats) : solver.times();
-    const Stored stored(arguments, mesh, solver.basis());
+    const Stored stored(arguments, mesh, modes.append_to(solver));
     OutputFiles files;
-    if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history, solver.report().iterations);
+    if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history,
+                                                  solver.report().iterations);
     if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
     files.commit();
     if (arguments.has("--json")) {
@@ -117,6 +175,9 @@ const Command solve_command = {
     "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
     task_options() + engine_options() +
     std::vector<Option>{
+     {"--given", "A[,B..]", "markers whose points move by the tables of --mode (may be repeated)"},
+     {"--mode", "FIELD", "a function whose values at the points of --given are a table: lines \"point x y\", points counted\n"
+                        "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude y]\")"},
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
      storage_option,
      threads_option,

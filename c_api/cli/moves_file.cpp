@@ -23,6 +23,8 @@ public:
         while (lines_.next()) {
             if (lines_.words()[0] == "rigid") {
                 read_body();
+            } else if (lines_.words()[0] == "mode") {
+                read_mode();
             } else {
                 read_control_point();
             }
@@ -57,6 +59,21 @@ private:
         moves_[2 * function + 1] = number(words[3]);
         moves_[2 * function + 2] = scale * std::cos(angle) - 1;
         moves_[2 * function + 3] = scale * std::sin(angle);
+    }
+
+    void read_mode() {
+        const auto& words = lines_.words();
+        const std::int32_t n_modes = basis_.info().modes;
+        std::int32_t mode = 0;
+        if (words.size() < 3 || words.size() > 4) lines_.expected("mode K amplitude, or mode K amplitude amplitude-y");
+        if (!parse(words[1], mode) || mode < 1 || mode > n_modes) {
+            lines_.expected("a mode between 1 and " + std::to_string(n_modes), words[1]);
+        }
+        const auto function = static_cast<std::size_t>(basis_.functions() - n_modes + mode - 1);
+        if (moved_[function]) lines_.fail("mode " + std::to_string(mode) + " is moved a second time");
+        moved_[function] = true;
+        moves_[2 * function] = number(words[2]);
+        if (words.size() == 4) moves_[2 * function + 1] = number(words[3]);
     }
 
     std::int32_t function_of(const std::string& tag) const {

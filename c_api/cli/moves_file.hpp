@@ -1,4 +1,5 @@
-// Files of movements: lines "index dx dy", the control point counted from 1, and "rigid MARKER dx dy degrees [scale]"; points
+// Files of movements: lines "index dx dy", the control point counted from 1, "rigid MARKER dx dy degrees [scale]", and
+// "mode K amplitude [amplitude-y]" for functions by table; points
 // and bodies that are not named stay.
 #pragma once
 
