@@ -11,6 +11,7 @@
 #include "page_data.hpp"
 #include "page_text.hpp"
 #include "pictures/pictures.hpp"
+#include "to_airfoil.hpp"
 #include "variables_file.hpp"
 #include "vtu.hpp"
 #include "window_option.hpp"
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <ostream>
 
 namespace cli {
@@ -90,7 +92,7 @@ const char* strategy_name(std::int32_t strategy) {
     return names[strategy];
 }
 
-void print_json(const Morph& morph, bool safe, const Companions& written) {
+void print_json(const Morph& morph, bool safe, const Companions& written, const std::optional<ToAirfoil>& airfoil) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
     if (!safe) object.add("admissible_step", morph.step.admissible);
@@ -112,7 +114,14 @@ void print_json(const Morph& morph, bool safe, const Companions& written) {
         object.add("worst_cells", worst);
     }
     object.add("moved_curve", written.curve);
+    if (airfoil) object.add("airfoil_max_error", airfoil->max_error).add("airfoil_rms_error", airfoil->rms_error);
     std::printf("%s\n", object.text().c_str());
+}
+
+void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
+    std::printf("airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n", path.c_str(),
+                plural(airfoil.points, "point").c_str(), brief(airfoil.max_error / airfoil.chord).c_str(),
+                airfoil.worst_point, brief(airfoil.rms_error / airfoil.chord).c_str());
 }
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
@@ -167,6 +176,42 @@ std::string reason(const Morph& morph, const Mesh& mesh) {
     return text;
 }
 
+// Of the control points, or of the variables that stand for them; bodies then stay.
+std::vector<double> moves_of_file(const Arguments& arguments, const Basis& basis, const Mesh& mesh) {
+    const std::string path = arguments.text("--move");
+    if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
+    const std::string map_path = arguments.text("--variables");
+    const VariableMap map = read_variables(map_path);
+    if (map.points != basis.curves().n_control) {
+        throw Failure(exit_file, map_path + ": its variables are of " + plural(map.points, "control point") +
+                                     ", the curves of the basis have " + std::to_string(basis.curves().n_control));
+    }
+    std::vector<double> moves = map.control_moves(read_values(path, map));
+    moves.resize(2 * static_cast<std::size_t>(basis.functions()));
+    return moves;
+}
+
+// The movement that is asked for: of a file, or to another airfoil.
+std::vector<double> moves_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis, std::optional<ToAirfoil>& airfoil) {
+    if (!arguments.has("--to-airfoil")) {
+        for (const char* option : {"--on-chord", "--airfoil-curve", "--moves-out"}) {
+            if (arguments.has(option)) arguments.refuse(std::string(option) + " goes with --to-airfoil");
+        }
+        return moves_of_file(arguments, basis, mesh);
+    }
+    if (arguments.has("--move")) arguments.refuse("--move and --to-airfoil both say where to: name one of them");
+    const std::string path = arguments.text("--to-airfoil");
+    if (basis.info().curves == 0) arguments.refuse("--to-airfoil: the basis has no curve");
+    const std::int32_t curve = arguments.whole("--airfoil-curve", 1, 1, basis.info().curves) - 1;
+    airfoil = moves_to_airfoil(basis, curve, read_section(path), path, arguments.has("--on-chord"));
+    if (arguments.has("--moves-out")) {
+        OutputFiles files;
+        write_moves(files.add(arguments.text("--moves-out")), airfoil->moves, basis, mesh);
+        files.commit();
+    }
+    return airfoil->moves;
+}
+
 Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basis, const std::vector<double>& moves,
                  const Threads& threads) {
     std::vector<std::unique_ptr<Basis>> others;
@@ -185,27 +230,13 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return Morph(basis, mesh, moves, options, threads);
 }
 
-// Of the control points, or of the variables that stand for them; bodies then stay.
-std::vector<double> moves_of(const Arguments& arguments, const Basis& basis, const Mesh& mesh) {
-    const std::string path = arguments.text("--move");
-    if (!arguments.has("--variables")) return read_moves(path, basis, mesh);
-    const std::string map_path = arguments.text("--variables");
-    const VariableMap map = read_variables(map_path);
-    if (map.points != basis.curves().n_control) {
-        throw Failure(exit_file, map_path + ": its variables are of " + plural(map.points, "control point") +
-                                     ", the curves of the basis have " + std::to_string(basis.curves().n_control));
-    }
-    std::vector<double> moves = map.control_moves(read_values(path, map));
-    moves.resize(2 * static_cast<std::size_t>(basis.functions()));
-    return moves;
-}
-
 void run(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
     if (basis.mesh_has_moved()) warn("the mesh is not where it was when the basis was solved: fine if a morph moved it");
-    const std::vector<double> moves = moves_of(arguments, basis, mesh);
+    std::optional<ToAirfoil> airfoil;
+    const std::vector<double> moves = moves_of(arguments, mesh, basis, airfoil);
     const Threads threads(threads_of(arguments));
     const bool safe = arguments.has("--safe");
     for (const char* const option : {"--reached", "--min-quality", "--max-height-change", "--strict"}) {
@@ -222,8 +253,9 @@ void run(const Arguments& arguments) {
     }
     if (arguments.has("--report")) write_report_file(arguments, mesh, basis, morph);
     if (arguments.has("--json")) {
-        print_json(morph, safe, written);
+        print_json(morph, safe, written, airfoil);
     } else {
+        if (airfoil) print_airfoil(arguments.text("--to-airfoil"), *airfoil);
         print_for_people(morph, safe, written);
     }
     if (strict && morph.valid()) throw Failure(exit_unusable, morph.warning);
@@ -243,9 +275,15 @@ const Command morph_command = {
     "The morphed mesh keeps the text of its file; only coordinates that changed are new. Beside it, in MESH.curve, is the\n"
     "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
-    {{"--move", "MOVES", "movement of the control points (required)"},
+    {{"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
      {"--variables", "MAP", "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, a file of\n"
                             "`harmorph variables`; bodies stay"},
+     {"--to-airfoil", "DAT", "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by least\n"
+                            "squares, with the curve's own knots; how far its points are off is reported"},
+     {"--on-chord", nullptr, "for --to-airfoil: scale, turn and move it so that its leading and trailing edges come to where the\n"
+                             "curve's are (default: coordinates are those of the mesh)"},
+     {"--airfoil-curve", "N", "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
+     {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
      {"-o", "MESH", "morphed mesh to write, SU2"},
      {"--curve-out", "CURVE", "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
@@ -281,8 +319,10 @@ const Command morph_command = {
                          "(1: all of the movement), steps, resolves, strategy (linear, other, substeps, untangled, improved),\n"
                          "last_step_admissible (of the last step that was tried, in parts of it), reached_moves (the file),\n"
                          "turned_offset (of wall points from the curve, turned with the body beside the B-spline's movement),\n"
-                         "start_quality, warning, worst_cells (cell, quality, start_quality, x, y)"}},
-    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n",
+                         "start_quality, warning, worst_cells (cell, quality, start_quality, x, y); with --to-airfoil\n"
+                         "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
+    "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n"
+    "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o naca2412.su2\n",
     run};
 
 } // namespace cli

@@ -18,6 +18,7 @@ void write_curve_file(OutputFiles& files, const std::string& path, const Curves&
     std::ostream& out = files.add(path);
     if (ends_with(path, ".igs") || ends_with(path, ".iges")) return write_iges(out, curves);
     if (ends_with(path, ".stp") || ends_with(path, ".step")) return write_step(out, curves);
+    if (ends_with(path, ".nml")) return write_namelist(out, curves);
     if (ends_with(path, ".dat")) return write_selig(out, curves);
     write_curves(out, curves);
 }
