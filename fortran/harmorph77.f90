@@ -24,7 +24,9 @@
 !                                                                'OPERATOR' 0 conformal, 1 Laplace, 2 weighted;
 !                                                                'EXPONENT' 4 q of the weight 1/d**q, -1: no weight;
 !                                                                'SCHEME', 'ENGINE', 'KERNEL', 'OFFSET', 'PRECISION'
-!     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual
+!     CALL HMSOLV (W, RESID, IERR, MSG)                          the functions, and their residual. IERR 1: not converged;
+!                                                                IERR 5: solved, but a point lies far from its curve,
+!                                                                see MSG: is the marker the right one?
 !     CALL HMFACT (W, RESID, IERR, MSG)                          as HMSOLV, and W keeps the factor for HMGIVE, HMGADJ
 !     CALL HMGIVE (W, N, IP, WX, WY, DX, DY, INC, IERR, MSG)     displacements DX, DY of all mesh points from WX(N),
 !                                                                WY(N) of the points IP(N), all of the markers of HMCOND
@@ -155,8 +157,9 @@ contains
         its%basis = c_null_ptr
     end subroutine
 
-    ! Analyses the mesh, with the curves if wanted, in the last words of W; top: the last word below.
-    subroutine analyse(w, its, with_curves, analysis, top, ierr, msg)
+    ! Analyses the mesh, with the curves if wanted, in the last words of W; top: the last word below. A warning is not
+    ! in ierr, with which the caller goes on, but in `warning`; its code is hm_ok if there is none.
+    subroutine analyse(w, its, with_curves, analysis, top, ierr, msg, warning)
         real(c_double), intent(inout), target :: w(*)
         type(state), intent(inout), target :: its
         logical, intent(in) :: with_curves
@@ -164,6 +167,7 @@ contains
         integer(c_int64_t), intent(out) :: top
         integer, intent(out) :: ierr
         character(len=*), intent(inout) :: msg
+        type(hm_error), intent(out), optional :: warning
         type(hm_c_problem) :: problem
         type(hm_c_error) :: e
         integer(c_size_t) :: bytes
@@ -182,7 +186,10 @@ contains
         top = top - words_of(bytes)
         call tell(hm_c_analysis_init(analysis, c_loc(w(top + 1)), bytes, problem, c_loc(its%options), e), e, ierr, &
             msg)
-        if (ierr == hm_far_from_curve) ierr = hm_ok   ! msg keeps the warning unless a later call has something to say
+        if (ierr <= hm_ok) return
+        if (present(warning)) warning = hm_error_of(ierr, e)
+        ierr = hm_ok
+        msg = ""
     end subroutine
 
     ! What every use of the functions begins with.
@@ -301,6 +308,7 @@ contains
         type(state), pointer :: its
         type(hm_c_error) :: e
         type(hm_solve_report) :: report
+        type(hm_error) :: warning
         type(c_ptr) :: analysis, plan, basis
         integer(c_int64_t) :: top, plan_top
         integer(c_size_t) :: bytes
@@ -314,7 +322,7 @@ contains
         its%used = its%no_basis
         its%basis = c_null_ptr
         call drop_factor(its)
-        call analyse(w, its, .true., analysis, top, ierr, msg)
+        call analyse(w, its, .true., analysis, top, ierr, msg, warning)
         if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
         plan_top = top
         if (ierr == hm_ok) call tell(hm_c_basis_size(analysis, bytes, e), e, ierr, msg)
@@ -327,6 +335,10 @@ contains
         if (ierr < 0) return
         resid = report%residual
         call keep_basis(its, basis)
+        if (ierr == hm_ok .and. warning%code > hm_ok) then
+            ierr = warning%code
+            msg = warning%text
+        end if
         if (.not. keeps) return
         its%plan = plan
         its%words = plan_top
