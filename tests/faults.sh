@@ -1,0 +1,107 @@
+#!/bin/sh
+# usage: faults.sh path/to/harmorph path/to/meshes folder/for/output
+# What happens to files when something fails: no room at any size, a kill at any write, unwritable and strange places. An
+# output is whole or absent, other files are as before, and the message names the file.
+harmorph=$1 meshes=$2 tmp=$3
+case $harmorph in /*) ;; *) harmorph=$PWD/$harmorph ;; esac
+mesh=$(cd "$meshes" && pwd)/naca0012.su2
+rm -rf "$tmp"
+mkdir -p "$tmp" && cd "$tmp" || exit 1
+passed=0 failed=0
+verdict() {   # what, holds (0) or not
+    if [ "$2" = 0 ]; then passed=$((passed + 1)); return; fi
+    failed=$((failed + 1))
+    echo "faults: $1"
+}
+run() { "$harmorph" "$@" >out 2>err; }   # leaves the exit code
+
+# The good files, in a folder of their own; every command below must leave these bytes or nothing.
+mkdir good
+run fit "$mesh" --marker airfoil -o good/a.curve; verdict "fit" $?
+run solve "$mesh" --curve airfoil=good/a.curve -o good/a.basis; verdict "solve" $?
+echo "3 0.002 0.004" >moves.txt
+run morph "$mesh" good/a.basis --move moves.txt -o good/m.su2; verdict "morph" $?
+
+command_for() {   # name of an output: the words of the command that writes it as $2
+    case $1 in
+        a.curve) run fit "$mesh" --marker airfoil -o "$2" ;;
+        a.basis) run solve "$mesh" --curve airfoil=good/a.curve -o "$2" ;;
+        m.su2) run morph "$mesh" good/a.basis --move moves.txt -o "$2" ;;
+    esac
+}
+
+# No file may have more than so many blocks of 512 bytes: writes fail, or (without the trap) the process is killed there.
+for name in a.curve a.basis m.su2; do
+    blocks=$((($(wc -c <good/$name) + 511) / 512))
+    for part in 0 1 2 3; do
+        room=$((blocks * part / 4))
+        for way in fails killed; do
+            rm -rf place && mkdir place && echo old >place/$name
+            {
+                (
+                    if [ $way = fails ]; then trap '' XFSZ; fi
+                    ulimit -c 0
+                    ulimit -f $room
+                    command_for $name place/$name
+                )
+                status=$?
+            } 2>shell_says
+            verdict "$name in $room blocks, $way: exit code $status" "$([ $status -gt 1 ]; echo $?)"
+            if [ "$(cat place/$name)" = old ] || cmp -s place/$name good/$name; then whole=0; else whole=1; fi
+            verdict "$name in $room blocks, $way: neither the old file nor the new one" $whole
+            if [ $way = fails ]; then
+                verdict "$name in $room blocks: something is left beside" "$([ "$(ls -A place)" = $name ]; echo $?)"
+            fi
+        done
+    done
+done
+if [ -c /dev/full ]; then
+    command_for m.su2 /dev/full
+    status=$?
+    verdict "/dev/full: exit code $status" "$([ $status = 3 ]; echo $?)"
+    verdict "/dev/full is not named" "$(grep -q /dev/full err; echo $?)"
+fi
+
+# Places that are no files.
+mkdir -p folder
+for name in a.curve a.basis m.su2; do
+    for place in folder missing/$name "$(printf '%0300d' 0)"; do
+        command_for $name "$place"
+        status=$?
+        verdict "$name to $place: exit code $status" "$([ $status = 3 ]; echo $?)"
+        verdict "$name to $place: no reason" "$([ "$(wc -l <err)" -ge 1 ]; echo $?)"
+    done
+done
+if [ "$(id -u)" != 0 ]; then
+    mkdir -p sealed && chmod 555 sealed
+    command_for a.curve sealed/a.curve
+    verdict "an unwritable folder" "$([ $? = 3 ]; echo $?)"
+else
+    echo "skipped: unwritable folders, in which the superuser writes"
+fi
+for input in folder /dev/null missing.su2; do
+    run check "$input"
+    status=$?
+    verdict "$input as a mesh: exit code $status" "$([ $status = 3 ]; echo $?)"
+    verdict "$input is not named" "$(grep -q "$input" err; echo $?)"
+done
+
+# The same mesh through a pipe to and from the program, with CR LF, and where the decimal sign is a comma.
+"$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
+verdict "a mesh to a pipe" "$(grep -c . piped >/dev/null; echo $?)"
+sed 's/$/\r/' "$mesh" >crlf.su2
+sed 's/$/\r/' moves.txt >crlf.txt
+run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2
+verdict "lines that end with CR LF" $?
+tr -d '\r' <crlf_moved.su2 >without_cr
+verdict "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
+locale -a 2>/dev/null | grep -E '^(de|fr|es|it)_.*(utf8|UTF-8)$' | head -n 1 >locale
+if [ -s locale ]; then
+    LC_ALL=$(cat locale) run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
+    verdict "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
+else
+    echo "skipped: a locale with a decimal comma, which is not installed"
+fi
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
