@@ -3,6 +3,8 @@
 #   make                  library and program, and harmorph.f90 of one piece
 #   make test             all tests; the last line counts them
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
+#   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
+#                         SECONDS=600; see tests/fuzz/run.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
@@ -19,7 +21,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit test mpi check-link bench bench-mpi deform paper demo install uninstall clean
+.PHONY: all rules deform-driver unit fuzzer fuzz test mpi check-link bench bench-mpi deform paper demo install uninstall clean
 
 BUILD = build
 PREFIX = /usr/local
@@ -41,6 +43,7 @@ LDFLAGS =
 AR = ar
 JOBS = 2
 UNITS = tests/*/test_*.cpp
+SECONDS = 60
 MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
@@ -64,7 +67,7 @@ all: rules
 # POSIX make has no rules that lead from one directory to another. So the shell writes one for each source it finds: new
 # files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
 rules:
-	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit
+	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
 	@sh fortran/join.sh >$(BUILD)/harmorph.f90
 	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
 	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
@@ -94,6 +97,8 @@ rules:
 	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
 	    objects cli "$$cli tests/deform/movements.hpp tests/deform/seeds.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
+	    flags='$$(UNIT) -Ic_api/cli'; objects fuzz "$$core $$cli `some tests/fuzz/*.hpp`" tests/fuzz/*.cpp; \
+	    list="$$list $$parts"; program $(BUILD)/fuzzer; \
 	} >$(BUILD)/rules.new
 	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk
 
@@ -106,6 +111,12 @@ unit: all
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
 	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
 	$(BUILD)/tests
+
+fuzzer: rules
+	@$(MAKE) $(WITH_RULES) $(BUILD)/fuzzer
+
+fuzz:
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/harmorph_mpi.c

@@ -22,6 +22,7 @@ bool counts_make_sense(BasisCounts const& counts) noexcept {
     if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0)) return false;
     Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
     if (functions > most || counts.stored > functions - counts.first_stored) return false;
+    if (counts.bodies > counts.conditions) return false;  // nothing else in the block grows with bodies
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
     return counts.kind == ValueKind::real || counts.kind == ValueKind::complex || counts.kind == ValueKind::matrix;

@@ -1,0 +1,138 @@
+#include "problem.hpp"
+
+#include <algorithm>
+
+namespace fuzz {
+namespace {
+
+template <class Number>
+Number& some(std::vector<Number>& from, Input& input) {
+    return from[input.below(static_cast<std::uint32_t>(from.size()))];
+}
+template <class Struct>
+void shorten(Struct& its, Input& input) {
+    its.struct_size = input.any_of<std::uint64_t>({0, 7, 8, sizeof its - 8, sizeof its - 1});
+}
+
+void break_points(Problem& its, Input& input) {
+    double& number = some(its.coordinates, input);
+    switch (input.below(4)) {
+        case 0: number = input.wild(); break;
+        case 1: number = some(its.coordinates, input); break;   // points in one place, cells without area
+        case 2: number += input.between(-3, 3) * its.size() / 10; break;   // inverted cells
+        default:
+            for (double& each : its.coordinates) each *= input.any_of({1e-200, 1e-90, 1e95, 1e200, 0.0});
+    }
+}
+void break_indices(Problem& its, Input& input) {
+    std::vector<std::int32_t>* const arrays[] = {&its.cells, &its.quads, &its.cell_start, &its.faces, &its.lists,
+                                                 &its.list_start, &its.face_markers, &its.list_markers};
+    std::vector<std::int32_t>& array = *arrays[input.below(8)];
+    if (array.empty()) return;
+    std::int32_t& index = some(array, input);
+    index = input.one_in(2) ? input.wild_index() : some(array, input);
+}
+void break_counts(Problem& its, Input& input) {
+    hm_mesh& mesh = its.mesh;
+    std::int32_t* const counts[] = {&mesh.n_points, &mesh.n_cells, &mesh.n_faces, &mesh.n_lists, &mesh.n_quads, &mesh.ni,
+                                    &mesh.nj};
+    std::int32_t& count = *counts[input.below(7)];
+    std::int32_t const old = count;
+    if (input.one_in(2)) count = -input.from(0, 3);
+    else count = old - std::min(old, input.from(1, 3));
+    if (input.one_in(4)) mesh.index_base = input.any_of({-1, 2, 1 - mesh.index_base});
+    if (input.one_in(4)) mesh.cell_layout = input.any_of({-1, 5, 1000});
+}
+void break_pointers(Problem& its, Input& input) {
+    switch (input.below(10)) {
+        case 0: its.mesh.points.x = nullptr; break;
+        case 1: its.mesh.points.y = nullptr; break;
+        case 2: its.mesh.cell_points = nullptr; break;
+        case 3: its.mesh.cell_start = nullptr; break;
+        case 4: its.mesh.face_points = nullptr; break;
+        case 5: its.mesh.list_start = nullptr; break;
+        case 6: its.problem.mesh = nullptr; break;
+        case 7: its.problem.conditions = nullptr; break;
+        case 8: its.curves.control = nullptr; break;
+        default: its.mesh.points.stride = -1;
+    }
+}
+void break_curves(Problem& its, Input& input) {
+    if (its.curve.empty()) return;
+    hm_curve& curve = some(its.curve, input);
+    std::size_t const c = static_cast<std::size_t>(&curve - its.curve.data());
+    switch (input.below(9)) {
+        case 0: some(its.control, input) = input.wild(); break;
+        case 1: some(its.control, input) *= 1e3; break;
+        case 2: some(its.knots[c], input) = input.wild(); break;
+        case 3: some(its.knots[c], input) = some(its.knots[c], input); break;
+        case 4: some(its.indices[c], input) = input.wild_index(); break;
+        case 5: some(its.indices[c], input) = some(its.indices[c], input); break;
+        case 6: curve.n_indices = std::min(curve.n_indices, input.from(-1, 3)); break;
+        case 7:
+            its.weights.assign(static_cast<std::size_t>(its.curves.n_control), 1.0);
+            some(its.weights, input) = input.one_in(2) ? input.wild() : -1;
+            its.curves.weights = its.weights.data();
+            break;
+        default: its.curves.n_control -= input.from(1, 3);
+    }
+}
+void break_conditions(Problem& its, Input& input) {
+    if (its.conditions.empty()) return;
+    hm_condition& condition = some(its.conditions, input);
+    switch (input.below(8)) {
+        case 0: condition.marker = input.wild_index(); break;
+        case 1: condition.kind = input.from(-1, 6); break;
+        case 2: condition.first_curve = input.wild_index(); break;
+        case 3: condition.n_curves = input.wild_index(); break;
+        case 4: condition.body = input.wild_index(); break;
+        case 5: condition.partner = input.wild_index(); break;
+        case 6: condition.x = input.wild(); break;
+        default: its.conditions.push_back(condition), its.problem.conditions = its.conditions.data(), ++its.problem.n_conditions;
+    }
+}
+void break_options(Problem& its, Input& input) {
+    hm_options& o = its.options;
+    std::int32_t* const numbers[] = {&o.operator_kind, &o.scheme, &o.engine, &o.kernel, &o.exponent_quarters,
+                                     &o.offset_correction, &o.levels, &o.agglomeration, &o.block_width, &o.precision, &o.start,
+                                     &o.reserved};
+    *numbers[input.below(12)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
+    if (input.one_in(4)) o.tolerance = input.wild();
+}
+void break_given(Problem& its, Input& input) {
+    for (std::int32_t k = input.from(1, 3); k > 0; --k) {
+        its.given_points.push_back(input.one_in(4) ? input.wild_index() : input.from(0, its.mesh.n_points));
+        its.given_curves.push_back(input.one_in(4) ? input.wild_index() : 0);
+        its.given_u.push_back(input.one_in(4) ? input.wild() : input.between(0, 1));
+    }
+    its.problem.n_given = static_cast<std::int32_t>(its.given_u.size());
+    its.problem.given_points = its.given_points.data();
+    its.problem.given_curves = its.given_curves.data();
+    its.problem.given_u = its.given_u.data();
+}
+
+}  // namespace
+
+void break_something(Problem& its, Input& input) {
+    switch (input.below(9)) {
+        case 0: return break_points(its, input);
+        case 1: return break_indices(its, input);
+        case 2: return break_counts(its, input);
+        case 3: return break_pointers(its, input);
+        case 4: return break_curves(its, input);
+        case 5: return break_conditions(its, input);
+        case 6: return break_options(its, input);
+        case 7: return break_given(its, input);
+        default: break;
+    }
+    switch (input.below(5)) {
+        case 0: return shorten(its.mesh, input);
+        case 1: return shorten(its.curves, input);
+        case 2: return shorten(its.problem, input);
+        case 3: return shorten(its.options, input);
+        default:
+            if (!its.conditions.empty()) shorten(its.conditions[0], input);
+    }
+}
+
+}  // namespace fuzz

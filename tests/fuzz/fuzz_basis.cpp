@@ -1,0 +1,104 @@
+// The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged block is refused by its
+// checksum; half of them are sealed again by the library's own checksum, so that what lies behind it is tested, too.
+#include "solution.hpp"
+#include "target.hpp"
+
+#include <harmorph/basis/basis.hpp>
+
+namespace fuzz {
+namespace {
+
+// Every call with a basis that was attached: it may refuse, or compute anything, but touch no memory of others.
+void use(const hm_basis* basis, Problem const& problem, Input& input) {
+    hm_basis_info info{};
+    info.struct_size = sizeof info;
+    hm_error error{};
+    if (hm_basis_info_get(basis, &info, &error) < 0) return;
+    expect(info.points >= 0 && info.points < 1 << 20 && info.functions >= 0, "sizes that the block cannot hold");
+    if (info.functions > 1 << 16) return;   // of a share, which holds few of the functions that it claims there are
+    std::size_t const n = static_cast<std::size_t>(info.points), pairs = 2 * static_cast<std::size_t>(info.functions);
+    std::vector<double> move(pairs + 2), x(n + 1), y(n + 1), gradient(pairs + 2);
+    for (double& number : move) number = input.between(-1, 1);
+    hm_points_out const out{x.data(), y.data(), 1};
+    hm_points const in{x.data(), y.data(), 1};
+    hm_morph(basis, move.data(), nullptr, &out, nullptr, &error);
+    hm_adjoint(basis, &in, gradient.data(), nullptr, &error);
+    double worst = 0;
+    hm_boundary_error(basis, move.data(), &in, &in, &worst, nullptr, &error);
+    std::vector<hm_curve> curves(static_cast<std::size_t>(info.curves) + 1);
+    hm_curves set{};
+    set.struct_size = sizeof set;
+    for (hm_curve& its : curves) its.struct_size = sizeof its;
+    if (hm_basis_curves(basis, &set, curves.data(), info.curves, &error) >= 0 && set.n_curves > 0) {
+        double xy[4], u, distance;
+        for (std::int32_t c = 0; c < set.n_curves; ++c) {
+            hm_curve_point(&set, c, input.between(-1, 10), 1, xy, &error);
+            hm_curve_project(&set, c, input.between(-1, 1), input.between(-1, 1), &u, &distance, &error);
+        }
+    }
+    hm_condition conditions[16];
+    conditions[0].struct_size = sizeof conditions[0];
+    std::int32_t n_conditions = 0;
+    hm_basis_conditions(basis, conditions, 16, &n_conditions, &error);
+    if (info.functions > 0) hm_basis_values(basis, input.from(0, info.functions - 1), 0, x.data(), &error);
+    hm_step_report step{};
+    step.struct_size = sizeof step;
+    hm_quality_report quality{};
+    quality.struct_size = sizeof quality;
+    hm_assess(basis, &problem.mesh, nullptr, &in, nullptr, &step, &quality, &error);
+    std::size_t bytes = 0;
+    if (hm_single_size(basis, &bytes, &error) >= 0 && bytes < 1 << 24) {
+        Block const block(bytes, 0, 0xFF);
+        hm_basis* single = nullptr;
+        hm_single_init(&single, block.data(), bytes, basis, &error);
+    }
+    std::int32_t const few[] = {problem.mesh.index_base, info.points - 1 + problem.mesh.index_base, 0, 1};
+    if (hm_extract_size(basis, 4, &bytes, &error) >= 0 && bytes < 1 << 24) {
+        Block const block(bytes, 0, 0x7F);
+        hm_basis* rows = nullptr;
+        hm_extract_init(&rows, block.data(), bytes, basis, 4, few, &error);
+    }
+}
+
+}  // namespace
+
+Outcome run_basis(Input& input) {
+    std::unique_ptr<Problem> const problem = make_problem(input);
+    Solution solution(*problem, input);
+    if (solution.status < 0) return Outcome::refused;
+    hm_basis_info info{};
+    info.struct_size = sizeof info;
+    expect(hm_basis_info_get(solution.basis, &info, nullptr) == HM_OK, "no information about a solved basis");
+
+    Block const copy(info.bytes, 8 * input.below(8) + (8 - info.bytes % 8) % 8, 0);
+    std::memcpy(copy.data(), static_cast<const void*>(solution.basis), info.bytes);
+    std::size_t bytes = info.bytes;
+    const hm_basis* attached = nullptr;
+    hm_error error{};
+    hm_status status = hm_basis_attach(&attached, copy.data(), bytes, &problem->mesh, &error);
+    expect(status == HM_OK, std::string("a copy of a basis is refused: ") + error.text);
+
+    bool const cut = input.one_in(4);
+    if (cut) bytes -= 1 + input.below(static_cast<std::uint32_t>(bytes));
+    std::size_t const of_header = 256;
+    for (std::int32_t k = input.from(cut ? 0 : 1, 4); k > 0; --k) {
+        std::size_t const most = input.one_in(2) ? std::min(of_header, info.bytes) : info.bytes;
+        std::size_t const at = input.below(static_cast<std::uint32_t>(most));
+        copy.data()[at] = static_cast<unsigned char>(input.one_in(2) ? copy.data()[at] ^ 1u << input.below(8) : input.below(256));
+    }
+    bool const sealed = !cut && input.one_in(2);
+    bool const same = std::memcmp(copy.data(), static_cast<const void*>(solution.basis), info.bytes) == 0;
+    if (sealed) {
+        harmorph::BasisHeader& header = *reinterpret_cast<harmorph::BasisHeader*>(copy.data());
+        header.bytes = info.bytes;   // the checksum reads as far
+        header.checksum = harmorph::checksum_of(header);
+    }
+    status = hm_basis_attach(&attached, copy.data(), bytes, input.one_in(2) ? &problem->mesh : nullptr, &error);
+    expect_told(status, error);
+    if (!sealed && (cut || !same)) expect(status == HM_BAD_BASIS, "a damaged basis is taken");
+    if (status < 0) return Outcome::refused;
+    use(attached, *problem, input);
+    return Outcome::done;
+}
+
+}  // namespace fuzz

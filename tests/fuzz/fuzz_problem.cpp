@@ -1,0 +1,291 @@
+// Any problem, valid or broken, through the calls of the C interface; what succeeds is compared with what it has to be.
+#include "describe.hpp"
+#include "reference.hpp"
+#include "solution.hpp"
+#include "target.hpp"
+
+#include <cfenv>
+#include <cmath>
+
+namespace fuzz {
+namespace {
+
+// No floating-point exception was raised since the last call of clear(), but inexact and underflow.
+struct Exceptions {
+    static constexpr int trapped = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+    static void clear() { std::feclearexcept(FE_ALL_EXCEPT); }
+    static void expect_none(const char* call) {
+        int const raised = std::fetestexcept(trapped);
+        expect((raised & FE_INVALID) == 0, std::string(call) + ": an invalid operation");
+        expect((raised & FE_DIVBYZERO) == 0, std::string(call) + ": a division by zero");
+        expect((raised & FE_OVERFLOW) == 0, std::string(call) + ": an overflow");
+    }
+};
+
+class Check {
+public:
+    Check(Solution& solution, Input& input) : its_(solution), problem_(solution.problem), input_(input) {
+        info_.struct_size = sizeof info_;
+        expect(hm_basis_info_get(its_.basis, &info_, &error_) == HM_OK, "no information about a solved basis");
+        n_ = problem_.domain.points.size();
+        move_.resize(2 * static_cast<std::size_t>(info_.functions));
+        double const far = input_.any_of({1e-6, 0.02, 0.3, 2.0}) * extent();
+        for (double& number : move_) number = far * input_.between(-1, 1);
+        for (std::size_t k = 2 * static_cast<std::size_t>(problem_.curves.n_control) + 2; k < move_.size(); k += 4)
+            move_[k] = input_.between(-2, 0.5), move_[k + 1] = input_.between(-1, 1);   // turns of bodies
+    }
+
+    void all() {
+        values();
+        wall();
+        displacement();
+        adjoint();
+        if (input_.one_in(2)) derived_bases();
+        if (input_.one_in(2)) safe_morph();
+        its_.expect_intact();
+    }
+
+private:
+    using Numbers = std::vector<double>;
+
+    double extent() const {
+        Point low = problem_.domain.points[0], high = low;
+        for (Point const& p : problem_.domain.points) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+        return std::max(high.x - low.x, high.y - low.y) / 10;
+    }
+    bool is_real() const { return info_.numbers_per_value == 1; }
+
+    // The functions, finite, and solutions of their equation.
+    void values() {
+        value_.assign(static_cast<std::size_t>(info_.functions), Numbers(n_));
+        std::vector<bool> inside(n_, true);
+        for (Face const& face : problem_.domain.faces) inside[std::size_t(face.from)] = inside[std::size_t(face.to)] = false;
+        for (std::int32_t i = 0; i < info_.functions; ++i)
+            for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
+                Numbers found(n_, 0);
+                expect(hm_basis_values(its_.basis, i, number, found.data(), &error_) == HM_OK, "no values");
+                for (double const its : found) {
+                    expect(std::isfinite(its), "a value is not finite");
+                    largest_ = std::max(largest_, std::abs(its));
+                }
+                if (number == 0) value_[std::size_t(i)] = found;
+            }
+        bool const is_laplace = problem_.options.operator_kind == HM_LAPLACE && problem_.options.scheme == HM_COMPACT;
+        if (!is_laplace || !is_real() || its_.status != HM_OK || problem_.options.engine != HM_DIRECT) return;
+        for (Numbers const& its : value_) {
+            double const residual = laplace_residual(problem_.domain, its, inside);
+            expect(residual < 1e-7, "Laplace's equation has the residual " + std::to_string(residual));
+        }
+    }
+
+    // Points on curves have the basis functions at their parameter.
+    void wall() {
+        if (info_.offset_correction != 0) return;
+        for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
+            std::int32_t const curve = info_.point_curve[slot];
+            if (curve >= info_.curves) continue;
+            Numbers const expected = basis_functions(problem_.curves, curve, info_.point_u[slot]);
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                double const found = value_[i][std::size_t(info_.curve_point[slot])];
+                expect(std::abs(found - expected[i]) < 1e-11, "a point of the wall has another basis function");
+            }
+        }
+    }
+
+    std::vector<Point> moved(Numbers const& x, Numbers const& y) const {
+        std::vector<Point> out;
+        for (std::size_t k = 0; k < n_; ++k) out.push_back({x[k], y[k]});
+        return out;
+    }
+
+    void displacement() {
+        Numbers dx(n_, 7), dy(n_, 7), x(n_, 7), y(n_, 7);
+        hm_points_out const out{dx.data(), dy.data(), 1}, at{x.data(), y.data(), 1};
+        hm_points const by{dx.data(), dy.data(), 1}, to{x.data(), y.data(), 1};
+        expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK, "no displacement");
+        expect(hm_morph(its_.basis, move_.data(), &problem_.mesh.points, &at, nullptr, &error_) == HM_OK, "no morph");
+        double largest = 0;
+        for (double const number : move_) largest = std::max(largest, std::abs(number));
+        for (std::size_t k = 0; k < n_ && is_real(); ++k) {
+            Wide sum = 0, size = 0;
+            for (std::size_t i = 0; i < value_.size(); ++i) {
+                sum += Wide(value_[i][k]) * move_[2 * i];
+                size += std::abs(Wide(value_[i][k]) * move_[2 * i]);
+            }
+            expect(std::abs(dx[k] - double(sum)) <= 1e-14 * double(value_.size()) * double(size), "a displacement is not the sum");
+            Point const from = problem_.domain.points[k];
+            if (dx[k] == 0) expect(x[k] == from.x, "a point that stays has other bits");
+            expect(std::abs(x[k] - (from.x + dx[k])) <= 4e-16 * (std::abs(from.x) + std::abs(dx[k])), "a morph is not x + dx");
+        }
+        step(by, moved(dx, dy));
+        quality(to, moved(x, y));
+    }
+
+    void step(hm_points const& by, std::vector<Point> const& displacement) {
+        hm_step_report report{};
+        report.struct_size = sizeof report;
+        expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report, &error_) == HM_OK, "no step");
+        double const s = report.admissible;
+        expect(s > 0, "no step is admissible from a valid mesh");
+        for (double const part : {0.25, 0.5, 0.75, 0.999999}) {
+            double const t = std::isfinite(s) ? part * s : 4 * part;
+            double const sine = smallest_sine(problem_.domain, problem_.domain.points, displacement, t);
+            expect(sine > -1e-12, "a cell is inverted before the admissible step: sine " + std::to_string(sine * 1e12) + "e-12");
+        }
+        if (!std::isfinite(s)) return;
+        double const sine = smallest_sine(problem_.domain, problem_.domain.points, displacement, s);
+        expect(sine < 1e-9, "no cell has lost its area at the admissible step " + std::to_string(s) + " of cell " +
+                                std::to_string(report.cell) + ": sine " + std::to_string(sine));
+    }
+
+    void quality(hm_points const& to, std::vector<Point> const& at) {
+        hm_quality_report report{};
+        report.struct_size = sizeof report;
+        expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK, "no quality");
+        std::int32_t const inverted = inverted_cells(problem_.domain, at);
+        expect(report.inverted == inverted, std::to_string(report.inverted) + " inverted cells instead of " + std::to_string(inverted));
+        expect(std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1, "quality out of range");
+        Crossings const expected = find_crossings(problem_.domain, at);
+        if (expected.crosses) expect(report.self_crossing == 1, "a crossing is not found");
+        if (report.self_crossing == 0) expect(report.crossing_points[0] == -1, "points of a crossing that is none");
+    }
+
+    // <g, sum F dP> = <F^T g, dP>.
+    void adjoint() {
+        Numbers gx(n_), gy(n_), dx(n_), dy(n_), gradient(move_.size());
+        for (std::size_t k = 0; k < n_; ++k) gx[k] = input_.between(-1, 1), gy[k] = input_.between(-1, 1);
+        hm_points const g{gx.data(), gy.data(), 1};
+        hm_points_out const out{dx.data(), dy.data(), 1};
+        expect(hm_adjoint(its_.basis, &g, gradient.data(), nullptr, &error_) == HM_OK, "no gradient");
+        expect(hm_morph(its_.basis, move_.data(), nullptr, &out, nullptr, &error_) == HM_OK, "no displacement");
+        Wide left = 0, right = 0, size = 0;
+        for (std::size_t k = 0; k < n_; ++k) {
+            left += Wide(gx[k]) * dx[k] + Wide(gy[k]) * dy[k];
+            size += std::abs(Wide(gx[k]) * dx[k]) + std::abs(Wide(gy[k]) * dy[k]);
+        }
+        for (std::size_t i = 0; i < move_.size(); ++i) {
+            right += Wide(gradient[i]) * move_[i];
+            size += std::abs(Wide(gradient[i]) * move_[i]);
+        }
+        Wide moves = 0;   // the header: sums are in units of 2^-63 of the product of the largest numbers
+        for (double const number : move_) moves += std::abs(number);
+        Wide const unit = 2 * largest_ * Wide(n_) * 0x1p-63L;
+        expect(std::abs(left - right) <= 1e-13L * size + unit * moves, "the adjoint is not the transpose");
+    }
+
+    // In single precision, for some points, and for some points of that.
+    void derived_bases() {
+        std::size_t bytes = 0;
+        hm_basis *single = nullptr, *rows = nullptr;
+        expect(hm_single_size(its_.basis, &bytes, &error_) == HM_OK, "no size in single precision");
+        hm_status const made = hm_single_init(&single, its_.block(bytes).data(), bytes, its_.basis, &error_);
+        expect_told(made, error_);
+        std::vector<std::int32_t> points(input_.below(20) + 1);
+        for (std::int32_t& k : points) k = input_.from(0, problem_.mesh.n_points - 1) + problem_.mesh.index_base;
+        std::int32_t const n = static_cast<std::int32_t>(points.size());
+        hm_basis const* const whole = made >= 0 && input_.one_in(2) ? single : its_.basis;
+        expect(hm_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
+        expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(), &error_) == HM_OK, "no extract");
+        Numbers x(n_), y(n_), few_x(points.size()), few_y(points.size());
+        hm_points_out const all{x.data(), y.data(), 1}, few{few_x.data(), few_y.data(), 1};
+        expect(hm_morph(whole, move_.data(), nullptr, &all, nullptr, &error_) == HM_OK, "no displacement");
+        expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK, "no displacement of an extract");
+        for (std::size_t k = 0; k < points.size(); ++k)
+            expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)], "an extract moves otherwise");
+    }
+
+    void safe_morph() {
+        std::size_t bytes = 0;
+        hm_status status = hm_morph_safe_size(its_.plan, &bytes, &error_);
+        expect_told(status, error_);
+        if (status < 0) return;
+        Numbers x(n_, 7), y(n_, 7), reached(move_.size(), 7);
+        hm_points_out const out{x.data(), y.data(), 1};
+        hm_safe_options options{};
+        options.struct_size = sizeof options;
+        options.max_resolves = input_.from(-1, 3);
+        options.skipped_strategies = static_cast<std::int32_t>(input_.one_in(3) ? input_.below(16) : 0);
+        options.heights = input_.any_of({0.0, 0.0, 0.5, 1.0});
+        options.reached = reached.data();
+        hm_safe_report report{};
+        report.struct_size = sizeof report;
+        Block& work = its_.block(bytes);
+        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes - 1, &options, &report, &error_);
+        expect(status < 0, "work space that is one byte too small is taken");
+        Exceptions::clear();
+        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes, &options, &report, &error_);
+        expect_told(status, error_);
+        if (status >= 0) Exceptions::expect_none("hm_morph_safe");
+        if (status < 0) {
+            for (std::size_t k = 0; k < n_; ++k) expect(x[k] == 7 && y[k] == 7, "a refused call has written");
+            for (double const its : reached) expect(its == 7, "a refused call has written the movement that it reached");
+            return;
+        }
+        std::vector<Point> const at = moved(x, y);
+        for (Point const& p : at) expect(std::isfinite(p.x) && std::isfinite(p.y), "a safe morph leads to what is not finite");
+        std::int32_t const inverted = inverted_cells(problem_.domain, at);
+        expect(inverted == 0, std::to_string(inverted) + " inverted cells after a safe morph");
+        expect(report.inverted == 0, "the report of a safe morph counts inverted cells");
+        if (!find_crossings(problem_.domain, problem_.domain.points).crosses)
+            expect(!find_crossings(problem_.domain, at).crosses, "a crossing after a safe morph");
+        if (status == HM_OK) {
+            expect(report.step_fraction == 1, "a part of the movement, and no warning");
+            expect(reached == move_, "HM_OK, and another movement is reached");
+        }
+        wall_is_at(at, reached);
+    }
+
+    // Points of curves have moved as the B-spline of the movement that was reached; those of fixed markers have not.
+    void wall_is_at(std::vector<Point> const& at, Numbers const& reached) {
+        double const size = problem_.size();
+        double largest = size;
+        for (double const number : reached) largest = std::max(largest, std::abs(number));
+        for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
+            std::int32_t const curve = info_.point_curve[slot];
+            if (curve >= info_.curves || info_.offset_correction != 0) continue;
+            Numbers const basis = basis_functions(problem_.curves, curve, info_.point_u[slot]);
+            std::size_t const k = std::size_t(info_.curve_point[slot]);
+            Wide dx = 0, dy = 0;
+            for (std::size_t i = 0; i < basis.size(); ++i) dx += Wide(basis[i]) * reached[2 * i], dy += Wide(basis[i]) * reached[2 * i + 1];
+            Point const from = problem_.domain.points[k];
+            expect(std::abs(at[k].x - double(from.x + dx)) <= 1e-12 * largest, "a wall point is not where the B-spline is");
+            expect(std::abs(at[k].y - double(from.y + dy)) <= 1e-12 * largest, "a wall point is not where the B-spline is");
+        }
+    }
+
+    Solution& its_;
+    Problem const& problem_;
+    Input& input_;
+    hm_basis_info info_{};
+    hm_error error_{};
+    std::size_t n_ = 0;
+    Numbers move_;
+    double largest_ = 0;   // of the functions' values
+    std::vector<Numbers> value_;
+};
+
+}  // namespace
+
+Outcome run_problem(Input& input) {
+    std::unique_ptr<Problem> const problem = make_problem(input);
+    bool const is_broken = !input.one_in(2);
+    if (is_broken) break_something(*problem, input);
+    Exceptions::clear();
+    Solution solution(*problem, input);
+    if (!is_broken && solution.status >= 0) Exceptions::expect_none("a solution");
+    if (!is_broken && solution.analysis != nullptr)
+        expect(inverted_cells(problem->domain, problem->domain.points) == 0, "a mesh with inverted cells is taken");
+    if (solution.status < 0) return Outcome::refused;
+    if (is_broken) return Outcome::done;
+    try {
+        Check(solution, input).all();
+    } catch (Failure const& failure) {
+        throw Failure(failure.what() + std::string("\n") + describe(*problem) + "    solved: " + hm_status_name(solution.status));
+    }
+    return Outcome::done;
+}
+
+}  // namespace fuzz

@@ -1,0 +1,58 @@
+// A random problem: a mesh of quadrilaterals and triangles in any layout of the header, curves, conditions, options.
+#pragma once
+
+#include "block.hpp"
+#include "input.hpp"
+
+#include <harmorph.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace fuzz {
+
+struct Point {
+    double x, y;
+};
+struct Face {
+    std::int32_t from, to, marker;
+};
+using Cell = std::vector<std::int32_t>;   // 3 or 4 points, counted from 0
+
+// The domain as a list, whatever the arrays of the mesh look like.
+struct Domain {
+    std::vector<Point> points;
+    std::vector<Cell> cells;
+    std::vector<Face> faces;
+    std::vector<std::vector<std::int32_t>> walls;   // the points of marker 5, 6, ...: a loop each, or marker 5 is a side
+    bool walls_are_loops = true, has_seam = false;
+    std::int32_t ni = 0, nj = 0;                    // if all of its cells are those of a structured mesh
+};
+Domain make_domain(Input& input);
+
+// The arrays of the caller, and the structs that point to them.
+struct Problem {
+    Domain domain;
+    std::vector<double> coordinates, control, weights, given_u;
+    std::vector<std::int32_t> cell_start, cells, quads, faces, face_markers, list_start, lists, list_markers, given_points,
+        given_curves;
+    std::vector<std::vector<double>> knots;
+    std::vector<std::vector<std::int32_t>> indices;
+    std::vector<hm_curve> curve;
+    std::vector<hm_condition> conditions;
+    hm_mesh mesh;
+    hm_curves curves;
+    hm_problem problem;
+    hm_options options;
+    hm_executor executor;
+
+    std::int32_t functions() const;   // of all control points and bodies
+    double size() const;              // the largest coordinate
+};
+std::unique_ptr<Problem> make_problem(Input& input);
+
+// One thing about it is made wrong, or strange. Arrays are never shorter than the counts say: these the library trusts.
+void break_something(Problem& problem, Input& input);
+
+}  // namespace fuzz

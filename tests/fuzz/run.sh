@@ -1,0 +1,51 @@
+#!/bin/sh
+# Called by `make fuzz`: all targets under the address and undefined-behaviour sanitizers, float-cast-overflow among these, for
+# FUZZ_SECONDS together. With clang, libFuzzer looks for cases that run through new code; without, cases are random. The last
+# line counts executions, edges of the control flow that were seen, and findings; the cases of these are kept.
+: "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${FUZZ_SECONDS:=60}" "${CLANG:=clang++}"
+dir=$BUILD/fuzz
+mkdir -p "$dir"
+checks="address,undefined,float-cast-overflow"
+targets="problem basis sequence files"
+each=$((FUZZ_SECONDS / 4 > 0 ? FUZZ_SECONDS / 4 : 1))
+flags="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
+executions=0 edges=0 findings=0
+
+build() {   # compiler, flags to compile, flags to link
+    $MAKE -s JOBS="$JOBS" BUILD="$dir" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" fuzzer || exit 1
+}
+run_libfuzzer() {   # target
+    mkdir -p "$dir/$1" "$dir/findings"
+    HARMORPH_TARGET=$1 "$dir/fuzzer" -max_total_time=$each -max_len=4096 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
+        -artifact_prefix="$dir/findings/$1-" "$dir/$1" >"$dir/$1.log" 2>&1 || {
+        findings=$((findings + 1))
+        tail -n 30 "$dir/$1.log"
+    }
+    n=$(sed -n 's/^stat::number_of_executed_units: *//p' "$dir/$1.log")
+    seen=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$dir/$1.log" | tail -n 1)
+    echo "$1: ${n:-0} executions, ${seen:-0} edges"
+    executions=$((executions + ${n:-0})) edges=$((edges + ${seen:-0}))
+}
+run_random() {   # target
+    end=$(($(date +%s) + each)) seed=1
+    while [ "$(date +%s)" -lt $end ]; do
+        seed=$((seed + 1))
+        "$dir/fuzzer" "$1" 500 $seed >"$dir/$1.log" 2>&1 || {
+            findings=$((findings + 1))
+            tail -n 30 "$dir/$1.log"
+        }
+        executions=$((executions + 500))
+    done
+}
+
+echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' >"$dir/probe.cpp"
+if $CLANG -fsanitize=fuzzer,$checks "$dir/probe.cpp" -o "$dir/probe" 2>/dev/null; then
+    build "$CLANG" "-DLIBFUZZER -fsanitize=fuzzer-no-link,$checks" "-fsanitize=fuzzer,$checks"
+    for target in $targets; do run_libfuzzer $target; done
+else
+    echo "no libFuzzer: $CLANG is not installed or has none (Debian: clang); cases are random"
+    build "${CXX:-c++}" "-fsanitize=address,undefined" "-fsanitize=address,undefined"
+    for target in $targets; do run_random $target; done
+fi
+echo "$executions executions, $edges edges seen, $findings findings"
+[ $findings = 0 ]

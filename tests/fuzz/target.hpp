@@ -1,0 +1,22 @@
+// What can be attacked: one fuzz_*.cpp each.
+#pragma once
+
+#include "input.hpp"
+
+namespace fuzz {
+
+enum class Outcome { done, refused };
+
+// These throw a Failure if a property does not hold.
+Outcome run_problem(Input& input);
+Outcome run_basis(Input& input);
+Outcome run_sequence(Input& input);
+Outcome run_files(Input& input);
+
+struct Target {
+    const char* name;
+    Outcome (*run)(Input& input);
+};
+inline constexpr Target targets[] = {{"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files}};
+
+}  // namespace fuzz
