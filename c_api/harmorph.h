@@ -47,9 +47,9 @@
  *                  Reports are filled up to the caller's struct_size. Options that this library does not know:
  *                  HM_UNSUPPORTED.
  * Threads          There is no hidden state. Only one thread at a time may write an object (plan, basis) or make other
- *                  objects from one (analysis); any number of threads may read (morph, adjoint, quality). Two plans in
- *                  two threads are independent. The library starts no threads; it uses those of an hm_executor, if
- *                  given.
+ *                  objects from one (analysis); any number may read (morph, adjoint, quality). The library starts no
+ *                  threads; it uses those of an hm_executor, if given.
+ * Exceptions       A call that succeeds on finite numbers raises no floating-point exception but inexact and underflow.
  * Repeatability    The same input and the same kernel give bitwise identical results: from run to run, for any number
  *                  of threads, and for any number of processes (harmorph_mpi.h).
  */
@@ -549,12 +549,12 @@ enum {                             /* kernel: results agree to rounding; one tha
 };
 enum {                             /* precision; HM_SINGLE is available with HM_DIRECT in all its combinations */
     HM_DOUBLE = 0,
-    HM_SINGLE = 1                  /* the factor takes half the memory and the plan 0.6 times the memory; no time is
-                                      saved. The functions have the accuracy of HM_DOUBLE: iterative refinement reduces
-                                      the estimated error to 1e-10 of the largest value. It takes 2 steps of one solve
-                                      each, or 3 where first cells have a relative height of 1e-5 or thin cells lie far
-                                      from the wall. For cells too thin for single precision: HM_NOT_CONVERGED with the
-                                      error in error.value, or HM_NOT_POSITIVE (hm_plan_factor) */
+    HM_SINGLE = 1                  /* the factor takes half the memory, the plan 0.6 times the memory; no time is saved.
+                                      The functions have the accuracy of HM_DOUBLE: refinement reduces the estimated
+                                      error to 1e-10 of the largest value, in 2 steps of one solve each, or 3 where
+                                      first cells have a relative height of 1e-5 or thin cells lie far from the wall.
+                                      Cells too thin: HM_NOT_CONVERGED with the error in error.value, or HM_NOT_POSITIVE
+                                      (hm_plan_factor). HM_UNSUPPORTED if a body does not reach 1e-12 .. 1e24 */
 };
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */

@@ -28,7 +28,7 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             Counts::from_zero, o.n_others, others.count());
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
-    if (!(o.heights >= 0 && o.heights <= 1)) {
+    if (!is_finite(o.heights) || o.heights < 0 || o.heights > 1) {
         return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~",
                             Counts::from_zero, none, none, o.heights);
     }

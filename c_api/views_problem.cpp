@@ -130,7 +130,7 @@ Status view_options(const hm_options* given, Problem& problem, Fault& fault) noe
     if (o.reserved != 0) return fault.refuse(Status::bad_argument, "options.reserved must be 0");
     HARMORPH_TRY(view_operator(o, method, fault));
     HARMORPH_TRY(view_iteration(o, problem.iteration, fault));
-    if (!(o.tolerance >= 0 && o.tolerance < 1)) {
+    if (!is_finite(o.tolerance) || o.tolerance < 0 || o.tolerance >= 1) {
         return fault.refuse(Status::bad_argument, "options.tolerance must be at least 0 and below 1, not ~",
                             Counts::from_zero, none, none, o.tolerance);
     }

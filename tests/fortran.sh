@@ -11,7 +11,7 @@ passed=0 failed=0
 strict=-std=f2008 legacy= checks= long= openmp= address=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
     strict="-std=f2008 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
-    checks=-fcheck=all,no-array-temps long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
+    checks="-fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow" long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
     address="-fsanitize=address -fno-omit-frame-pointer"
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal

@@ -49,14 +49,17 @@ make_and_test_figures() {
 strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
 
 step "C++ tests" $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" unit
-step "the library stands alone" sh tests/check_link.sh "$BUILD"
+step "random problems" sh tests/fuzz/quick.sh "$BUILD"
+stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh; }
+step "the library stands alone" stands_alone
 step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
 step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
-step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c "$BUILD/libharmorph.a"
+step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c "$BUILD/libharmorph.a" -lm
 step "Fortran" sh tests/fortran.sh "$BUILD"
 step "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
 step "MPI" sh tests/mpi.sh "$BUILD"
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+step "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
 step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
 step "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
 step "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"

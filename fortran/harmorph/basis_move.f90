@@ -59,10 +59,11 @@ contains
         type(outcome) :: done
         type(view) :: from, to
         from = view_of(x, y)
-        to = view_of(x_new, y_new)
+        to = space_for(x_new, y_new)
         call move_points(self, real(move, c_double), from, to, executor, done)
         call from%drop()
-        call to%put_back(x_new, y_new)
+        if (done%status >= hm_ok) call to%put_back(x_new, y_new)
+        call to%drop()
         call done%finish("basis%morph_to", stat, err)
     end subroutine
 
@@ -76,9 +77,10 @@ contains
         type(hm_error), intent(out), optional :: err
         type(outcome) :: done
         type(view) :: v
-        v = view_of(dx, dy)
+        v = space_for(dx, dy)
         call move_points(self, real(move, c_double), view(), v, executor, done)
-        call v%put_back(dx, dy)
+        if (done%status >= hm_ok) call v%put_back(dx, dy)
+        call v%drop()
         call done%finish("basis%displacement", stat, err)
     end subroutine
 

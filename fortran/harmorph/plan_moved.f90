@@ -42,7 +42,7 @@ contains
         type(block_of_memory) :: block
         integer(c_size_t) :: bytes
         integer :: k
-        to = view_of(x_new, y_new)
+        to = space_for(x_new, y_new)
         if (associated(self%data)) call read_again(self%data%arrays)
         call done%refuse_if(.not. c_associated(self%plan), "the plan is empty: call prepare or factor first")
         call check_pairs(basis, real(move, c_double), done)
@@ -77,7 +77,8 @@ contains
         its%other = its%other + 1_c_int32_t
         if (present(report)) report = its
         call block%give_back()
-        call to%put_back(x_new, y_new)
+        if (done%status >= hm_ok) call to%put_back(x_new, y_new)
+        call to%drop()
         call done%finish("plan%morph_safe", stat, err)
     end subroutine
 

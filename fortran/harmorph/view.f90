@@ -2,8 +2,9 @@
 ! ---- Coordinates of one call -----------------------------------------------------------------------------------------
 !
 ! Calls come in four forms, _v8, _v4, _b8 and _b4: vectors x(:) or blocks x(:, :), of real(c_double) or real(c_float).
-! view_of makes one thing of them, put_back hands results to what had to be copied. Nothing of it outlives the call, so
-! that the arrays may be temporary copies of the compiler.
+! view_of makes one thing of them, put_back hands results to what had to be copied. space_for is the same for arrays that
+! only receive results: what they hold may be no number, and is not converted. Nothing of it outlives the call, so that the
+! arrays may be temporary copies of the compiler.
 
     type :: view
         type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
@@ -19,6 +20,9 @@
 
     interface view_of
         procedure :: view_of_v8, view_of_b8, view_of_v4, view_of_b4
+    end interface
+    interface space_for
+        procedure :: view_of_v8, view_of_b8, space_for_v4, space_for_b4
     end interface
 
 contains
@@ -87,6 +91,20 @@ contains
         if (.not. associated(v%copy)) return
         v%copy(:, :, 1) = real(x, c_double)
         v%copy(:, :, 2) = real(y, c_double)
+    end function
+
+    function space_for_v4(x, y) result(v)
+        real(c_float), intent(in) :: x(:), y(:)
+        type(view) :: v
+        call make_copy(v, shape(x), shape(y))
+        if (associated(v%copy)) v%copy = 0
+    end function
+
+    function space_for_b4(x, y) result(v)
+        real(c_float), intent(in) :: x(:, :), y(:, :)
+        type(view) :: v
+        call make_copy(v, shape(x), shape(y))
+        if (associated(v%copy)) v%copy = 0
     end function
 
     subroutine make_copy(v, shape_x, shape_y)

@@ -48,7 +48,8 @@ Vec2 WallPoints::turn(Index at_slot, Points before, Points after) const noexcept
     }
     for (Index face = 0; face < 2; ++face) {
         if (from[face] == none || to[face] == none) continue;
-        Vec2 const was = before[to[face]] - before[from[face]], is = after[to[face]] - after[from[face]];
+        Vec2 const was = direction(before[to[face]] - before[from[face]]);
+        Vec2 const is = direction(after[to[face]] - after[from[face]]);
         sum = sum + weight[face] * direction(turn_between(was, is));
     }
     Vec2 const turn = direction(sum);

@@ -135,7 +135,7 @@ Status apply_given(GivenParameters const& given, Span<const Curve> curves, Span<
             return fault.refuse(Status::bad_condition, "given parameter # (from 0) is on curve @ (from 0), which does not exist",
                                 Counts::from_zero, i, curve);
         }
-        if (!(given.u[i] >= curves[curve].begin() && given.u[i] <= curves[curve].end())) {
+        if (!is_finite(given.u[i]) || given.u[i] < curves[curve].begin() || given.u[i] > curves[curve].end()) {
             return fault.refuse(Status::bad_condition, "the parameter ~ given for point # is outside its curve", Counts::mesh,
                                 point, none, given.u[i]);
         }

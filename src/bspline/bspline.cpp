@@ -42,13 +42,13 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
                                 Counts::from_zero, k, number, static_cast<Real>(curve.indices[k]));
         Index const point = static_cast<Index>(c);
         Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
-        if (is_finite(place.x) && is_finite(place.y) && !is_in_range(place))
-            return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
-                                Counts::curves, point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
-        if (!is_in_range(place))
+        if (!is_finite(place.x) || !is_finite(place.y))
             return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
                                 point, number);
-        if (curve.weights != nullptr && !(curve.weights[point] > 0 && is_finite(curve.weights[point])))
+        if (!is_in_range(place))
+            return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
+                                Counts::curves, point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
+        if (curve.weights != nullptr && (!is_finite(curve.weights[point]) || curve.weights[point] <= 0))
             return fault.refuse(Status::bad_curve,
                                 "the weight of control point # of curve @ (from 0) is ~, not positive",
                                 Counts::curves, point, number, curve.weights[point]);

@@ -112,8 +112,11 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
     Slabs<Number> const own = panel.own();
     Offset const plane = panel.sums_plane();
     Number inner[planes][strip];  // sums of the rows within the strip's own columns
+    Index const padded_end = first + (end - first + slab - 1) / slab * slab;
     for (Index p = 0; p < planes; ++p) {
         for (Index r = first; r < end; ++r) inner[p][r - first] = sums[p * plane + r] - tails.sum[p][r - first];
+        // Whole vectors are computed with: what lies in lanes without a row must not raise an exception.
+        for (Index r = end; r < padded_end; ++r) inner[p][r - first] = 0;
     }
     for (Index k = first; k < end; k += slab) {
         Index const n = smaller(slab, end - k), behind = end - k - n;

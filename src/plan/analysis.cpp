@@ -91,6 +91,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
     find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
+    HARMORPH_TRY(check_offsets(fault));
     if (!tangent.empty()) {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
     }
@@ -117,6 +118,24 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     if (cell == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates", Counts::mesh,
                         cell, none, height);
+}
+
+// The functions of a body are offsets from its centre; in single precision they must neither overflow nor vanish, also when
+// they are multiplied with entries of the matrix and reduced to residuals.
+Status Analysis::check_offsets(Fault& fault) const noexcept {
+    constexpr Real largest = 1e24, smallest = 1e-12;
+    if (problem.method.precision != Precision::in_single || problem.demands.bodies == 0) return Status::ok;
+    Real size = 0;
+    Index farthest = none;
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        Real const found = wall.curve[slot] < curves.count() ? 0 : length(wall.offset[slot]);
+        if (found <= size && farthest != none) continue;
+        size = found;
+        farthest = wall.point[slot];
+    }
+    if (size >= smallest && size <= largest) return Status::ok;
+    return fault.refuse(Status::unsupported, "point # is ~ from the centre of its body: single precision takes 1e-12 .. 1e24",
+                        Counts::mesh, farthest, none, size);
 }
 
 // Every part of the mesh must hang on a known value.

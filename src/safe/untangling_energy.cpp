@@ -3,8 +3,9 @@
 namespace harmorph {
 
 Real Distortion::energy(Triangle const& now, Real softness) const noexcept {
-    Real const d = determinant(now);
-    return (2 * (square(map_.z(now)) + square(map_.w(now))) + size_weight * (d * d + 1)) / regularised(d, softness);
+    Real const d = determinant(now), chi = regularised(d, softness);
+    if (chi == 0) return infinity;  // not by a division by 0, which callers may trap
+    return (2 * (square(map_.z(now)) + square(map_.w(now))) + size_weight * (d * d + 1)) / chi;
 }
 
 void Distortion::differentiate(Triangle const& now, Real softness, Real least, Vec2 (&gradient)[3],

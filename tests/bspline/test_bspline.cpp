@@ -3,6 +3,7 @@
 #include <harmorph/bspline/bspline.hpp>
 
 #include <fixtures/spline.hpp>
+#include <fixtures/traps.hpp>
 
 #include <limits>
 #include <string>
@@ -164,6 +165,7 @@ TEST_CASE("a periodic curve is smooth at its seam") {
 }
 
 TEST_CASE("what is wrong with a curve is said, and where") {
+    Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN();
     Spline const good = fixtures::clamped(3, 8, 10);
     Fault fault;

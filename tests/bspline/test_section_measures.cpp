@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/curves.hpp>
+#include <fixtures/traps.hpp>
 
 #include <functional>
 #include <string>
@@ -261,6 +262,7 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
 }
 
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
+    Untrapped const untrapped;
     CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)), line(fixtures::clamped(1, 2, 1));
     auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
                              hm_section const* with = nullptr) {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
+#include <fixtures/traps.hpp>
 
 #include <functional>
 #include <limits>
@@ -61,6 +62,7 @@ struct Spoiled {
 }  // namespace
 
 TEST_CASE("spoiled arguments of displacements and of the adjoint") {
+    Untrapped const untrapped;
     constexpr std::int32_t any = -2;
     std::vector<Spoiled> const all = {
         {HM_BAD_ARGUMENT, "n_fields", 0, Call::either, [](Arguments& a) { a.n_fields = 0; }},

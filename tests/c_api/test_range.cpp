@@ -241,3 +241,26 @@ TEST_CASE("random problems of scales 1e-80 to 1e80, near the origin and far from
     CHECK(ended > 60);
     CHECK(short_of_target > 20);
 }
+
+// The functions of a body are its points' offsets from the centre.
+TEST_CASE("a body whose size is no number of single precision is refused there, and finite otherwise") {
+    for (double const scale : {1e-40, 1e-8, 1.0, 1e20, 1e40}) {
+        Case its = block(Cells::hybrid);
+        its.conditions.clear();
+        its.curves = {};
+        its = similar(its, scale, 0);
+        its.set_rigid(body, 0.5 * scale, 0.5 * scale);
+        for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
+            INFO("scale " << scale << ", precision " << precision);
+            hm_options options = options_of(HM_LAPLACE);
+            options.precision = precision;
+            Attempt attempt;
+            bool const is_refused = precision == HM_SINGLE && (scale == 1e-40 || scale == 1e40);
+            CHECK(attempt.analyse(its.problem(), &options) != is_refused);
+            if (is_refused) CHECK(attempt.status == HM_UNSUPPORTED);
+            if (is_refused) continue;
+            Solved const solved(its, &options);
+            for (double const value : solved.all_values()) CHECK(std::isfinite(value));
+        }
+    }
+}

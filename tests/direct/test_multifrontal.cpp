@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/frontal_system.hpp>
+#include <fixtures/traps.hpp>
 
 #include <limits>
 
@@ -222,6 +223,7 @@ TEST_CASE("right-hand sides of one number each: most of the tree sees none, wher
 }
 
 TEST_CASE("right-hand sides that are not finite are told from zeros: what they reach is not finite either") {
+    Untrapped const untrapped;
     for (Index const threads : {1, 3})
         for (double const bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
             Case its = ring_case(9, 45, 0.5, 2, Cells::hybrid, 2, 5);

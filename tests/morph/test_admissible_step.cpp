@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
+#include <fixtures/traps.hpp>
 
 #include <harmorph/morph/admissible_step.hpp>
 
@@ -186,6 +187,7 @@ TEST_CASE("clockwise cells have the same steps; an inverted mesh allows none") {
 }
 
 TEST_CASE("a displacement that is not a number allows no step") {
+    Untrapped const untrapped;
     Mesh const mesh = square(6, Cells::hybrid, 2, 2);
     for (std::size_t point = 0; point < mesh.x.size(); ++point) {
         Displaced its = random_displacement(mesh, 1e-3, 7);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
+#include <fixtures/traps.hpp>
 #include <fixtures/wrong.hpp>
 
 using namespace fixtures;
@@ -229,6 +230,7 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
                                   points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);
         CHECK(error == doctest::Approx(1e-3).epsilon(1e-9));
         CHECK(worst == info.curve_point[17]);
+        Untrapped const untrapped;
         wrong.x[static_cast<std::size_t>(info.curve_point[3])] = std::nan("");   // and one that is nowhere
         REQUIRE(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y),
                                   points_in(wrong.x, wrong.y), &error, &worst, nullptr) == HM_OK);

@@ -9,6 +9,7 @@
 #include <fixtures/guarded.hpp>
 #include <fixtures/mangle.hpp>
 #include <fixtures/square.hpp>
+#include <fixtures/traps.hpp>
 
 #include <harmorph/safe/untangle.hpp>
 
@@ -317,6 +318,7 @@ TEST_CASE("an inverted reference is refused, numbers that are none are not repai
     CHECK(out.same_bits(its.now));
 
     Tangled undefined(square(6, Cells::hybrid));
+    Untrapped const untrapped;
     undefined.now.x[24] = std::nan("");
     CHECK(Outcome(undefined).status == Status::not_converged);
 }

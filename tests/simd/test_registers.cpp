@@ -3,6 +3,7 @@
 
 #include <fixtures/core.hpp>
 #include <fixtures/kernels.hpp>
+#include <fixtures/traps.hpp>
 
 #include <harmorph/base/scalar.hpp>
 #include <harmorph/simd/kernel_table.hpp>
@@ -134,6 +135,7 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
 }
 
 TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN is not less") {
+    Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan}, b{2, 1, 3, nan, infinity, -infinity, -1, nan};
     for (Kernel const kernel : usable_kernels()) {

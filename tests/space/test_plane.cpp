@@ -5,6 +5,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/extruded.hpp>
+#include <fixtures/traps.hpp>
 
 using namespace fixtures;
 
@@ -352,6 +353,7 @@ TEST_CASE("threads, strides, both index bases, and four entries for each face gi
 }
 
 TEST_CASE("what is no plane mesh in layers is refused, and the point, face or side is named") {
+    Untrapped const untrapped;
     Case its = tiny_case();
     Extruded const good(its.mesh, along_axis(2));
     std::int32_t const n = its.mesh.n_points();
@@ -405,6 +407,7 @@ TEST_CASE("what is no plane mesh in layers is refused, and the point, face or si
 }
 
 TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
+    Untrapped const untrapped;
     Case its = tiny_case();
     Extruded const good(its.mesh, along_axis(2));
     Plane plane(good.view());

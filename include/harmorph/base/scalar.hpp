@@ -21,8 +21,6 @@ constexpr T larger(T a, T b) noexcept { return a < b ? b : a; }
 template <class T>
 constexpr T clamp(T x, T low, T high) noexcept { return x < low ? low : high < x ? high : x; }
 
-// Neither infinite nor NaN.
-inline bool is_finite(Real x) noexcept { return absolute(x) <= 1.7976931348623157e308; }
 
 // Larger than the largest so far? NaN counts as larger than all numbers, so that a NaN once found is kept.
 constexpr bool exceeds(Real found, Real largest) noexcept { return !(found <= largest) && largest == largest; }
@@ -31,6 +29,12 @@ inline std::uint64_t bits_of(Real x) noexcept {
     std::uint64_t bits;
     std::memcpy(&bits, &x, sizeof bits);
     return bits;
+}
+
+// Neither infinite nor NaN. By the bits: a comparison with NaN would raise an exception, which callers may trap.
+inline bool is_finite(Real x) noexcept {
+    constexpr std::uint64_t exponent = 0x7FF0000000000000u;
+    return (bits_of(x) & exponent) != exponent;
 }
 
 // The largest power of two that is not larger than a positive normal number.

@@ -77,6 +77,7 @@ private:
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_heights(Fault& fault) const noexcept;
+    Status check_offsets(Fault& fault) const noexcept;
     Status check_parts(Fault& fault) noexcept;
     Status analyse_order(Fault& fault) noexcept;
 };
