@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: faults.sh path/to/harmorph path/to/meshes folder/for/output
-# What happens to files when something fails: no room at any size, a kill at any write, unwritable and strange places. An
-# output is whole or absent, other files are as before, and the message names the file.
+# What happens to files when something fails: no room at any size, a kill at any write, unwritable and strange places.
+# An output is whole or absent, other files are as before, and the message names the file.
 harmorph=$1 meshes=$2 tmp=$3
 case $harmorph in /*) ;; *) harmorph=$PWD/$harmorph ;; esac
 mesh=$(cd "$meshes" && pwd)/naca0012.su2
@@ -30,7 +30,7 @@ command_for() {   # name of an output: the words of the command that writes it a
     esac
 }
 
-# No file may have more than so many blocks of 512 bytes: writes fail, or (without the trap) the process is killed there.
+# No file may have more than so many blocks of 512 bytes: writes fail, or (without the trap) the process is killed.
 for name in a.curve a.basis m.su2; do
     blocks=$((($(wc -c <good/$name) + 511) / 512))
     for part in 0 1 2 3; do

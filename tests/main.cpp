@@ -1,5 +1,5 @@
-// All C++ tests. The processor traps floating-point exceptions, as in debug builds of flow solvers: a call that succeeds may
-// raise none but inexact and underflow. HARMORPH_TRAPS=0 in the environment turns the traps off.
+// All C++ tests. The processor traps floating-point exceptions, as in debug builds of flow solvers: a call that
+// succeeds may raise none but inexact and underflow. HARMORPH_TRAPS=0 in the environment turns the traps off.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-// A block of memory that ends at a page nobody may touch. It holds arbitrary bytes, and begins wherever its size and `shift`
-// put its beginning: at all alignments.
+// A block of memory that ends at a page nobody may touch. It holds arbitrary bytes, and begins wherever its size and
+// `shift` put its beginning: at all alignments.
 #pragma once
 
 #include "failure.hpp"
@@ -17,7 +17,8 @@ public:
     Block(std::size_t bytes, std::size_t shift, int fill) : bytes_(bytes), shift_(shift) {
         std::size_t const page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
         mapped_ = (bytes + shift + page - 1) / page * page + page;
-        memory_ = static_cast<unsigned char*>(mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        memory_ = static_cast<unsigned char*>(
+            mmap(nullptr, mapped_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
         expect(memory_ != MAP_FAILED && mprotect(memory_ + mapped_ - page, page, PROT_NONE) == 0, "no memory");
         end_ = memory_ + mapped_ - page;
         if (fill != 0) std::memset(data(), fill, bytes);
@@ -30,7 +31,8 @@ public:
     unsigned char* data() const { return end_ - shift_ - bytes_; }
     std::size_t size() const { return bytes_; }
     void expect_intact() const {
-        expect(std::all_of(end_ - shift_, end_, [](unsigned char its) { return its == mark; }), "written behind a block");
+        expect(std::all_of(end_ - shift_, end_, [](unsigned char its) { return its == mark; }),
+               "written behind a block");
     }
 
 private:
@@ -39,4 +41,4 @@ private:
     unsigned char *memory_, *end_;
 };
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -18,15 +18,15 @@ void break_points(Problem& its, Input& input) {
     double& number = some(its.coordinates, input);
     switch (input.below(4)) {
         case 0: number = input.wild(); break;
-        case 1: number = some(its.coordinates, input); break;   // points in one place, cells without area
+        case 1: number = some(its.coordinates, input); break;              // points in one place, cells without area
         case 2: number += input.between(-3, 3) * its.size() / 10; break;   // inverted cells
         default:
             for (double& each : its.coordinates) each *= input.any_of({1e-200, 1e-90, 1e95, 1e200, 0.0});
     }
 }
 void break_indices(Problem& its, Input& input) {
-    std::vector<std::int32_t>* const arrays[] = {&its.cells, &its.quads, &its.cell_start, &its.faces, &its.lists,
-                                                 &its.list_start, &its.face_markers, &its.list_markers};
+    std::vector<std::int32_t>* const arrays[] = {&its.cells, &its.quads,      &its.cell_start,   &its.faces,
+                                                 &its.lists, &its.list_start, &its.face_markers, &its.list_markers};
     std::vector<std::int32_t>& array = *arrays[input.below(8)];
     if (array.empty()) return;
     std::int32_t& index = some(array, input);
@@ -34,8 +34,8 @@ void break_indices(Problem& its, Input& input) {
 }
 void break_counts(Problem& its, Input& input) {
     hm_mesh& mesh = its.mesh;
-    std::int32_t* const counts[] = {&mesh.n_points, &mesh.n_cells, &mesh.n_faces, &mesh.n_lists, &mesh.n_quads, &mesh.ni,
-                                    &mesh.nj};
+    std::int32_t* const counts[] = {&mesh.n_points, &mesh.n_cells, &mesh.n_faces, &mesh.n_lists,
+                                    &mesh.n_quads,  &mesh.ni,      &mesh.nj};
     std::int32_t& count = *counts[input.below(7)];
     std::int32_t const old = count;
     if (input.one_in(2)) count = -input.from(0, 3);
@@ -88,13 +88,24 @@ void break_conditions(Problem& its, Input& input) {
         case 4: condition.body = input.wild_index(); break;
         case 5: condition.partner = input.wild_index(); break;
         case 6: condition.x = input.wild(); break;
-        default: its.conditions.push_back(condition), its.problem.conditions = its.conditions.data(), ++its.problem.n_conditions;
+        default:
+            its.conditions.push_back(condition), its.problem.conditions = its.conditions.data(),
+                                                 ++its.problem.n_conditions;
     }
 }
 void break_options(Problem& its, Input& input) {
     hm_options& o = its.options;
-    std::int32_t* const numbers[] = {&o.operator_kind, &o.scheme, &o.engine, &o.kernel, &o.exponent_quarters,
-                                     &o.offset_correction, &o.levels, &o.agglomeration, &o.block_width, &o.precision, &o.start,
+    std::int32_t* const numbers[] = {&o.operator_kind,
+                                     &o.scheme,
+                                     &o.engine,
+                                     &o.kernel,
+                                     &o.exponent_quarters,
+                                     &o.offset_correction,
+                                     &o.levels,
+                                     &o.agglomeration,
+                                     &o.block_width,
+                                     &o.precision,
+                                     &o.start,
                                      &o.reserved};
     *numbers[input.below(12)] = input.one_in(2) ? input.wild_index() : input.from(-2, 6);
     if (input.one_in(4)) o.tolerance = input.wild();
@@ -111,7 +122,7 @@ void break_given(Problem& its, Input& input) {
     its.problem.given_u = its.given_u.data();
 }
 
-}  // namespace
+}   // namespace
 
 void break_something(Problem& its, Input& input) {
     switch (input.below(9)) {
@@ -135,4 +146,4 @@ void break_something(Problem& its, Input& input) {
     }
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -12,8 +12,8 @@ std::string describe(Problem const& problem) {
         out += line;
     };
     hm_options const& o = problem.options;
-    add("    operator %d, scheme %d, engine %d, kernel %d, precision %d, exponent %d, offset %d\n", o.operator_kind, o.scheme,
-        o.engine, o.kernel, o.precision, o.exponent_quarters, o.offset_correction);
+    add("    operator %d, scheme %d, engine %d, kernel %d, precision %d, exponent %d, offset %d\n", o.operator_kind,
+        o.scheme, o.engine, o.kernel, o.precision, o.exponent_quarters, o.offset_correction);
     add("    %d points of size %g, %zu cells in layout %d, %d control points\n", problem.mesh.n_points, problem.size(),
         problem.domain.cells.size(), problem.mesh.cell_layout, problem.curves.n_control);
     for (hm_condition const& its : problem.conditions)
@@ -22,4 +22,4 @@ std::string describe(Problem const& problem) {
     return out;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -11,7 +11,9 @@ struct Grid {
     std::int32_t nx, ny;   // cells
     bool is_ring;          // column nx is column 0; row 0 is the wall
 
-    std::int32_t at(std::int32_t i, std::int32_t j) const { return (is_ring ? i % nx : i) + (is_ring ? nx : nx + 1) * j; }
+    std::int32_t at(std::int32_t i, std::int32_t j) const {
+        return (is_ring ? i % nx : i) + (is_ring ? nx : nx + 1) * j;
+    }
 };
 
 // Rectangles of cells that are taken out; they have no point in common with each other or with the sides.
@@ -26,7 +28,8 @@ void add_hole(Domain& domain, Grid const& grid, Hole const& hole, std::int32_t m
     for (std::int32_t j = hole.j0; j < hole.j1; ++j) loop.push_back(grid.at(hole.i1, j));
     for (std::int32_t i = hole.i1; i > hole.i0; --i) loop.push_back(grid.at(i, hole.j1));
     for (std::int32_t j = hole.j1; j > hole.j0; --j) loop.push_back(grid.at(hole.i0, j));
-    for (std::size_t k = 0; k < loop.size(); ++k) domain.faces.push_back({loop[k], loop[(k + 1) % loop.size()], marker});
+    for (std::size_t k = 0; k < loop.size(); ++k)
+        domain.faces.push_back({loop[k], loop[(k + 1) % loop.size()], marker});
     domain.walls.push_back(loop);
 }
 
@@ -63,7 +66,7 @@ void drop_unused(Domain& domain) {
     domain.points = points;
 }
 
-}  // namespace
+}   // namespace
 
 Domain make_domain(Input& input) {
     Domain out;
@@ -86,7 +89,8 @@ Domain make_domain(Input& input) {
     std::int32_t const columns = grid.is_ring ? grid.nx : grid.nx + 1;
     for (std::int32_t j = 0; j <= grid.ny; ++j)
         for (std::int32_t i = 0; i < columns; ++i) {
-            double const along = i + noise * input.between(-0.5, 0.5), up = j + (j > 0 ? noise * input.between(-0.5, 0.5) : 0);
+            double const along = i + noise * input.between(-0.5, 0.5),
+                         up = j + (j > 0 ? noise * input.between(-0.5, 0.5) : 0);
             double const height = stretch == 1 ? up : (std::pow(stretch, up) - 1) / (stretch - 1);
             if (!grid.is_ring) out.points.push_back({along, height});
             else {
@@ -157,4 +161,4 @@ Domain make_domain(Input& input) {
     return out;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -14,4 +14,4 @@ inline void expect(bool holds, std::string const& what) {
     if (!holds) throw Failure(what);
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -1,5 +1,6 @@
-// The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged block is refused by its
-// checksum; half of them are sealed again by the library's own checksum, so that what lies behind it is tested, too.
+// The block of a solved basis, damaged anywhere, through every call that takes a basis. A damaged block is refused by
+// its checksum; half of them are sealed again by the library's own checksum, so that what lies behind it is tested,
+// too.
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -60,7 +61,7 @@ void use(const hm_basis* basis, Problem const& problem, Input& input) {
     }
 }
 
-}  // namespace
+}   // namespace
 
 Outcome run_basis(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -84,7 +85,8 @@ Outcome run_basis(Input& input) {
     for (std::int32_t k = input.from(cut ? 0 : 1, 4); k > 0; --k) {
         std::size_t const most = input.one_in(2) ? std::min(of_header, info.bytes) : info.bytes;
         std::size_t const at = input.below(static_cast<std::uint32_t>(most));
-        copy.data()[at] = static_cast<unsigned char>(input.one_in(2) ? copy.data()[at] ^ 1u << input.below(8) : input.below(256));
+        copy.data()[at] =
+            static_cast<unsigned char>(input.one_in(2) ? copy.data()[at] ^ 1u << input.below(8) : input.below(256));
     }
     bool const sealed = !cut && input.one_in(2);
     bool const same = std::memcmp(copy.data(), static_cast<const void*>(solution.basis), info.bytes) == 0;
@@ -101,4 +103,4 @@ Outcome run_basis(Input& input) {
     return Outcome::done;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -1,6 +1,6 @@
-// Files through the readers of the program: meshes of all formats, curves, movements, bases. A file is read, or refused with
-// its name and a reason. What a mesh was read from is written again with other coordinates.
-// Most files are one of the small ones below, damaged; some are the bytes of the case as they are, which libFuzzer shapes.
+// Files through the readers of the program: meshes of all formats, curves, movements, bases. A file is read, or refused
+// with its name and a reason. What a mesh was read from is written again with other coordinates. Most files are one of
+// the small ones below, damaged; some are the bytes of the case as they are, which libFuzzer shapes.
 #include "basis_file.hpp"
 #include "curve_file.hpp"
 #include "failure.hpp"
@@ -20,20 +20,27 @@ namespace fuzz {
 namespace {
 
 const char* const mesh_files[] = {
-    "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n9 1 3 4 2 1\nNPOIN= 5\n0 0 0\n1 0 1\n0 1 2\n2 0 3\n2 1.5 4\nNMARK= 1\nMARKER_TAG= wall\n"
+    "NDIME= 2\nNELEM= 2\n5 0 1 2 0\n9 1 3 4 2 1\nNPOIN= 5\n0 0 0\n1 0 1\n0 1 2\n2 0 3\n2 1.5 4\nNMARK= 1\nMARKER_TAG= "
+    "wall\n"
     "MARKER_ELEMS= 5\n3 0 1\n3 1 3\n3 3 4\n3 4 2\n3 2 0\n",
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 3 \"wall\"\n$EndPhysicalNames\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 "
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 3 \"wall\"\n$EndPhysicalNames\n$Nodes\n3\n1 0 0 0\n2 1 "
+    "0 0\n3 0 1 "
     "0\n$EndNodes\n$Elements\n4\n1 1 2 3 1 1 2\n2 1 2 3 1 2 3\n3 1 2 3 1 3 1\n4 2 2 7 1 1 2 3\n$EndElements\n",
-    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 0\nCELLS 2 8\n3 0 "
+    "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 0 0 1 1 0 0 1 "
+    "0\nCELLS 2 8\n3 0 "
     "1 2\n3 0 2 3\nCELL_TYPES 2\n5\n5\n",
-    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece "
-    "NumberOfPoints=\"3\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 "
-    "0 1 0</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray><DataArray "
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
+    "byte_order=\"LittleEndian\"><UnstructuredGrid><Piece "
+    "NumberOfPoints=\"3\" NumberOfCells=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+    "format=\"ascii\">0 0 0 1 0 0 "
+    "0 1 0</DataArray></Points><Cells><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 "
+    "2</DataArray><DataArray "
     "type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" "
     "format=\"ascii\">5</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n",
     "3 3\n0 1 2 0 1 2 0 1 2\n0 0 0 1 1 1 2 2 2\n",
     "4 1 0 0 1 0 0\n0 0 0  1 0 0  1 1 0  0 1 0\n1 2 3 4\n5\n",
-    "(0 \"grid\")\n(2 2)\n(10 (0 1 3 0 2))\n(10 (1 1 3 1 2)(0 0 1 0 0 1))\n(12 (0 1 1 0))\n(12 (2 1 1 1 1))\n(13 (0 1 3 0))\n(13 "
+    "(0 \"grid\")\n(2 2)\n(10 (0 1 3 0 2))\n(10 (1 1 3 1 2)(0 0 1 0 0 1))\n(12 (0 1 1 0))\n(12 (2 1 1 1 1))\n(13 (0 1 "
+    "3 0))\n(13 "
     "(3 1 3 3 2)(\n1 2 1 0\n2 3 1 0\n3 1 1 0))\n(45 (3 wall wall)())\n"};
 const char* const curve_files[] = {
     "degree 2\nclosed periodic\npoints 4\n0 0\n1 0\n1 1\n0 1\nknots 9\n-2 -1 0 1 2 3 4 5 6\n",
@@ -48,15 +55,19 @@ const char* one_of(const char* const (&files)[n], Input& input) {
 // A damaged copy of it.
 std::string damaged(std::string text, Input& input) {
     if (input.one_in(8)) return input.rest();
-    static const char* const words[] = {"-1", "0", "1e999", "nan", "2147483648", "99999999999999999999", "\r\n", "\t", "", "\"", "<", "("};
+    static const char* const words[] = {"-1",   "0",  "1e999", "nan", "2147483648", "99999999999999999999",
+                                        "\r\n", "\t", "",      "\"",  "<",          "("};
     for (std::int32_t k = input.from(0, 4); k > 0; --k) {
         std::size_t const at = input.below(static_cast<std::uint32_t>(text.size() + 1));
         switch (input.below(5)) {
             case 0: text.resize(at); break;
             case 1: text.insert(at, words[input.below(12)]); break;
             case 2: text.erase(at, input.below(12)); break;
-            case 3: if (at < text.size()) text[at] = static_cast<char>(input.below(256)); break;
-            default: text.insert(at, text.substr(input.below(static_cast<std::uint32_t>(text.size() + 1)), input.below(40)));
+            case 3:
+                if (at < text.size()) text[at] = static_cast<char>(input.below(256));
+                break;
+            default:
+                text.insert(at, text.substr(input.below(static_cast<std::uint32_t>(text.size() + 1)), input.below(40)));
         }
     }
     return text;
@@ -99,7 +110,9 @@ std::string square() {
     out << "NPOIN= 16\n";
     for (int k = 0; k < 16; ++k) out << k % 4 << ' ' << k / 4 << '\n';
     out << "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 3\n3 0 1\n3 1 2\n3 2 3\nMARKER_TAG= far\nMARKER_ELEMS= 9\n";
-    for (int k = 0; k < 3; ++k) out << "3 " << 4 * k << ' ' << 4 * k + 4 << "\n3 " << 4 * k + 3 << ' ' << 4 * k + 7 << "\n3 " << 12 + k << ' ' << 13 + k << '\n';
+    for (int k = 0; k < 3; ++k)
+        out << "3 " << 4 * k << ' ' << 4 * k + 4 << "\n3 " << 4 * k + 3 << ' ' << 4 * k + 7 << "\n3 " << 12 + k << ' '
+            << 13 + k << '\n';
     return out.str();
 }
 
@@ -139,14 +152,16 @@ struct SolvedSquare {
     }
 };
 
-}  // namespace
+}   // namespace
 
 Outcome run_files(Input& input) {
     static Scratch const scratch;
     static SolvedSquare const square;
     std::uint32_t const what = input.below(4);
-    std::string const good = what == 0 ? one_of(mesh_files, input) : what == 1 ? one_of(curve_files, input)
-                           : what == 2 ? one_of(moves_files, input) : square.basis_text;
+    std::string const good = what == 0   ? one_of(mesh_files, input)
+                             : what == 1 ? one_of(curve_files, input)
+                             : what == 2 ? one_of(moves_files, input)
+                                         : square.basis_text;
     std::string const path = scratch.write(damaged(good, input));
     try {
         if (what == 0) read_mesh(path);
@@ -162,4 +177,4 @@ Outcome run_files(Input& input) {
     return Outcome::done;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -62,7 +62,8 @@ private:
     void values() {
         value_.assign(static_cast<std::size_t>(info_.functions), Numbers(n_));
         std::vector<bool> inside(n_, true);
-        for (Face const& face : problem_.domain.faces) inside[std::size_t(face.from)] = inside[std::size_t(face.to)] = false;
+        for (Face const& face : problem_.domain.faces)
+            inside[std::size_t(face.from)] = inside[std::size_t(face.to)] = false;
         for (std::int32_t i = 0; i < info_.functions; ++i)
             for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
                 Numbers found(n_, 0);
@@ -115,10 +116,12 @@ private:
                 sum += Wide(value_[i][k]) * move_[2 * i];
                 size += std::abs(Wide(value_[i][k]) * move_[2 * i]);
             }
-            expect(std::abs(dx[k] - double(sum)) <= 1e-14 * double(value_.size()) * double(size), "a displacement is not the sum");
+            expect(std::abs(dx[k] - double(sum)) <= 1e-14 * double(value_.size()) * double(size),
+                   "a displacement is not the sum");
             Point const from = problem_.domain.points[k];
             if (dx[k] == 0) expect(x[k] == from.x, "a point that stays has other bits");
-            expect(std::abs(x[k] - (from.x + dx[k])) <= 4e-16 * (std::abs(from.x) + std::abs(dx[k])), "a morph is not x + dx");
+            expect(std::abs(x[k] - (from.x + dx[k])) <= 4e-16 * (std::abs(from.x) + std::abs(dx[k])),
+                   "a morph is not x + dx");
         }
         step(by, moved(dx, dy));
         quality(to, moved(x, y));
@@ -127,13 +130,15 @@ private:
     void step(hm_points const& by, std::vector<Point> const& displacement) {
         hm_step_report report{};
         report.struct_size = sizeof report;
-        expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report, &error_) == HM_OK, "no step");
+        expect(hm_admissible_step(its_.basis, &problem_.mesh, nullptr, &by, nullptr, &report, &error_) == HM_OK,
+               "no step");
         double const s = report.admissible;
         expect(s > 0, "no step is admissible from a valid mesh");
         for (double const part : {0.25, 0.5, 0.75, 0.999999}) {
             double const t = std::isfinite(s) ? part * s : 4 * part;
             double const sine = smallest_sine(problem_.domain, problem_.domain.points, displacement, t);
-            expect(sine > -1e-12, "a cell is inverted before the admissible step: sine " + std::to_string(sine * 1e12) + "e-12");
+            expect(sine > -1e-12,
+                   "a cell is inverted before the admissible step: sine " + std::to_string(sine * 1e12) + "e-12");
         }
         if (!std::isfinite(s)) return;
         double const sine = smallest_sine(problem_.domain, problem_.domain.points, displacement, s);
@@ -146,8 +151,10 @@ private:
         report.struct_size = sizeof report;
         expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK, "no quality");
         std::int32_t const inverted = inverted_cells(problem_.domain, at);
-        expect(report.inverted == inverted, std::to_string(report.inverted) + " inverted cells instead of " + std::to_string(inverted));
-        expect(std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1, "quality out of range");
+        expect(report.inverted == inverted,
+               std::to_string(report.inverted) + " inverted cells instead of " + std::to_string(inverted));
+        expect(std::isfinite(report.mean_quality) && report.min_quality >= 0 && report.mean_quality <= 1,
+               "quality out of range");
         Crossings const expected = find_crossings(problem_.domain, at);
         if (expected.crosses) expect(report.self_crossing == 1, "a crossing is not found");
         if (report.self_crossing == 0) expect(report.crossing_points[0] == -1, "points of a crossing that is none");
@@ -188,13 +195,15 @@ private:
         std::int32_t const n = static_cast<std::int32_t>(points.size());
         hm_basis const* const whole = made >= 0 && input_.one_in(2) ? single : its_.basis;
         expect(hm_extract_size(whole, n, &bytes, &error_) == HM_OK, "no size of an extract");
-        expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(), &error_) == HM_OK, "no extract");
+        expect(hm_extract_init(&rows, its_.block(bytes).data(), bytes, whole, n, points.data(), &error_) == HM_OK,
+               "no extract");
         Numbers x(n_), y(n_), few_x(points.size()), few_y(points.size());
         hm_points_out const all{x.data(), y.data(), 1}, few{few_x.data(), few_y.data(), 1};
         expect(hm_morph(whole, move_.data(), nullptr, &all, nullptr, &error_) == HM_OK, "no displacement");
         expect(hm_morph(rows, move_.data(), nullptr, &few, nullptr, &error_) == HM_OK, "no displacement of an extract");
         for (std::size_t k = 0; k < points.size(); ++k)
-            expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)], "an extract moves otherwise");
+            expect(few_x[k] == x[static_cast<std::size_t>(points[k] - problem_.mesh.index_base)],
+                   "an extract moves otherwise");
     }
 
     void safe_morph() {
@@ -213,19 +222,23 @@ private:
         hm_safe_report report{};
         report.struct_size = sizeof report;
         Block& work = its_.block(bytes);
-        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes - 1, &options, &report, &error_);
+        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes - 1, &options,
+                               &report, &error_);
         expect(status < 0, "work space that is one byte too small is taken");
         Exceptions::clear();
-        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes, &options, &report, &error_);
+        status = hm_morph_safe(its_.plan, its_.basis, move_.data(), &out, nullptr, work.data(), bytes, &options,
+                               &report, &error_);
         expect_told(status, error_);
         if (status >= 0) Exceptions::expect_none("hm_morph_safe");
         if (status < 0) {
             for (std::size_t k = 0; k < n_; ++k) expect(x[k] == 7 && y[k] == 7, "a refused call has written");
-            for (double const its : reached) expect(its == 7, "a refused call has written the movement that it reached");
+            for (double const its : reached)
+                expect(its == 7, "a refused call has written the movement that it reached");
             return;
         }
         std::vector<Point> const at = moved(x, y);
-        for (Point const& p : at) expect(std::isfinite(p.x) && std::isfinite(p.y), "a safe morph leads to what is not finite");
+        for (Point const& p : at)
+            expect(std::isfinite(p.x) && std::isfinite(p.y), "a safe morph leads to what is not finite");
         std::int32_t const inverted = inverted_cells(problem_.domain, at);
         expect(inverted == 0, std::to_string(inverted) + " inverted cells after a safe morph");
         expect(report.inverted == 0, "the report of a safe morph counts inverted cells");
@@ -249,10 +262,13 @@ private:
             Numbers const basis = basis_functions(problem_.curves, curve, info_.point_u[slot]);
             std::size_t const k = std::size_t(info_.curve_point[slot]);
             Wide dx = 0, dy = 0;
-            for (std::size_t i = 0; i < basis.size(); ++i) dx += Wide(basis[i]) * reached[2 * i], dy += Wide(basis[i]) * reached[2 * i + 1];
+            for (std::size_t i = 0; i < basis.size(); ++i)
+                dx += Wide(basis[i]) * reached[2 * i], dy += Wide(basis[i]) * reached[2 * i + 1];
             Point const from = problem_.domain.points[k];
-            expect(std::abs(at[k].x - double(from.x + dx)) <= 1e-12 * largest, "a wall point is not where the B-spline is");
-            expect(std::abs(at[k].y - double(from.y + dy)) <= 1e-12 * largest, "a wall point is not where the B-spline is");
+            expect(std::abs(at[k].x - double(from.x + dx)) <= 1e-12 * largest,
+                   "a wall point is not where the B-spline is");
+            expect(std::abs(at[k].y - double(from.y + dy)) <= 1e-12 * largest,
+                   "a wall point is not where the B-spline is");
         }
     }
 
@@ -267,7 +283,7 @@ private:
     std::vector<Numbers> value_;
 };
 
-}  // namespace
+}   // namespace
 
 Outcome run_problem(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
@@ -283,9 +299,10 @@ Outcome run_problem(Input& input) {
     try {
         Check(solution, input).all();
     } catch (Failure const& failure) {
-        throw Failure(failure.what() + std::string("\n") + describe(*problem) + "    solved: " + hm_status_name(solution.status));
+        throw Failure(failure.what() + std::string("\n") + describe(*problem) +
+                      "    solved: " + hm_status_name(solution.status));
     }
     return Outcome::done;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

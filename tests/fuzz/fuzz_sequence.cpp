@@ -1,5 +1,5 @@
-// Calls in any order, with objects of two problems that may or may not belong together. Each is refused with a reason and
-// writes nothing, or succeeds with finite numbers.
+// Calls in any order, with objects of two problems that may or may not belong together. Each is refused with a reason
+// and writes nothing, or succeeds with finite numbers.
 #include "solution.hpp"
 #include "target.hpp"
 
@@ -17,7 +17,8 @@ public:
             std::size_t bytes = 0;
             if (all_[k]->analysis == nullptr || hm_basis_size(all_[k]->analysis, &bytes, nullptr) < 0) continue;
             hm_basis* fresh = nullptr;   // a basis that is not solved
-            if (hm_basis_init(&fresh, all_[k]->block(bytes).data(), bytes, all_[k]->analysis, nullptr) >= 0) fresh_[k] = fresh;
+            if (hm_basis_init(&fresh, all_[k]->block(bytes).data(), bytes, all_[k]->analysis, nullptr) >= 0)
+                fresh_[k] = fresh;
         }
         std::size_t const most = std::max(problem_[0]->domain.points.size(), problem_[1]->domain.points.size());
         x_.assign(most, 7);
@@ -95,7 +96,8 @@ private:
                 if (input_.one_in(3)) options.others = &other, options.n_others = 1;
                 hm_basis* const derivative = input_.one_in(3) ? some_basis() : nullptr;
                 if (derivative == basis || (options.n_others > 0 && other == nullptr)) return none;
-                return hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(), bytes, &options, nullptr, &error_);
+                return hm_morph_safe(plan, basis, move_.data(), &out, derivative, work.data(), bytes, &options, nullptr,
+                                     &error_);
             }
             case 7: {
                 Solution& fine = some();
@@ -119,7 +121,8 @@ private:
                 Solution& its = some();
                 if (its.analysis == nullptr) return none;
                 std::int32_t const functions = its.problem.functions(), first = input_.from(-1, functions);
-                hm_status const status = hm_share_size(its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
+                hm_status const status =
+                    hm_share_size(its.analysis, first, input_.from(-1, functions + 1), &bytes, &error_);
                 return status;
             }
             default: {
@@ -137,8 +140,8 @@ private:
     hm_error error_{};
 };
 
-}  // namespace
+}   // namespace
 
 Outcome run_sequence(Input& input) { return Sequence(input).run(); }
 
-}  // namespace fuzz
+}   // namespace fuzz

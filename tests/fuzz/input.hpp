@@ -28,10 +28,11 @@ public:
         return values.begin()[below(static_cast<std::uint32_t>(values.size()))];
     }
     std::string rest() { return {data_, end_}; }   // all bytes that are left, but not taken away
-    double wild() {   // a number that few expect
+    double wild() {                                // a number that few expect
         using Limits = std::numeric_limits<double>;
         return any_of({Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::denorm_min(), -0.0, 0.0,
-                       Limits::max(), -Limits::max(), Limits::min(), 1e100, 1.01e100, -1e160, 1e-100, 1e-160, 1e300, 1e16});
+                       Limits::max(), -Limits::max(), Limits::min(), 1e100, 1.01e100, -1e160, 1e-100, 1e-160, 1e300,
+                       1e16});
     }
     std::int32_t wild_index() {
         using Limits = std::numeric_limits<std::int32_t>;
@@ -45,4 +46,4 @@ private:
     const unsigned char* end_;
 };
 
-}  // namespace fuzz
+}   // namespace fuzz

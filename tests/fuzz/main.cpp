@@ -25,7 +25,7 @@ fuzz::Target const& target_of(const char* name) {
     std::exit(2);
 }
 
-}  // namespace
+}   // namespace
 
 #ifdef LIBFUZZER
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
@@ -59,7 +59,7 @@ std::vector<unsigned char> bytes_of_case(unsigned seed, long number) {
     return bytes;
 }
 
-}  // namespace
+}   // namespace
 
 int main(int argc, char** argv) {
     fuzz::Target const& target = target_of(argc > 1 ? argv[1] : nullptr);
@@ -77,8 +77,8 @@ int main(int argc, char** argv) {
         for (long k = first; k < last; ++k)
             run(target, bytes_of_case(seed, k), "1 " + std::to_string(seed) + " " + std::to_string(k), count);
     }
-    std::printf("%s: %ld cases succeed, %ld are refused\n%ld passed, %ld failed\n", target.name, count.done, count.refused,
-                count.done + count.refused, count.failed);
+    std::printf("%s: %ld cases succeed, %ld are refused\n%ld passed, %ld failed\n", target.name, count.done,
+                count.refused, count.done + count.refused, count.failed);
     return count.failed > 0;
 }
 #endif

@@ -55,7 +55,8 @@ void write_cells(Problem& its, Input& input) {
             if (cell.size() == 3) put(its.cells, cell, 3);
             else put(its.quads, cell, 4);
         mesh.n_quads = count(its.quads.size() / 4);
-        std::stable_partition(its.domain.cells.begin(), its.domain.cells.end(), [](Cell const& cell) { return cell.size() == 3; });
+        std::stable_partition(its.domain.cells.begin(), its.domain.cells.end(),
+                              [](Cell const& cell) { return cell.size() == 3; });
     } else {
         mesh.cell_layout = HM_CELLS_ROWS;
         its.cell_start.push_back(mesh.index_base);
@@ -83,7 +84,8 @@ void write_boundary(Problem& its, Input& input) {
             its.face_markers.push_back(face.marker);
             continue;
         }
-        bool const goes_on = k > 0 && its.domain.faces[k - 1].to == face.from && its.domain.faces[k - 1].marker == face.marker;
+        bool const goes_on =
+            k > 0 && its.domain.faces[k - 1].to == face.from && its.domain.faces[k - 1].marker == face.marker;
         if (!goes_on) {
             if (k > 0) its.list_start.push_back(count(its.lists.size()) + mesh.index_base);
             its.lists.push_back(face.from + mesh.index_base);
@@ -129,10 +131,12 @@ void add_curve(Problem& its, Input& input, std::vector<std::int32_t> const& wall
             Block const block(bytes, input.below(64), static_cast<int>(input.below(256)));
             const hm_curves* curves = nullptr;
             hm_points const points{x.data(), y.data(), 1};
-            hm_status const status = hm_fit(&curves, block.data(), bytes, &points, n, is_loop, &options, nullptr, &error);
+            hm_status const status =
+                hm_fit(&curves, block.data(), bytes, &points, n, is_loop, &options, nullptr, &error);
             block.expect_intact();
             if (status >= 0) {
-                expect(hm_curves_check(curves, &error) == HM_OK, std::string("a fitted curve is refused: ") + error.text);
+                expect(hm_curves_check(curves, &error) == HM_OK,
+                       std::string("a fitted curve is refused: ") + error.text);
                 its.control.insert(its.control.end(), curves->control, curves->control + 2 * curves->n_control);
                 for (std::int32_t c = 0; c < curves->n_curves; ++c) {
                     hm_curve const& made = curves->curve[c];
@@ -213,7 +217,7 @@ void choose_options(Problem& its, Input& input) {
     o.executor = &its.executor;
 }
 
-}  // namespace
+}   // namespace
 
 std::int32_t Problem::functions() const {
     std::int32_t bodies = 0;
@@ -263,4 +267,4 @@ std::unique_ptr<Problem> make_problem(Input& input) {
     return out;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

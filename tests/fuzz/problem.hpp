@@ -25,9 +25,10 @@ struct Domain {
     std::vector<Point> points;
     std::vector<Cell> cells;
     std::vector<Face> faces;
-    std::vector<std::vector<std::int32_t>> walls;   // the points of marker 5, 6, ...: a loop each, or marker 5 is a side
+    std::vector<std::vector<std::int32_t>>
+        walls;   // the points of marker 5, 6, ...: a loop each, or marker 5 is a side
     bool walls_are_loops = true, has_seam = false;
-    std::int32_t ni = 0, nj = 0;                    // if all of its cells are those of a structured mesh
+    std::int32_t ni = 0, nj = 0;   // if all of its cells are those of a structured mesh
 };
 Domain make_domain(Input& input);
 
@@ -35,8 +36,8 @@ Domain make_domain(Input& input);
 struct Problem {
     Domain domain;
     std::vector<double> coordinates, control, weights, given_u;
-    std::vector<std::int32_t> cell_start, cells, quads, faces, face_markers, list_start, lists, list_markers, given_points,
-        given_curves;
+    std::vector<std::int32_t> cell_start, cells, quads, faces, face_markers, list_start, lists, list_markers,
+        given_points, given_curves;
     std::vector<std::vector<double>> knots;
     std::vector<std::vector<std::int32_t>> indices;
     std::vector<hm_curve> curve;
@@ -55,4 +56,4 @@ std::unique_ptr<Problem> make_problem(Input& input);
 // One thing about it is made wrong, or strange. Arrays are never shorter than the counts say: these the library trusts.
 void break_something(Problem& problem, Input& input);
 
-}  // namespace fuzz
+}   // namespace fuzz

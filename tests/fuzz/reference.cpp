@@ -28,7 +28,7 @@ void for_each_corner(Cell const& cell, Take const& take) {
 }
 int sign(__float128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-}  // namespace
+}   // namespace
 
 std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at) {
     std::int32_t n = 0;   // domain.cells all run counter-clockwise
@@ -90,7 +90,8 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
     value[static_cast<std::size_t>(span)] = 1;
     for (std::int32_t p = 1; p <= degree; ++p)
         for (std::int32_t k = 0; k + p < n + degree; ++k) {
-            Wide const left = Wide(knot[k + p]) - knot[k], right = k + p + 1 < n + degree + 1 ? Wide(knot[k + p + 1]) - knot[k + 1] : 0;
+            Wide const left = Wide(knot[k + p]) - knot[k],
+                       right = k + p + 1 < n + degree + 1 ? Wide(knot[k + p + 1]) - knot[k + 1] : 0;
             Wide const here = value[static_cast<std::size_t>(k)], next = value[static_cast<std::size_t>(k + 1)];
             value[static_cast<std::size_t>(k)] =
                 (left > 0 ? (u - knot[k]) / left * here : 0) + (right > 0 ? (knot[k + p + 1] - u) / right * next : 0);
@@ -98,7 +99,8 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
     std::vector<Wide> sum(static_cast<std::size_t>(curves.n_control), 0);
     Wide total = 0;
     for (std::int32_t k = 0; k < n; ++k) {
-        std::size_t const c = static_cast<std::size_t>(curve.indices != nullptr ? curve.indices[k] - curves.index_base : k);
+        std::size_t const c =
+            static_cast<std::size_t>(curve.indices != nullptr ? curve.indices[k] - curves.index_base : k);
         Wide const part = value[static_cast<std::size_t>(k)] * (curves.weights != nullptr ? curves.weights[c] : 1);
         sum[c] += part;
         total += part;
@@ -122,7 +124,8 @@ double laplace_residual(Domain const& domain, std::vector<double> const& values,
             Wide const flux = weight * (Wide(values[l]) - values[j]);
             sum[j] += flux;
             sum[l] -= flux;
-            for (std::size_t const end : {j, l}) size[end] += std::abs(weight) * (std::abs(values[l]) + std::abs(values[j]) + 1e-3L * largest);
+            for (std::size_t const end : {j, l})
+                size[end] += std::abs(weight) * (std::abs(values[l]) + std::abs(values[j]) + 1e-3L * largest);
         }
     };
     for (Cell const& cell : domain.cells) {
@@ -141,4 +144,4 @@ double laplace_residual(Domain const& domain, std::vector<double> const& values,
     return worst;
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

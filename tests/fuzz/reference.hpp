@@ -10,22 +10,23 @@ using Wide = long double;
 // Cells with a corner whose area is not positive, as the header defines it. Cells may run either way round.
 std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at);
 
-// Faces that have inner points in common with another face, transversally; and whether faces without a common end touch.
+// Faces that have inner points in common with another face, transversally; and whether faces without a common end
+// touch.
 struct Crossings {
     bool crosses = false, touches = false;
 };
 Crossings find_crossings(Domain const& domain, std::vector<Point> const& at);
 
-// The smallest sine of a corner at the points at + step * by: twice its area divided by the lengths of its edges there, or by
-// their lengths at the beginning, if these are larger: cells may shrink to a point.
+// The smallest sine of a corner at the points at + step * by: twice its area divided by the lengths of its edges there,
+// or by their lengths at the beginning, if these are larger: cells may shrink to a point.
 double smallest_sine(Domain const& domain, std::vector<Point> const& at, std::vector<Point> const& by, double step);
 
 // All basis functions of one curve at u by the recursion of Cox and de Boor, summed for each control point.
 std::vector<double> basis_functions(hm_curves const& curves, std::int32_t curve, double u);
 
 // The largest residual of Laplace's compact scheme for values at the points, over `inside`: cotangent weights, in
-// quadrilaterals the mean of the two ways to split. Relative to the sum of the magnitudes of its terms, where each value
-// counts at least as a thousandth of the largest one.
+// quadrilaterals the mean of the two ways to split. Relative to the sum of the magnitudes of its terms, where each
+// value counts at least as a thousandth of the largest one.
 double laplace_residual(Domain const& domain, std::vector<double> const& values, std::vector<bool> const& inside);
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Called by `make fuzz`: all targets under the address and undefined-behaviour sanitizers, float-cast-overflow among these, for
-# FUZZ_SECONDS together. With clang, libFuzzer looks for cases that run through new code; without, cases are random. The last
-# line counts executions, edges of the control flow that were seen, and findings; the cases of these are kept.
+# Called by `make fuzz`: all targets under the address and undefined-behaviour sanitizers, float-cast-overflow among
+# these, for FUZZ_SECONDS together. With clang, libFuzzer looks for cases that run through new code; without, cases are
+# random. The last line counts executions, edges of the control flow that were seen, and findings; the cases of these are kept.
 : "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${FUZZ_SECONDS:=60}" "${CLANG:=clang++}"
 dir=$BUILD/fuzz
 mkdir -p "$dir"
@@ -16,8 +16,8 @@ build() {   # compiler, flags to compile, flags to link
 }
 run_libfuzzer() {   # target
     mkdir -p "$dir/$1" "$dir/findings"
-    HARMORPH_TARGET=$1 "$dir/fuzzer" -max_total_time=$each -max_len=4096 -timeout=20 -rss_limit_mb=4096 -print_final_stats=1 \
-        -artifact_prefix="$dir/findings/$1-" "$dir/$1" >"$dir/$1.log" 2>&1 || {
+    HARMORPH_TARGET=$1 "$dir/fuzzer" -max_total_time=$each -max_len=4096 -timeout=20 -rss_limit_mb=4096 \
+        -print_final_stats=1 -artifact_prefix="$dir/findings/$1-" "$dir/$1" >"$dir/$1.log" 2>&1 || {
         findings=$((findings + 1))
         tail -n 30 "$dir/$1.log"
     }

@@ -61,4 +61,4 @@ Solution::Solution(Problem const& its_problem, Input& input) : problem(its_probl
     expect_intact();
 }
 
-}  // namespace fuzz
+}   // namespace fuzz

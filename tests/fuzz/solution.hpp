@@ -16,7 +16,7 @@ public:
     hm_analysis* analysis = nullptr;
     hm_plan* plan = nullptr;
     hm_basis* basis = nullptr;
-    hm_status status = 0;          // of the last call: negative if it was refused
+    hm_status status = 0;   // of the last call: negative if it was refused
     hm_error error{};
     hm_solve_report report{};
 
@@ -35,4 +35,4 @@ private:
 // That a refusal has a code, and a text of one line.
 void expect_told(hm_status status, hm_error const& error);
 
-}  // namespace fuzz
+}   // namespace fuzz

@@ -17,6 +17,7 @@ struct Target {
     const char* name;
     Outcome (*run)(Input& input);
 };
-inline constexpr Target targets[] = {{"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files}};
+inline constexpr Target targets[] = {
+    {"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files}};
 
-}  // namespace fuzz
+}   // namespace fuzz
