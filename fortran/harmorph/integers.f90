@@ -25,7 +25,7 @@ contains
     elemental integer(c_int32_t) function small_i8(number)
         integer(c_int64_t), intent(in) :: number
         small_i8 = -huge(small_i8)
-        if (abs(number) <= huge(small_i8)) small_i8 = int(number, c_int32_t)
+        if (number >= hm_no_marker .and. number <= huge(small_i8)) small_i8 = int(number, c_int32_t)
     end function
 
     subroutine integers_append(self, more, done)
