@@ -82,10 +82,12 @@ enum {
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
     HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but only a part of the movement was possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
-    HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the curve;
-                                 error.item: the point for which this part is largest, error.value: its distance */
-    HM_POOR = 6,              /* hm_morph_safe: the mesh is valid and at the target, but cells are poorer, or heights of the
-                                 first layer changed more, than was asked for; error.item: the cell, or the wall point */
+    HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the
+                                 curve; error.item: the point for which this part is largest, error.value: its
+                                 distance */
+    HM_POOR = 6,              /* hm_morph_safe: the mesh is valid and at the target, but cells are poorer, or heights of
+                                 the first layer changed more, than was asked for; error.item: the cell, or the wall
+                                 point */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
     HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that is too small */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
@@ -97,9 +99,9 @@ enum {
     HM_BLOCK_TOO_SMALL = -7,  /* error.value: missing bytes */
     HM_NOT_POSITIVE = -8,     /* the matrix is not positive definite; error.item: the mesh point where this was found */
     HM_UNSUPPORTED = -9,      /* a combination of options that is not available */
-    HM_CROSSING = -10         /* no mesh has the moved boundary: faces cross, a body leaves the domain, is inside another
-                                 one or inside out, or points on the boundary alone invert a cell; error.item: a point of
-                                 the boundary, or the cell */
+    HM_CROSSING = -10         /* no mesh has the moved boundary: faces cross, a body leaves the domain, is inside
+                                 another one or inside out, or points on the boundary alone invert a cell; error.item: a
+                                 point of the boundary, or the cell */
 };
 
 typedef struct hm_error {     /* 128 bytes for ever */
@@ -132,9 +134,10 @@ typedef struct hm_executor {
 
 /* Asks the system for huge pages (2 MiB) in a block that has not been written yet: where a basis does not fit into the
  * processor's caches, reading it takes .55 to .9 of the time that it takes in pages of 4 KiB. Only whole
- * multiples of 2 MiB inside the block can be huge pages. Returns their number of bytes; 0 where the system refuses, and on
- * all systems but Linux on x86-64 and 64-bit ARM. What is in the block stays as it is. This is the only call of the library
- * that calls the system. Ready-made: harmorph_pages.h; the program and the Fortran module do it for their own blocks. */
+ * multiples of 2 MiB inside the block can be huge pages. Returns their number of bytes; 0 where the system refuses, and
+ * on all systems but Linux on x86-64 and 64-bit ARM. What is in the block stays as it is. This is the only call of the
+ * library that calls the system. Ready-made: harmorph_pages.h; the program and the Fortran module ask for huge pages in
+ * their own blocks. */
 HM_API size_t hm_huge_pages(void *block, size_t bytes);
 
 /* ---- Points: two numbers for each point of a mesh, in the caller's arrays --------------------------------------- */
@@ -164,8 +167,8 @@ enum {                        /* hm_mesh.cell_layout */
                                  quad_points [4*n_quads]. The triangles are the first cells, the quadrilaterals the
                                  cells from index_base + n_cells - n_quads on */
     HM_CELLS_BLOCKS = 5       /* no list: structured blocks one after the other, points and cells of each as in
-                                 HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts, see
-                                 below: their points exist once in each block, with equal coordinates */
+                                 HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts,
+                                 see below: their points exist once in each block, with equal coordinates */
 };
 enum { HM_NO_MARKER = INT32_MIN }; /* hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists */
 
@@ -274,15 +277,16 @@ typedef struct hm_fit_report {
     int32_t  first_point;          /* where the curve begins (the corner of a loop), from 0 */
     int32_t  base_points;          /* points on a blunt base including both ends; 0: no base */
     int32_t  reason;               /* HM_FIT_...: why the curve is closed in this way */
-    int32_t  corners;              /* points where the direction of the outline jumps, including the ends of the curve */
+    int32_t  corners;              /* points where the direction of the outline jumps, including the ends of the
+                                      curve */
     int32_t  backtrack_point;      /* the curve runs backwards from this point (from 0) to the next one; -1: nowhere */
     int32_t  reserved;             /* 0 */
 } hm_fit_report;
 
 HM_API hm_status hm_fit_size(int32_t n, const hm_fit_options *options, size_t *bytes, hm_error *err);
 /* Least-squares fit to n points in order. is_loop: the last point is connected to the first one, which is not repeated.
- * Without is_loop, a last point that is equal to the first one is refused (HM_BAD_CURVE, error.item: the last point): the
- * curve would open there. Set is_loop and leave the last point out.
+ * Without is_loop, a last point that is equal to the first one is refused (HM_BAD_CURVE, error.item: the last point):
+ * the curve would open there. Set is_loop and leave the last point out.
  * Knots are placed by arc length and curvature. *curves and its arrays are inside the block (index_base 0). options and
  * report may be NULL. HM_BACKTRACKS: the fit is complete, but the curve runs against the order of the points somewhere,
  * as curves of high degree do where there are hardly more points than control points. */
@@ -407,13 +411,13 @@ typedef struct hm_variables {
 HM_API hm_status hm_variables_size(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
                                    int32_t *n, size_t *bytes, hm_error *err);
 /* d(control) / d(variable): matrix [n_control * n * 2], for each control point the pairs (x, y) by which one unit of
- * each variable moves it, as complex numbers: the variables v, also complex, move control point i by sum_j matrix_ij v_j.
- * The variables of FFD have two components; those of the other kinds are real. It is the least-squares approximation,
- * over the curves' parameters, of the wanted movement of the outline by the B-spline's, with the free ends of curves
- * exact: error [2*n] contains the root mean square and the largest of what is left, [length] per unit of each variable,
- * or NULL. hm_combine takes the matrix as it is. Control points that no curve of the section uses do not move.
- * Refused, outputs unchanged: a variable that moves nothing, or that is a combination of those before
- * (HM_BAD_CONDITION, item: the variable, from 0). */
+ * each variable moves this point, as complex numbers: the variables v, also complex, move control point i by sum_j
+ * matrix_ij v_j. The variables of FFD have two components; those of the other kinds are real. The matrix is the
+ * least-squares approximation, over the curves' parameters, of the wanted movement of the outline by the B-spline's,
+ * with the free ends of curves exact: error [2*n] contains the root mean square and the largest of what is left,
+ * [length] per unit of each variable, or NULL. hm_combine takes the matrix unchanged. Control points that no curve of
+ * the section uses do not move. Refused, outputs unchanged: a variable that moves nothing, or that is a combination of
+ * those before (HM_BAD_CONDITION, item: the variable, from 0). */
 HM_API hm_status hm_variables_map(const hm_curves *curves, const hm_section *section, const hm_variables *variables,
                                   void *work, size_t bytes, double *matrix, double *error, hm_error *err);
 
@@ -474,9 +478,9 @@ typedef struct hm_problem {
  *   HM_WEIGHTED   HM_COMPACT               HM_MULTIGRID   all but slip    real
  *   HM_LAPLACE    HM_COMPACT               HM_FAS         all but slip    real
  *   HM_WEIGHTED   HM_COMPACT               HM_FAS         all but slip    real
- *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_DIRECT      not slip, given real
- *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_FAS         not slip, given real
- *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         not slip, given real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_DIRECT      no slip/given   real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_FAS         no slip/given   real
+ *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         no slip/given   real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the nearest face on a
  * curve or a rigid body (or on the periodic image of one), divided by the extent of these faces. Cells near the moving
@@ -502,11 +506,11 @@ enum {                             /* scheme: discretisation of the fluxes; all 
     HM_NODAL_GRADIENT = 1,         /* the paper's scheme: Green-Gauss gradients over the cells around each point; the
                                       flux through a face uses the mean of the gradients of its two points, with the
                                       component along the edge replaced by the difference of the values. Second order;
-                                      for comparison. Errors on 128 x 128 squares 3.0e-5 (compact: 1.1e-5), on perturbed
-                                      triangles 3.8e-5 (4.5e-5). On airfoil meshes, viscous ones too, the functions
-                                      differ from the compact scheme by 1e-3 to 7e-3 at edges of the airfoil and by 1e-4
-                                      on average; by 0.2 where few points surround an edge in cells with aspect ratios
-                                      of 1e4 */
+                                      for comparison. Errors on 128 x 128 squares 4.1e-5 (compact: 1.1e-5), on
+                                      perturbed ones 3.0e-5 (3.7e-5), on perturbed triangles 3.8e-5 (4.5e-5). On
+                                      airfoil meshes, viscous ones too, the functions differ from the compact scheme by
+                                      1e-3 to 7e-3 at edges of the airfoil and by 1e-4 on average; by 0.2 where few
+                                      points surround an edge in cells with aspect ratios of 1e4 */
     HM_NODAL_GRADIENT_PLAIN = 3    /* the same without that replacement, as in the text of the paper; only to reproduce
                                       the paper. Odd-even oscillations are not damped: errors 2.3e-4 on those squares,
                                       and 2e-2 on perturbed ones, where the errors do not decrease with refinement. 500
@@ -643,8 +647,8 @@ typedef struct hm_plan hm_plan;
 typedef struct hm_basis hm_basis;
 
 /* The analysis must have curves, rigid bodies or markers with HM_GIVEN; with the latter alone, the basis has no
- * functions, and serves hm_quality, hm_admissible_step and hm_assess. The plan and the basis copy what they need from the
- * analysis. */
+ * functions, and serves hm_quality, hm_admissible_step and hm_assess. The plan and the basis copy what they need from
+ * the analysis. */
 HM_API hm_status hm_plan_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_plan_init(hm_plan **plan, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
 HM_API hm_status hm_basis_size(const hm_analysis *analysis, size_t *bytes, hm_error *err);
@@ -684,8 +688,7 @@ HM_API hm_status hm_plan_solve(hm_plan *plan, hm_basis *basis, hm_solve_report *
 
 /* The agglomeration, after hm_plan_factor with an engine that has levels: cells [n_points] receives the merged cell,
  * from 0, that contains the control volume of each point on a level (0: the finest); -1 for points with known values.
- * *n_cells:
- * the number of merged cells. Refused if the level does not exist. */
+ * *n_cells: the number of merged cells. Refused if the level does not exist. */
 HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cells, int32_t *n_cells, hm_error *err);
 
 /* A basis is one block without pointers: write the block to a file unchanged (hm_basis_info.bytes), read or map the
@@ -705,8 +708,8 @@ typedef struct hm_basis_info {
     int32_t  index_base;           /* of the mesh that the basis was solved on: first number of points and cells in
                                       reports */
     const int32_t *curve_point;    /* [curve_points] mesh points on curves, counted from 0 */
-    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b; curves + bodies:
-                                      a point of a marker with HM_GIVEN */
+    const int32_t *point_curve;    /* [curve_points] the curve of each of them; curves + b: rigid body b; curves +
+                                      bodies: a point of a marker with HM_GIVEN */
     const double  *point_u;        /* [curve_points] the parameter of each of them */
     int32_t  exponent_quarters;    /* 0: no weight */
     int32_t  bodies;               /* rigid bodies; functions = control points + 2 * bodies, see also below */
@@ -737,7 +740,7 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 
 /* ---- Functions in single precision ------------------------------------------------------------------------------ */
 
-/* A second basis with the same functions in single precision. It takes half the memory. hm_morph and hm_adjoint are
+/* A second basis with the same functions in single precision, in half the memory. hm_morph and hm_adjoint are
  * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.6 to 2 times faster and hm_adjoint, which
  * computes more, 1.4 to 1.9 times, both with AVX-512; 1.2 times or more with AVX2; hardly faster without either. The
  * first basis must be solved and have all functions (it may be an extract); it is no longer needed afterwards. Points
@@ -747,7 +750,8 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
  * sum to 1, and points slide along inclined lines, to that accuracy. Products and sums are in double precision, and
  * hm_adjoint is the transpose of hm_morph as accurately as in double precision; bitwise identical for any threads,
  * kernel and partition. The new basis is written, attached, extracted from and used like any basis. Calls that need F
- * in double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe, parcels, hm_single_size. */
+ * in double precision return HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe, hm_combine,
+ * hm_tabulate, parcels, hm_single_size. */
 HM_API hm_status hm_single_size(const hm_basis *basis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, const hm_basis *basis, hm_error *err);
 
@@ -760,10 +764,11 @@ HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, co
  * (hm_moved_curves) by variables instead of control points; the basis has the memory of n functions, and the first
  * basis is no longer needed. Values are real if those of the first basis and the matrix are. A variable whose matrix is
  * not real, or a function that is not, turns with its movement: variables that are one number v move by (v, 0).
- * It is used, extracted, sent in parcels, written, attached, stored in single precision and combined like any basis.
- * What solves for functions refuses it, with HM_UNSUPPORTED: hm_plan_solve, hm_transfer, hm_morph_safe. The first basis
- * must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item: the column, from 0: a column
- * that is zero, or a combination of the columns before; with HM_BAD_ARGUMENT a matrix that is not finite. */
+ * The new basis is used, extracted, sent in parcels, written, attached, stored in single precision and combined like
+ * any basis. Calls that solve for functions refuse the new basis, with HM_UNSUPPORTED: hm_plan_solve, hm_transfer,
+ * hm_morph_safe. The first basis must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item:
+ * the column, from 0: a column that is zero, or a combination of the columns before; with HM_BAD_ARGUMENT a matrix that
+ * is not finite. */
 HM_API hm_status hm_combine_size(const hm_basis *basis, int32_t n, int32_t numbers, size_t *bytes, hm_error *err);
 HM_API hm_status hm_combine(hm_basis **combined, void *block, size_t bytes, const hm_basis *basis, int32_t n,
                             int32_t numbers, const double *matrix, hm_error *err);
@@ -817,51 +822,72 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from,
                                    const hm_points *to, double *error, int32_t *point, hm_error *err);
 
-/* ---- Given displacements: wall points as a structural code, a CAD system or a table has them ----------------------- */
+/* ---- Given displacements: wall points as a structural code, a CAD system or a table has them -------------------- */
 
 /* Points of markers with HM_GIVEN move as each call says; no functions are needed. The displacement of the mesh is one
- * substitution with the factor of the plan, so a time step costs a small part of hm_plan_factor: factor once, displace as
- * often as wished. To decide whether a mesh is still good enough: hm_assess with a basis of the same analysis, which need
- * not be solved, tells the admissible step and the quality at the target. If the admissible step is no longer well above
- * 1, or the quality has fallen, move the mesh to the last good position, factor there (hm_plan_factor with `at`; ordering
- * and symbolic factorisation are reused), and give displacements from that position on.
+ * substitution with the factor of the plan, so a time step costs a small part of hm_plan_factor: factor once, displace
+ * as often as wished. To decide whether a mesh is still good enough: hm_assess with a basis of the same analysis, which
+ * need not be solved, tells the admissible step and the quality at the target. If the admissible step is no longer well
+ * above 1, or the quality has fallen, move the mesh to the last good position, factor there (hm_plan_factor with `at`;
+ * ordering and symbolic factorisation are reused), and give displacements from that position on.
  *
- * Displacements are linear: velocities of wall points give velocities of mesh points. Points on curves, rigid bodies and
- * fixed markers stay where they are; the displacements of curves and bodies by hm_morph may be added.
+ * Displacements are linear: velocities of wall points give velocities of mesh points. Points on curves, rigid bodies
+ * and fixed markers stay where they are; the displacements of curves and bodies by hm_morph may be added.
  *
- * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base; NULL: in the order of
- * hm_given_points, and n is their number. All points of the markers with HM_GIVEN must be there. A point may stand in
- * the list twice, and so may the two sides of a cut, with equal displacements: lists of several processes can be put
+ * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base; NULL: in the order
+ * of hm_given_points, and n is their number. All points of the markers with HM_GIVEN must be there. A point may stand
+ * in the list twice, and so may the two sides of a cut, with equal displacements: lists of several processes can be put
  * together. On a point of several markers the first of these conditions holds: on curve, rigid, given; only in the last
  * case the point belongs to the list. */
 
-/* The wall points with given displacements, in order along the boundary with the mesh on the left. points [capacity]; *n:
- * number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
+/* The wall points with given displacements, in order along the boundary with the mesh on the left. points [capacity];
+ * *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
 HM_API hm_status hm_given_points(const hm_plan *plan, int32_t *points, int32_t capacity, int32_t *n, hm_error *err);
-/* Working memory of hm_displace and hm_displace_adjoint for n_fields fields, 1 .. 2^20: 16 bytes for each mesh point and
- * field, and the same once more for at most 12 fields. */
+/* Working memory of hm_displace and hm_displace_adjoint for n_fields fields, 1 .. 2^20: 16 bytes for each mesh point
+ * and field, and the same once more for at most 12 fields. */
 HM_API hm_status hm_displace_size(const hm_plan *plan, int32_t n_fields, size_t *bytes, hm_error *err);
 /* n_fields displacement fields at once, for instance structural modes; up to 12 fields are one substitution. wall
- * [n_fields]: each of n wall points [length]; to [n_fields]: each of n_points mesh points; to = from + displacement, see
- * hm_morph. from NULL: taken as 0, so that `to` receives displacements or velocities. Wall points move by the given bits,
- * and points with a displacement of 0 keep their coordinates bit by bit. Arrays of different fields, and `wall`, must have
- * no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING, error.item: a
- * point of the face); cells may be inverted (hm_assess). All fields are computed before any is written.
- * report may be NULL; functions are fields there, and what concerns curves is 0. Where nothing cancelled in the factor of
- * HM_DIRECT, the solution is as accurate as the factor, and residuals are computed only for the report, which takes a third
- * of the time of the substitution. Otherwise, and with engines that iterate, HM_NOT_CONVERGED as of hm_plan_solve.
- * progress is called for HM_PHASE_SOLVE and HM_PHASE_RESIDUAL of each substitution. */
+ * [n_fields]: each of n wall points [length]; to [n_fields]: each of n_points mesh points; to = from + displacement,
+ * see hm_morph. from NULL: taken as 0, so that `to` receives displacements or velocities. Wall points move by the given
+ * bits, and points with a displacement of 0 keep their coordinates bit by bit. Arrays of different fields, and `wall`,
+ * must have no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING,
+ * error.item: a point of the face); cells may be inverted (hm_assess). All fields are computed before any is written.
+ * report may be NULL; functions are fields there, and what concerns curves is 0. Where nothing cancelled in the factor
+ * of HM_DIRECT, the solution is as accurate as the factor, and residuals are computed only for the report, which takes
+ * a third of the time of the substitution. Otherwise, and with engines that iterate, HM_NOT_CONVERGED as of
+ * hm_plan_solve. progress is called for HM_PHASE_SOLVE and HM_PHASE_RESIDUAL of each substitution. */
 HM_API hm_status hm_displace(hm_plan *plan, int32_t n, const int32_t *points, int32_t n_fields, const hm_points *wall,
                              const hm_points *from, const hm_points_out *to, void *work, size_t bytes,
                              hm_solve_report *report, hm_error *err);
 /* The transpose of hm_displace. dj [n_fields]: derivatives of objectives J with respect to the n_points mesh points (x:
  * dJ/dx_k, y: dJ/dy_k); gradient [n_fields]: those with respect to the displacements of the n wall points, complete
  * where a point stands first in the list and 0 where it is repeated. Exact to rounding with HM_DIRECT, to
- * options.tolerance with the engines that iterate. For work: forces on the mesh points become forces on the wall that do
- * the same work in every displacement. */
+ * options.tolerance with the engines that iterate. For work: forces on the mesh points become forces on the wall that
+ * do the same work in every displacement. */
 HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *points, int32_t n_fields,
                                      const hm_points *dj, const hm_points_out *gradient, void *work, size_t bytes,
                                      hm_solve_report *report, hm_error *err);
+
+/* ---- Functions by table: modes given at wall points -------------------------------------------------------------- */
+
+/* A second basis: the functions of `basis`, and behind them n_modes functions with given values at the points of the
+ * markers with HM_GIVEN: structural modes, modes of a proper orthogonal decomposition, anything linear. They are solved
+ * with the plan, as hm_displace solves; an amplitude moves wall point k by its mode times the amplitude. modes
+ * [n_modes * n * numbers]: mode by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order
+ * of hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
+ * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the
+ * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
+ * The new basis depends on nothing else and is used like any basis, but hm_plan_solve, hm_transfer and hm_morph_safe
+ * refuse such a basis with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double
+ * precision, and solved if it has functions. work: working memory of work_bytes. report may be NULL; functions are
+ * fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a
+ * list that is not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of
+ * hm_plan_solve. */
+HM_API hm_status hm_tabulate_size(const hm_plan *plan, const hm_basis *basis, int32_t n_modes, int32_t numbers,
+                                  size_t *bytes, size_t *work_bytes, hm_error *err);
+HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm_plan *plan, const hm_basis *basis,
+                             int32_t n, const int32_t *points, int32_t n_modes, int32_t numbers, const double *modes,
+                             void *work, size_t work_bytes, hm_solve_report *report, hm_error *err);
 
 /* ---- Three-dimensional codes with two-dimensional meshes --------------------------------------------------------- */
 
@@ -955,9 +981,9 @@ HM_API hm_status hm_plane_mesh(const hm_plane *plane, hm_mesh *mesh, hm_error *e
 
 /* hm_morph of all points: to = from + the movement of the plane point that each point follows, in the plane; wedge:
  * along the axis and along the radius at the angle that the point had in hm_plane_init. The basis is one of the plane's
- * mesh. Rules for from, to and NULL are those of hm_morph. A coordinate across the layers (of coordinate planes) and points
- * that do not move keep their bits. Writes working arrays of the plane: one thread at a time may call hm_plane_morph or
- * hm_plane_adjoint. */
+ * mesh. Rules for from, to and NULL are those of hm_morph. A coordinate across the layers (of coordinate planes) and
+ * points that do not move keep their bits. Writes working arrays of the plane: one thread at a time may call
+ * hm_plane_morph or hm_plane_adjoint. */
 HM_API hm_status hm_plane_morph(hm_plane *plane, const hm_basis *basis, const double *move, const hm_space_points *from,
                                 const hm_space_points_out *to, const hm_executor *executor, hm_error *err);
 /* The transpose: dj are derivatives with respect to the three coordinates of all points, gradient [2*functions] as of
@@ -971,27 +997,6 @@ HM_API hm_status hm_plane_spread(const hm_plane *plane, const hm_points *displac
                                  const hm_space_points_out *to, const hm_executor *executor, hm_error *err);
 HM_API hm_status hm_plane_gather(const hm_plane *plane, const hm_space_points *dj, const hm_points_out *plane_dj,
                                  const hm_executor *executor, hm_error *err);
-
-/* ---- Functions by table: modes given at wall points -------------------------------------------------------------- */
-
-/* A second basis: the functions of `basis`, and behind them n_modes functions with given values at the points of the
- * markers with HM_GIVEN: structural modes, modes of a proper orthogonal decomposition, anything linear. They are solved
- * with the plan, as hm_displace solves; an amplitude moves wall point k by its mode times the amplitude. modes
- * [n_modes * n * numbers]: mode by mode, at the n wall points listed in `points` (see hm_displace; NULL: in the order
- * of hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
- * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the
- * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
- * The new basis depends on nothing else and is used like any basis; hm_plan_solve, hm_transfer and hm_morph_safe refuse
- * it, with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double precision, and solved
- * if it has functions. work: working memory of work_bytes. report may be NULL; functions are fields there.
- * Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a list that is
- * not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of hm_plan_solve.
- * */
-HM_API hm_status hm_tabulate_size(const hm_plan *plan, const hm_basis *basis, int32_t n_modes, int32_t numbers,
-                                  size_t *bytes, size_t *work_bytes, hm_error *err);
-HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm_plan *plan, const hm_basis *basis,
-                             int32_t n, const int32_t *points, int32_t n_modes, int32_t numbers, const double *modes,
-                             void *work, size_t work_bytes, hm_solve_report *report, hm_error *err);
 
 /* ---- Distributed meshes: several processes, see harmorph_mpi.h -------------------------------------------------- */
 
@@ -1079,34 +1084,36 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
 /* ---- Large movements that stay valid ---------------------------------------------------------------------------- */
 
 /* Strategies are tried in this order until the mesh is at the target and as good as options.min_quality and
- * options.max_height_change ask for. The best mesh of all is given: the one nearest to the target, and of several at the
- * target the one of better quality.
+ * options.max_height_change ask for. The best mesh of all is given: the one nearest to the target, and of several at
+ * the target the one of better quality.
  *   HM_STRATEGY_LINEAR     x + sum_i F_i dP_i, if the admissible step is larger than 1
  *   HM_STRATEGY_OTHER      the same with other bases that the caller has solved (other operators or exponents), in
  *                          their order
  *   HM_STRATEGY_SUBSTEPS   several steps, each at most half of the admissible step, and shorter where the quality falls
  *                          too fast. After each step the functions are solved again on the new mesh; the analysis is
- *                          reused. Where the steps become too short to reach the target, another operator takes over (the
- *                          conformal one with exponent 1, Laplace's) if its step is longer. At all times the points on
- *                          curves and rigid bodies are where the B-spline or the body has them for the current control
- *                          points. Meanwhile each body, that is each loop of the boundary that moves all round, rotates and
- *                          scales about the centre of its control points, by the best-fitting similarity, at a constant
- *                          rate; the rest of the movement grows linearly. Walls that end on another boundary move on
- *                          straight lines, so that what is held at their ends stays; so do functions with real values. If
- *                          the target is not reached, all is tried on straight lines, too
+ *                          reused. Where the steps become too short to reach the target, another operator takes over
+ *                          (the conformal one with exponent 1, Laplace's) if its step is longer. At all times the
+ *                          points on curves and rigid bodies are where the B-spline (with rotated offsets, see below)
+ *                          or the body has them for the current control points. Meanwhile each body, that is each loop
+ *                          of the boundary that moves all round, rotates and scales about the centre of its control
+ *                          points, by the best-fitting similarity, at a constant rate; the rest of the movement grows
+ *                          linearly. Walls that end on another boundary move on straight lines, so that what is held at
+ *                          their ends stays; so do functions with real values. If the target is not reached, all is
+ *                          tried on straight lines, too
  *   HM_STRATEGY_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
  *                          (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial
  *                          cells as the target shapes)
  *   HM_STRATEGY_IMPROVED   inner points of a mesh at the target are placed for quality, see hm_improve
  * If no strategy reaches the target, the mesh is never nearer to the start than what one linear step reaches.
  *
- * Points of a wall are not exactly on their curve. With complex functions, a body that rotates or scales takes them along:
- * the best-fitting similarity is applied to the points themselves, and the rest of the movement to the curve. So
- * hm_morph_safe moves a point at x = C(u) + e by sum_i N_i dP_i + (r - 1) e, r the rotation and scale of its body, where
- * hm_morph moves it by the sum alone (for hm_options.offset_correction see there); near the wall the mesh follows.
+ * Points of a wall are not exactly on their curve. With complex functions, a body that rotates or scales takes them
+ * along: the best-fitting similarity is applied to the points themselves, and the rest of the movement to the curve. So
+ * hm_morph_safe moves a point at x = C(u) + e by sum_i N_i dP_i + (r - 1) e, r the rotation and scale of its body,
+ * where hm_morph moves it by the sum alone (for hm_options.offset_correction see there); near the wall the mesh
+ * follows.
  *
- * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING). Boundaries that slide, are periodic
- * or free are judged only as far as it is known where they end. */
+ * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING). Boundaries that slide, are
+ * periodic or free are judged only as far as it is known where they end. */
 enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3,
        HM_STRATEGY_IMPROVED = 4 };
 
@@ -1127,10 +1134,11 @@ typedef struct hm_safe_options {
     double  *reached;              /* [2*functions] receives the movement that `to` has. If this is not the whole
                                       movement, it differs from `move` times step_fraction, because bodies rotate on the
                                       way. NULL: not wanted */
-    double   min_quality;          /* [0..1] smallest size-skew quality of the mesh at the target, relative to the start, in
-                                      parts of the smallest quality of the start; 0 means 0.05; negative: any valid mesh */
-    double   max_height_change;    /* [-] > 1: heights of the first layer may grow and shrink by this factor at most; where
-                                      they do by more, they are restored as far as that helps. 0: any */
+    double   min_quality;          /* [0..1] smallest size-skew quality of the mesh at the target, relative to the
+                                      start, in parts of the smallest quality of the start; 0 means 0.05; negative: any
+                                      valid mesh */
+    double   max_height_change;    /* [-] > 1: heights of the first layer may grow and shrink by this factor at most;
+                                      where they do by more, they are restored as far as that helps. 0: any */
 } hm_safe_options;
 
 typedef struct hm_worst_cell {
@@ -1161,8 +1169,8 @@ typedef struct hm_safe_report {
     int32_t  angle_point;          /* where the angle changed most; -1: no wall point has a first-layer edge */
     int32_t  min_height_point, max_height_point;
     int32_t  n_worst;              /* 0 .. 5, as many as the mesh has cells */
-    double   turned_offset;        /* [length] largest (r - 1) e by which a point of a wall moved beside its curve's
-                                      movement, see above; hm_boundary_error finds it */
+    double   turned_offset;        /* [length] largest |(r - 1) e| that a point of a wall moved in addition to the
+                                      movement of the curve, see above; hm_boundary_error includes it */
     double   start_quality;        /* [0..1] smallest skew quality of the start */
     hm_worst_cell worst[5];        /* [n_worst] the cells of lowest quality of `to`, the worst first */
 } hm_safe_report;
@@ -1171,8 +1179,8 @@ typedef struct hm_safe_report {
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
 /* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must not have changed, by
  * `move` (see hm_morph). `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
- * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_POOR: the whole movement and a valid mesh,
- * but options.min_quality or options.max_height_change is missed; HM_SHORT: the best valid mesh,
+ * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_POOR: the whole movement and a valid
+ * mesh, but options.min_quality or options.max_height_change is missed; HM_SHORT: the best valid mesh,
  * report.step_fraction of the movement. If the call is refused or cancelled, `to` is unchanged. `to` never contains an
  * inverted cell, and the boundary of `to` does not cross itself unless the boundary of the mesh does.
  * options NULL: defaults. report may be NULL. The threads are those of the plan. Afterwards the plan has another
@@ -1180,9 +1188,11 @@ HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error
  *
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of the functions of all
  * steps, each weighted by the part of the movement that the step made. With this basis hm_morph is the derivative of
- * `to` by `move` and hm_adjoint its transpose; exact on the wall. Neglected elsewhere: the dependence of later
- * functions on the earlier steps, the dependence of step lengths and body rotations on `move`, and what untangling
- * moved. */
+ * `to` by `move` and hm_adjoint the transpose. If the whole movement was possible, this is exact for the points of a
+ * wall that lie on their curve. Neglected are: for points off their curve, the change of the rotated offset (r - 1) e
+ * with `move` (report.turned_offset tells how large the offset's part of the movement is); inside the mesh, the
+ * dependence of later functions on the earlier steps and the movement that follows rotated offsets; the dependence of
+ * step lengths and body rotations on `move`; and what untangling, improvement and options.heights moved. */
 HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, const hm_points_out *to,
                                hm_basis *derivative, void *work, size_t bytes, const hm_safe_options *options,
                                hm_safe_report *report, hm_error *err);

@@ -13,7 +13,8 @@
 
 #include <stdlib.h>
 
-/* NULL where malloc gives NULL, or bytes are close to SIZE_MAX. Not filled: pages that are not touched take no memory. */
+/* NULL where malloc gives NULL, or bytes are close to SIZE_MAX. Not filled: pages that are not touched take no
+ * memory. */
 static inline void *hm_pages_alloc(size_t bytes) {
     const size_t huge = (size_t)1 << 21, alignment = bytes < huge ? 64 : huge, more = alignment + sizeof(void *);
     char *memory = bytes > (size_t)-1 - more ? NULL : (char *)malloc(bytes + more);

@@ -270,8 +270,9 @@ const Command morph_command = {
     {"MESH", "BASIS"},
     "Moves control points, and the mesh with them",
     "MOVES is a text file with lines \"index dx dy\": control point (from 1) and its movement; for bodies of solve --rigid\n"
-    "\"rigid MARKER dx dy degrees [scale]\". What is not named stays; `#` starts a comment. Points of the mesh on the\n"
-    "curve move exactly as the B-spline does. A mesh with inverted cells or a boundary that crosses itself is not written.\n"
+    "\"rigid MARKER dx dy degrees [scale]\", for tables of solve --mode \"mode K amplitude [amplitude y]\". What is not\n"
+    "named stays; `#` starts a comment. Points of the mesh on the curve move exactly as the B-spline does.\n"
+    "A mesh with inverted cells or a boundary that crosses itself is not written.\n"
     "The morphed mesh keeps the text of its file; only coordinates that changed are new. Beside it, in MESH.curve, is the\n"
     "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
@@ -284,7 +285,7 @@ const Command morph_command = {
                              "curve's are (default: coordinates are those of the mesh)"},
      {"--airfoil-curve", "N", "for --to-airfoil: which curve of the basis is the airfoil (default 1)"},
      {"--moves-out", "MOVES", "for --to-airfoil: where to write the movement, for --move"},
-     {"-o", "MESH", "morphed mesh to write, SU2"},
+     {"-o", "MESH", "morphed mesh to write, in the format of MESH"},
      {"--curve-out", "CURVE", "where to write the moved curve (default: -o with .curve behind)\n" CURVE_FORMATS},
      {"--vtu", "FILE", "morphed mesh and its displacement for ParaView"},
      {"--svg", "FILE", "picture: mesh before in blue, after in red, with the control points"},

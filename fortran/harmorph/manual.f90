@@ -71,7 +71,8 @@
 ! THREE DIMENSIONS
 !
 ! hm_plane      Solvers with three dimensions and a mesh one cell thick: between parallel planes of any direction, in
-!               any number of layers, or a wedge about an axis. Arrays are x(:), y(:), z(:) or x(:,:,:), y(:,:,:), z(:,:,:).
+!               any number of layers, or a wedge about an axis. Arrays are x(:), y(:), z(:) or
+!               x(:,:,:), y(:,:,:), z(:,:,:).
 !                   type(hm_plane) :: plane
 !                   call plane%points(x, y, z)           copied until find
 !                   call plane%faces(faces)              (3,n) or (4,n) of one symmetry plane: the plane's cells
@@ -88,9 +89,9 @@
 !               repeated. plan%boundary gives the points of a marker in this order. n_control (20), degree (3), closed.
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
 ! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. hm_condition(marker, kind):
-!               hm_fixed; hm_slip, along straight lines; hm_free, with the Laplace and weighted operators; hm_rigid with
-!               body=, x=, y=; hm_periodic_pair with partner=; hm_given, points that move by displacements
-!               that are given from call to call. Of several markers of a point the first of these holds: on curve, rigid,
+!               hm_fixed; hm_slip, along straight lines; hm_free, with the Laplace and weighted operators; hm_rigid
+!               with body=, x=, y=; hm_periodic_pair with partner=; hm_given, points that move by displacements that
+!               are given from call to call. Of several markers of a point the first of these holds: on curve, rigid,
 !               given, fixed, slip, free.
 ! hm_options    0 or null is the default of each: operator_kind hm_conformal (keeps angles; complex functions) or
 !               hm_laplace (the paper's harmonic ones), scheme, engine, precision, tolerance, executor, progress, ...
@@ -98,10 +99,10 @@
 ! move          move(2, functions): dx, dy of each control point; after them, for each rigid body, its translation, then
 !               s - 1 with s = scale * (cos a, sin a) for a turn by a.
 !
-! wall          wall(2,n): displacements of all points of markers with hm_given, in the order of plan%given_points, or of
-!               the argument points(n). plan%displace(wall, x, y) moves the mesh in place, displacement gives dx, dy,
-!               displacements several fields wall(2,n,m) at once. Factor once, displace as often as wished; basis%assess,
-!               of a basis made by basis%init(plan), tells when to factor again, on x, y.
+! wall          wall(2,n): displacements of all points of markers with hm_given, in the order of plan%given_points, or
+!               of the argument points(n). plan%displace(wall, x, y) moves the mesh in place, displacement gives dx, dy,
+!               displacements several fields wall(2,n,m) at once. Factor once, displace as often as wished;
+!               basis%assess, of a basis made by basis%init(plan), tells when to factor again, on x, y.
 !
 ! REPORTS
 !
@@ -121,18 +122,20 @@
 ! hm_safe_report    strategy: hm_strategy_linear, ..., what moved the mesh last; step_fraction of the way (below 1: stat
 !                   hm_short); admissible, cell, point of the last step tried; steps, resolves, other (0: none),
 !                   untangled; quality, angles and first-layer heights of the mesh reached; worst(:n_worst), its cells
-!                   of lowest quality, with their places; start_quality; turned_offset, see below hm_morph_safe in harmorph.h.
-! hm_improve_report min_quality_before, mean_quality_before, min_quality, mean_quality (size-skew, relative to the mesh as
-!                   analysed), min_quality_cell_before, min_quality_cell; iterations, movable points.
+!                   of lowest quality, with their places; start_quality; turned_offset, see HM_STRATEGY_... in
+!                   harmorph.h.
+! hm_improve_report min_quality_before, mean_quality_before, min_quality, mean_quality (size-skew, relative to the
+!                   mesh as analysed), min_quality_cell_before, min_quality_cell; iterations, movable points.
 ! hm_transfer_report  points, outside, max_distance, wall_correction: how well the coarse mesh resolves the functions.
 !
 ! ERRORS
 !
 ! stat, err     The last arguments of every call. stat: 0 done; above 0 done, with a warning (hm_not_converged,
-!               hm_moved, hm_short, hm_poor, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays are as before; a plan or basis that was to be
-!               made anew is empty. err%code is stat, err%text one sentence, err%item the first offending point, cell,
-!               marker, ... (-1: none), err%value what was found. Without stat, a refused call prints its name and the
-!               reason, and stops the program. Warnings without stat are not told.
+!               hm_moved, hm_short, hm_poor, hm_backtracks, hm_far_from_curve); below 0 refused: the caller's arrays
+!               are as before; a plan or basis that was to be made anew is empty. err%code is stat, err%text one
+!               sentence, err%item the first offending point, cell, marker, ... (-1: none), err%value what was found.
+!               Without stat, a refused call prints its name and the reason, and stops the program. Warnings without
+!               stat are not told.
 !
 ! MEMORY AND OWNERSHIP
 !

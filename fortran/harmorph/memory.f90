@@ -2,7 +2,7 @@
 ! ---- Blocks of memory: the caller's, or allocated here ---------------------------------------------------------------
 
     type :: block_of_memory
-        integer(c_int64_t), pointer, private :: words(:) => null()      ! what was allocated here; huge pages if it is large
+        integer(c_int64_t), pointer, private :: words(:) => null()      ! allocated here; huge pages where large
         type(c_ptr) :: start = c_null_ptr
         integer(c_size_t) :: bytes = 0
     contains

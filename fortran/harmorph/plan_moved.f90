@@ -17,10 +17,11 @@ contains
         call done%finish("plan%factor", stat, err)
     end subroutine
 
-    ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: it is not all
-    ! of move; hm_poor: it is, but cells are poorer than options ask for. From the mesh's own coordinates; x_new may be they. derivative: another basis for the step as a whole,
-    ! made here if empty. others: bases to be tried where this one would invert cells; the report counts them from 1,
-    ! 0: none.
+    ! morph_safe(basis, move, x_new, y_new): however large move is, x_new has no inverted cell; hm_short: x_new has only
+    ! a part of move; hm_poor: all of move, but cells are poorer than options ask for. The mesh's own coordinates are
+    ! the start, and x_new may be the same arrays. derivative: another basis for the step as a whole, made here if
+    ! empty; what the derivative neglects stands at hm_morph_safe in harmorph.h. others: bases to be tried where this
+    ! one would invert cells; the report counts them from 1, 0: none.
     subroutine morph_safe_@FORM@(self, basis, move, x_new, y_new, derivative, others, options, report, work, stat, err)
         class(hm_plan), intent(inout) :: self
         type(hm_basis), intent(in) :: basis
