@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: embed.sh >page_text.cpp
-# Each page with its style sheets and scripts inside, as two C++ strings: what stands
-# before and what stands after the line of data.js, where the program puts its own data. embed.cmake does the same.
+# Each page behind head.html, which all pages share, with its style sheets and scripts inside, as two C++ strings: what
+# stands before and what stands after the line of data.js, where the program puts its own data. embed.cmake does the same.
 cd "$(dirname "$0")" || exit 1
 printf '// Made by c_api/cli/page/embed.sh.\n#include "cli/page_text.hpp"\n'
 for page in explore report; do
@@ -19,5 +19,5 @@ for page in explore report; do
         /^<script src=/ { put("<script>"); put_file(between_quotes($0)); put("</script>"); next }
         /^<link href=/ { put("<style>"); put_file(between_quotes($0)); put("</style>"); next }
         { put($0) }
-        END { print "};" }' $page.html || exit 1
+        END { print "};" }' head.html $page.html || exit 1
 done
