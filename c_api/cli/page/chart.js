@@ -1,5 +1,5 @@
 "use strict";
-// Curves and histograms with axes, as SVG elements.
+// Curves and histograms with axes, as SVG elements; each below its name, with its numbers as a file.
 
 // Round numbers between low and high, about so many.
 function ticks(low, high, about) {
@@ -11,12 +11,19 @@ function ticks(low, high, about) {
     return list;
 }
 
+// Lines of numbers and texts; texts with a comma or a quotation mark stand between quotation marks.
+function csv(rows) {
+    const field = (value) => (/[",\n]/.test(value) ? `"${value.replaceAll('"', '""')}"` : String(value));
+    return rows.map((row) => row.map(field).join() + "\n").join("");
+}
+
 class Chart {
-    constructor({ x, y, x_name, y_name, width = 1060, height = 240 }) {
-        Object.assign(this, { x, y, width, height, left: 62, right: 14, top: 26, bottom: 40 });
+    // width, height [pixels]: letters keep their size on small screens.
+    constructor({ x, y, x_name, width, height = 220 }) {
+        Object.assign(this, { x, y, width, height, left: 48, right: 14, top: 8, bottom: 40 });
         this.parts = [];
         const base = height - this.bottom;
-        for (const at of ticks(x[0], x[1], 10)) {
+        for (const at of ticks(x[0], x[1], Math.min(width / 90, 10))) {
             this.line(this.px(at), this.top, this.px(at), base, "var(--soft)");
             this.text(brief(at), this.px(at), base + 17, "middle");
         }
@@ -25,7 +32,6 @@ class Chart {
             this.text(brief(at), this.left - 8, this.py(at) + 4, "end");
         }
         this.text(x_name, (this.left + width - this.right) / 2, height - 5, "middle");
-        this.text(y_name, this.left, 15, "start", "name");
     }
 
     px(x) {
@@ -44,10 +50,8 @@ class Chart {
             `<line x1="${ax.toFixed(1)}" y1="${ay.toFixed(1)}" x2="${bx.toFixed(1)}" y2="${by.toFixed(1)}" stroke="${colour}"/>`,
         );
     }
-    text(text, x, y, anchor, its_class = "") {
-        this.parts.push(
-            `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}" class="${its_class}">${text}</text>`,
-        );
+    text(text, x, y, anchor) {
+        this.parts.push(`<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchor}">${text}</text>`);
     }
 
     curve(points, colour) {
@@ -72,5 +76,21 @@ class Chart {
 
     svg() {
         return `<svg viewBox="0 0 ${this.width} ${this.height}">${this.parts.join("")}</svg>`;
+    }
+
+    // columns: names of the numbers in each of the rows; file: name of the table without ".csv".
+    show_in(box, name, file, columns, rows) {
+        const title = document.createElement("h3"),
+            link = document.createElement("a"),
+            head = document.createElement("div");
+        title.textContent = name;
+        link.textContent = "CSV";
+        link.title = "The numbers of this chart as a table";
+        link.download = file + ".csv";
+        link.href = "data:text/csv;charset=utf-8," + encodeURIComponent(csv([columns, ...rows]));
+        head.className = "row";
+        head.append(title, link);
+        box.innerHTML = this.svg();
+        box.prepend(head);
     }
 }

@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: embed.sh >page_text.cpp
 # Each page behind head.html, which all pages share, with its style sheets and scripts inside, as two C++ strings: what
-# stands before and what stands after the line of data.js, where the program puts its own data. embed.cmake does the same.
+# stands before and what stands after the line of data.js, where the program puts its own data. embed.cmake does
+# the same.
 cd "$(dirname "$0")" || exit 1
 printf '// Made by c_api/cli/page/embed.sh.\n#include "cli/page_text.hpp"\n'
 for page in explore report; do

@@ -36,7 +36,7 @@ class Legend {
                     high_text: "good 1",
                     name: "size-skew quality",
                     colour_at: (value) => scale.good.css(value),
-                    summary: `${brief(cells.min_quality)} at least, ${brief(cells.mean_quality)} on average`,
+                    summary: `${cells.quality.filter((value) => value < 0.5).length} of ${cells.n} cells below 0.5`,
                 };
             case "angle": {
                 const high = this.most_degrees();

@@ -6,7 +6,7 @@ const element = (id) => document.getElementById(id);
 class Panel {
     constructor(app) {
         this.app = app;
-        element("name").textContent = `${app.data.mesh} · ${app.data.operator}`;
+        element("name").textContent = element("name").title = `${app.data.mesh} · ${app.data.operator}`;
         element("section_box").hidden = app.sections.length === 0;
         element("point_box").hidden = app.data.n_control === 0;
         element("pair").hidden = !app.pairs.partner.some((partner) => partner >= 0);

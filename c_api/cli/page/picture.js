@@ -46,7 +46,7 @@ class Picture {
                   : 0;
         painter.triangles(this.positions, this.colours, n);
         const line = colour_of("--mesh"),
-            strong = n > 0 || options.before ? 0.35 : 0.75;
+            strong = n > 0 ? 0.35 : 0.75;
         painter.lines(screen, this.thin_edges, [...line, strong / 2]);
         painter.lines(screen, this.edges, [...line, strong]);
         if (options.before) this.draw_before_and_after(camera);

@@ -43,6 +43,7 @@ class Report {
         this.write_verdict();
         this.write_cards();
         this.write_moved();
+        this.follow_the_reader();
         this.draw();
     }
 
@@ -77,11 +78,11 @@ class Report {
             [
                 "Admissible step",
                 step === Infinity ? "unlimited" : `${brief(step)} ×`,
-                "of this movement, in one linear morph",
+                "of this movement",
             ],
             ["Least quality", data.min_quality.toFixed(3), `before ${cells_before.min_quality.toFixed(3)}`],
             ["Mean quality", data.mean_quality.toFixed(4), `before ${cells_before.mean_quality.toFixed(4)}`],
-            ["Off the B-spline", brief(data.boundary_error), "at most, of what the wall moved"],
+            ["Boundary error", brief(data.boundary_error), "largest distance from the B-spline"],
         ];
         if (data.safe) {
             cards.push([
@@ -105,6 +106,7 @@ class Report {
             ]);
             cards.push([`Area, ${name}`, brief(now.area), `before ${brief(start.area)}`]);
         }
+        element("cards").style.setProperty("--columns", cards.length % 5 === 0 ? 5 : 4); // full rows
         for (const [name, value, note] of cards) {
             const card = document.createElement("div");
             for (const [kind, text] of [
@@ -146,20 +148,47 @@ class Report {
 
     // ---- Pictures
 
+    // Light or dark as the reader's system is, but light on paper; drawn again where the page has another width.
+    follow_the_reader() {
+        const dark = matchMedia("(prefers-color-scheme: dark)");
+        let width = innerWidth,
+            timer = 0;
+        this.set_theme(dark.matches ? "dark" : "light");
+        const change_to = (theme) => {
+            this.set_theme(theme);
+            this.draw();
+        };
+        dark.onchange = () => change_to(dark.matches ? "dark" : "light");
+        window.onbeforeprint = () => change_to("light");
+        window.onafterprint = dark.onchange;
+        window.onresize = () => {
+            if (innerWidth === width) return;
+            width = innerWidth;
+            clearTimeout(timer);
+            timer = setTimeout(() => this.draw(), 200);
+        };
+    }
+
+    set_theme(theme) {
+        this.theme = theme;
+        document.documentElement.classList.toggle("dark", theme === "dark");
+    }
+
     draw() {
         const { data, after, before, cells, cells_before, home, extent } = this,
-            shown = { theme: "light", before: false };
+            shown = { theme: this.theme, before: false };
         this.map("change", after, cells, home, 0.12, { ...shown, colour: "none", before: true });
         this.map("quality_before", before, cells_before, home, 0.12, { ...shown, colour: "quality" });
         this.map("quality_after", after, cells, home, 0.12, { ...shown, colour: "quality" });
         this.draw_scale();
         this.draw_histogram();
-        this.draw_wall();
+        element("wall_section").hidden = this.wall.layer.length === 0 || !(extent > 0);
+        if (!element("wall_section").hidden) this.draw_wall();
         const order = [...cells.quality.keys()]
             .sort((one, other) => cells.quality[one] - cells.quality[other])
             .slice(0, 10);
+        element("worst").replaceChildren();
         for (const cell of order) this.draw_close_up(cell);
-        element("wall_section").hidden = this.wall.layer.length === 0 || !(extent > 0);
         document.title = `Morph report: ${data.mesh}`;
     }
 
@@ -190,7 +219,7 @@ class Report {
             context = canvas.getContext("2d");
         [canvas.width, canvas.height] = [256, 1];
         for (let i = 0; i < 256; ++i) {
-            context.fillStyle = scales.light.good.css(i / 255);
+            context.fillStyle = scales[this.theme].good.css(i / 255);
             context.fillRect(i, 0, 1, 1);
         }
     }
@@ -204,60 +233,67 @@ class Report {
             };
         const before = count(this.cells_before.quality),
             after = count(this.cells.quality);
+        const box = element("quality_histogram");
         const chart = new Chart({
             x: [0, 1],
             y: [0, Math.max(...before, ...after)],
             x_name: "quality; before in blue, after in red",
-            y_name: "cells [%]",
+            width: box.clientWidth,
         });
         chart.bars(before, "var(--before)", 0.08, 0.4);
         chart.bars(after, "var(--after)", 0.52, 0.4);
-        element("quality_histogram").innerHTML = chart.svg();
+        const rows = before.map((percent, bin) => [bin / n, (bin + 1) / n, percent, after[bin]]);
+        chart.show_in(box, "Cells [%]", "quality", ["from", "to", "percent before", "percent after"], rows);
     }
 
     // Along each wall, from its first point, by the arc before anything moved.
     draw_wall() {
         const place = new Map(this.wall.layer.map((its, i) => [its.point, i])),
             { x, y } = this.before,
-            curves = [];
+            curves = [],
+            rows = [],
+            columns = ["wall", "x before", "y before", "arc", "degrees", "height ratio"];
         let arc = 0;
-        for (const { points } of this.wall.chains) {
+        for (const { points, marker } of this.wall.chains) {
             const angle = [],
-                height = [];
+                height = [],
+                its_name = this.data.markers[marker].name;
             points.forEach((point, k) => {
                 if (k > 0) arc += Math.hypot(x[point] - x[points[k - 1]], y[point] - y[points[k - 1]]);
                 const i = place.get(point);
                 if (i === undefined) return;
                 angle.push([arc, this.wall.angle[i]]);
                 height.push([arc, this.wall.height[i]]);
+                rows.push([its_name, x[point], y[point], arc, this.wall.angle[i], this.wall.height[i]]);
             });
             curves.push({ angle, height });
         }
         const all = (name) => curves.flatMap((curve) => curve[name].map(([, value]) => value));
         const put = (id, name, low, high, y_name) => {
-            const room = 0.05 * (high - low);
+            const box = element(id),
+                room = 0.05 * (high - low);
             const chart = new Chart({
                 x: [0, arc || 1],
                 y: [low === 0 ? 0 : low - room, high + room],
                 x_name: "arc along the wall before it moved",
-                y_name,
+                width: box.clientWidth,
             });
             for (const curve of curves) if (curve[name].length > 0) chart.curve(curve[name], "var(--after)");
-            element(id).innerHTML = chart.svg();
+            chart.show_in(box, y_name, "first_layer", columns, rows);
         };
         put(
             "angle_chart",
             "angle",
             0,
             Math.max(0.1, ...all("angle")),
-            "change of the angle between wall and first-layer edge [degrees]",
+            "Change of the angle between wall and first-layer edge [degrees]",
         );
         put(
             "height_chart",
             "height",
             Math.min(0.99, ...all("height")),
             Math.max(1.01, ...all("height")),
-            "height of the first layer, after over before",
+            "Height of the first layer, after over before",
         );
     }
 
@@ -269,9 +305,10 @@ class Report {
         figure.append(canvas, caption);
         element("worst").append(figure);
         const corners = data.cell_points.subarray(4 * cell, 4 * cell + 4),
-            [x, y] = cells.centre(cell, after.x, after.y);
+            digits = Math.max(0, 5 - Math.floor(Math.log10(this.extent || 1))),
+            [x, y] = cells.centre(cell, after.x, after.y).map((at) => fixed(at, digits));
         const { context, path } = this.map(canvas, after, cells, box_of_points(after.x, after.y, corners), 0.3, {
-            theme: "light",
+            theme: this.theme,
             before: false,
             colour: "quality",
         });
@@ -280,8 +317,8 @@ class Report {
         context.lineWidth = 2.5;
         context.stroke();
         caption.textContent =
-            `cell ${data.cell[cell]}: ${cells.quality[cell] === 0 ? "inverted" : brief(cells.quality[cell])} at ` +
-            `(${brief(x)}, ${brief(y)})`;
+            `cell ${data.cell[cell]}: ${cells.quality[cell] === 0 ? "inverted" : brief(cells.quality[cell])}\n` +
+            `at ${x}, ${y}`;
     }
 }
 
