@@ -35,19 +35,20 @@
         app.camera.pixel_y(app.curves.control[2 * i + 1]),
     ];
 
-    // From one pixel by so many, in steps; each with its frame. The median time of one [ms].
+    // From one pixel by so many, in steps; each with its frame. Median times [ms]: of a frame, and of its parts.
     const drag = ([px, py], dx, dy, steps) => {
-        const times = [];
+        const times = { frame: [], morph: [], judge: [], draw: [] };
         pointer("pointerdown", px, py);
         for (let i = 1; i <= steps; ++i) {
             const begin = performance.now();
             pointer("pointermove", px + (dx * i) / steps, py + (dy * i) / steps);
             frame();
             app.picture.painter.finish();
-            times.push(performance.now() - begin);
+            times.frame.push(performance.now() - begin);
+            for (const part of ["morph", "judge", "draw"]) times[part].push(app.times[part]);
         }
         pointer("pointerup", px + dx, py + dy);
-        return times.sort((a, b) => a - b)[steps >> 1];
+        return Object.entries(times).map(([part, list]) => [part, list.sort((a, b) => a - b)[steps >> 1]]);
     };
 
     const saved = () => {
@@ -67,8 +68,8 @@
     const drag_control_points = () => {
         const i = Math.floor(app.data.n_control / 3),
             start = coordinates();
-        const milliseconds = drag(pixel_of(i), 10, wanted.down, 40);
-        lines.push(`value frame_milliseconds ${milliseconds.toFixed(1)}`, `value points ${app.model.n}`);
+        for (const [part, milliseconds] of drag(pixel_of(i), 10, wanted.down, 40))
+            lines.push(`value ${part}_milliseconds ${milliseconds.toFixed(1)}`);
         const shift = wanted.down / app.camera.scale;
         check(
             "a dragged point is where the pointer is",

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Tests of the page of `harmorph explore`: sh tests/page.sh path/to/harmorph path/to/meshes folder/for/output
 # Headless Chromium (CHROMIUM, or what is found) opens the page with tests/page.js behind it and prints what became of
-# it; `harmorph morph` with the moves that the page saved must put every point where the page has it.
+# it; `harmorph morph` with the moves that the page saved must put every point where the page has it. Prints, too, how
+# long a frame of a drag takes.
 harmorph=$1 meshes=$2 tmp=$3
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
@@ -90,7 +91,9 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
         END { print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"; exit !(n > 0 && wrong == 0) }' >"$tmp/log"
     if [ $? -eq 0 ]; then ok; else fail "$case: $(cat "$tmp/log")"; fi
     frame=$(value frame_milliseconds)
-    echo "$case: $(tail -n 1 "$tmp/log")${frame:+; a frame takes $frame ms, drawn without a graphics processor}"
+    frame=${frame:+"; median frame of a drag $frame ms: morph $(value morph_milliseconds), \
+judge $(value judge_milliseconds), draw $(value draw_milliseconds), the rest fields and pixels, without a graphics processor"}
+    echo "$case: $(tail -n 1 "$tmp/log")$frame"
 }
 judged_alike() { # the whole mesh is on the page
     for name in inverted self_crossing; do
@@ -118,7 +121,14 @@ cp "$tmp/inverted.json" "$tmp/report.json"
 "$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --report "$tmp/report.html" >/dev/null 2>&1
 cat >>"$tmp/report.html" <<'END'
 <script>
-const lines = [`value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
+const table = (id) => {
+    const [, text] = document.querySelector(`#${id} a`).href.split(",");
+    return decodeURIComponent(text).trim().split("\n").slice(1);
+};
+const percent = (column) => table("quality_histogram").reduce((sum, row) => sum + Number(row.split(",")[column]), 0);
+const lines = [`value percent_before ${percent(2).toFixed(9)}`, `value percent_after ${percent(3).toFixed(9)}`,
+    `value first_layer_missing ${report.wall.layer.length - table("angle_chart").length}`,
+    `value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
     `value min_quality ${report.cells.min_quality}`, `value mean_quality ${report.cells.mean_quality}`,
     `value self_crossing ${report.wall.crossing.length > 0}`, `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
     `value charts ${document.querySelectorAll("article svg").length}`];
@@ -130,8 +140,17 @@ judged_alike
 if [ "$(value close_ups) $(value charts)" = "10 3" ]; then ok; else
     fail "report: $(value close_ups) worst cells, $(value charts) charts"
 fi
+if [ "$(value percent_before) $(value percent_after)" = "100.000000000 100.000000000" ]; then ok; else
+    fail "report: the table of qualities has $(value percent_before) and $(value percent_after) % of the cells"
+fi
+if [ "$(value first_layer_missing)" = 0 ]; then ok; else
+    fail "report: $(value first_layer_missing) edges of the first layer are not in the table"
+fi
 "$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" >/dev/null 2>&1
 if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
+# As many points as a page shows without leaving any out: the demo's fine mesh.
+"$harmorph" demo "$tmp/demo" >"$tmp/log" 2>&1 || fail "demo: $(tail -n 1 "$tmp/log")"
+page fine "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" 30
 echo "$passed passed, $failed failed"
 [ $failed -eq 0 ]
