@@ -92,7 +92,8 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
     if [ $? -eq 0 ]; then ok; else fail "$case: $(cat "$tmp/log")"; fi
     frame=$(value frame_milliseconds)
     frame=${frame:+"; median frame of a drag $frame ms: morph $(value morph_milliseconds), \
-judge $(value judge_milliseconds), draw $(value draw_milliseconds), the rest fields and pixels, without a graphics processor"}
+judge $(value judge_milliseconds), draw $(value draw_milliseconds), \
+the rest fields and pixels, without a graphics processor"}
     echo "$case: $(tail -n 1 "$tmp/log")$frame"
 }
 judged_alike() { # the whole mesh is on the page
