@@ -46,7 +46,7 @@ body_of() { # the markers of the ring's inner circle, with commas
 check "make_mesh is compiled" $CXX -std=c++17 -O0 -o "$tmp/make_mesh" tests/formats/make_mesh.cpp
 make_mesh=$tmp/make_mesh
 awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
-: >"$tmp/none.txt"
+echo "# nothing moves" >"$tmp/none.txt"
 
 # ---- Every kind: check, fit, solve, morph --------------------------------------------------------------------------
 
