@@ -53,7 +53,7 @@ example_lines() {   # language, number of the block, example: lines between READ
     block "$1" "$2" >"$dir/shown"
     awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$3" | sed '/^$/d; s/^    //' | diff - "$dir/shown"
 }
-check "the lines of c_api/examples/plane.c" example_lines c 2 c_api/examples/plane.c
+check "the lines of c_api/examples/plane.c" example_lines c 3 c_api/examples/plane.c
 check "the lines of fortran/examples/plane.f90" example_lines fortran 3 fortran/examples/plane.f90
 check "the solver's lines are those of fortran/examples/inverse.f90" solver_lines
 check "from nothing to a running morph in C" path 1 "^0 inverted cells; the mesh could follow"

@@ -5,6 +5,7 @@
 #include "formats/tidy.hpp"
 
 #include <filesystem>
+#include <system_error>
 
 namespace cli {
 
@@ -55,9 +56,11 @@ std::string format_table() {
 }
 
 std::string mesh_file(const std::string& path) {
+    std::error_code ignored; // whoever opens the file says what is wrong with its name
+    if (!std::filesystem::is_directory(path, ignored)) return path;
     for (const char* place : {"constant/polyMesh/points", "polyMesh/points", "points"}) {
         const std::filesystem::path points = std::filesystem::path(path) / place;
-        if (std::filesystem::is_directory(path) && std::filesystem::exists(points)) return points.string();
+        if (std::filesystem::exists(points, ignored)) return points.string();
     }
     return path;
 }
