@@ -147,7 +147,8 @@ void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_
         start = labels();
         const std::size_t here = word_;
         points = labels();
-        if (start.empty() || start[0] != 0 || start.back() != static_cast<std::int64_t>(points.size())) {
+        if (start.empty() || start[0] != 0 || start.back() != static_cast<std::int64_t>(points.size()) ||
+            !std::is_sorted(start.begin(), start.end())) {
             file_.fail(here, "the list where faces begin does not fit the list of their points");
         }
         offsets.assign(start.size() - 1, here);
