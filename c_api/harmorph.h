@@ -17,6 +17,7 @@
  * Memory           The library allocates no memory. A *_size function returns the exact number of bytes; any alignment
  *                  is accepted. An object lives inside the caller's block: nothing has to be freed, and the block must
  *                  not move while the object is in use (a basis may be copied or written to a file: hm_basis_attach).
+ *                  Blocks in huge pages make morphs of large meshes faster: harmorph_pages.h.
  * Ownership        Arrays in structs remain the caller's, and input arrays are never changed. The arrays of a mesh must
  *                  exist as long as the analysis and the plan that were made from the mesh, the arrays of the curves as
  *                  long as the analysis. The basis contains copies of everything that the basis needs.
@@ -60,7 +61,7 @@
 #include <stdint.h>
 
 #define HM_VERSION "0.1.0"
-#define HM_ABI 2 /* hm_abi_version() returns this value if header and library belong together */
+#define HM_ABI 3 /* hm_abi_version() returns this value if header and library belong together */
 
 #ifdef __cplusplus
 extern "C" {
@@ -129,16 +130,6 @@ typedef struct hm_executor {
                                       with n_threads */
     int32_t  reserved;             /* 0 */
 } hm_executor;
-
-/* ---- Pages of the caller's blocks ------------------------------------------------------------------------------- */
-
-/* Asks the system for huge pages (2 MiB) in a block that has not been written yet: where a basis does not fit into the
- * processor's caches, reading it takes .55 to .9 of the time that it takes in pages of 4 KiB. Only whole
- * multiples of 2 MiB inside the block can be huge pages. Returns their number of bytes; 0 where the system refuses, and
- * on all systems but Linux on x86-64 and 64-bit ARM. What is in the block stays as it is. This is the only call of the
- * library that calls the system. Ready-made: harmorph_pages.h; the program and the Fortran module ask for huge pages in
- * their own blocks. */
-HM_API size_t hm_huge_pages(void *block, size_t bytes);
 
 /* ---- Points: two numbers for each point of a mesh, in the caller's arrays --------------------------------------- */
 

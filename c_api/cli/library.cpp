@@ -47,8 +47,11 @@ std::string place(const std::string& sentence, const Mesh& mesh) {
 void Block::resize(std::size_t bytes) {
     if (!memory_ || bytes > capacity_) {
         memory_.reset(); // first, so that old and new are never there together
-        memory_.reset(static_cast<unsigned char*>(hm_pages_alloc(bytes)));
+        data_ = nullptr;
+        capacity_ = 0;
+        memory_.reset(std::malloc(hm_pages_room(bytes)));
         if (!memory_) throw std::bad_alloc();
+        data_ = static_cast<unsigned char*>(hm_pages_place(memory_.get(), bytes));
         capacity_ = bytes;
     }
     size_ = bytes;

@@ -6,6 +6,7 @@
 #include "mesh.hpp"
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <string>
 
@@ -18,15 +19,16 @@ public:
     Block() = default;
     explicit Block(std::size_t bytes) { resize(bytes); }
     void resize(std::size_t bytes); // keeps the memory where it is large enough, but not what is in it
-    unsigned char* data() { return memory_.get(); }
-    const unsigned char* data() const { return memory_.get(); }
+    unsigned char* data() { return data_; }
+    const unsigned char* data() const { return data_; }
     std::size_t size() const { return size_; }
 
 private:
     struct Free {
-        void operator()(unsigned char* block) const { hm_pages_free(block); }
+        void operator()(void* memory) const { std::free(memory); }
     };
-    std::unique_ptr<unsigned char[], Free> memory_;
+    std::unique_ptr<void, Free> memory_;
+    unsigned char* data_ = nullptr; // inside memory_, where huge pages begin
     std::size_t size_ = 0, capacity_ = 0;
 };
 

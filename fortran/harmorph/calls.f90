@@ -15,7 +15,7 @@
         hm_c_adjoint_finish, hm_c_admissible_step, hm_c_quality, hm_c_assess, hm_c_morph_safe_size, &
         hm_c_morph_safe, hm_c_given_points, hm_c_displace_size, hm_c_displace, hm_c_displace_adjoint, &
         hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
-        hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather, hm_c_improve_size, hm_c_improve, hm_c_huge_pages
+        hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather, hm_c_improve_size, hm_c_improve
 
     interface
         integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
@@ -27,11 +27,6 @@
         type(c_ptr) function hm_c_status_name(status) bind(c, name="hm_status_name")
             import
             integer(c_int32_t), value, intent(in) :: status
-        end function
-        integer(c_size_t) function hm_c_huge_pages(block, bytes) bind(c, name="hm_huge_pages")
-            import
-            type(c_ptr), value, intent(in) :: block
-            integer(c_size_t), value, intent(in) :: bytes
         end function
         integer(c_int32_t) function hm_c_curves_check(curves, err) bind(c, name="hm_curves_check")
             import

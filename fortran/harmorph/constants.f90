@@ -3,7 +3,7 @@
 
 
     character(len=*), parameter, public :: hm_header_version = "0.1.0"
-    integer, parameter, public :: hm_abi = 2
+    integer, parameter, public :: hm_abi = 3
 
     integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &
         hm_backtracks = 4, hm_far_from_curve = 5, hm_poor = 6

@@ -141,7 +141,9 @@
 !
 ! Blocks        They are allocated here and freed by the type's finalisation or free(). Or give `work`, an array with
 !               TARGET of as many 8-byte numbers as the procedure whose name ends in _words says; it must stay while in
-!               use.
+!               use. Large blocks begin where huge pages of 2 MiB may begin. Where Linux gives such pages only on request
+!               (/sys/kernel/mm/transparent_hugepage/enabled: madvise), the C library of GNU requests them if the program
+!               runs with GLIBC_TUNABLES=glibc.malloc.hugetlb=1: morphs of large meshes are faster then.
 ! Kept          As they lie: coordinates, work, the block of basis%attach, options%history. Procedures given as progress
 !               or executor must outlive the plan. Everything else is copied. A basis keeps nothing of mesh, curves or
 !               plan.

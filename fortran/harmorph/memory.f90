@@ -2,7 +2,7 @@
 ! ---- Blocks of memory: the caller's, or allocated here ---------------------------------------------------------------
 
     type :: block_of_memory
-        integer(c_int64_t), pointer, private :: words(:) => null()      ! allocated here; huge pages where large
+        integer(c_int64_t), pointer, private :: words(:) => null()      ! allocated here
         type(c_ptr) :: start = c_null_ptr
         integer(c_size_t) :: bytes = 0
     contains
@@ -26,7 +26,6 @@ contains
         type(outcome), intent(inout) :: done
         integer(c_int64_t), parameter :: huge_page = 2_c_int64_t**18    ! words
         integer(c_int64_t) :: n, skipped
-        integer(c_size_t) :: advised
         integer :: failed
         if (done%status < 0) return
         self%bytes = bytes
@@ -48,13 +47,12 @@ contains
             return
         end if
         n = words_of(bytes)
-        if (n >= huge_page) n = n + huge_page       ! room to begin at a multiple of a huge page
+        if (n >= huge_page) n = n + huge_page       ! room to begin where a huge page of 2 MiB may begin
         allocate(self%words(n), stat=failed)
         if (failed == 0) then
             skipped = 0
             if (n >= 2 * huge_page) skipped = modulo(-transfer(c_loc(self%words(1)), 0_c_intptr_t) / 8, int(huge_page, c_intptr_t))
             self%start = c_loc(self%words(skipped + 1))
-            advised = hm_c_huge_pages(self%start, bytes)
         else
             nullify(self%words)
             call done%refuse("no memory for a block", hm_block_too_small, real(bytes, c_double))

@@ -26,20 +26,21 @@ enum class Pages { plain, huge };
 // Memory comes untouched, and is kept for the next run.
 struct Block {
     Pages pages = Pages::huge;
-    std::unique_ptr<void, void (*)(void*)> data{nullptr, std::free};
+    std::unique_ptr<void, void (*)(void*)> memory{nullptr, std::free};
+    void* data = nullptr;   // inside the memory
     std::size_t bytes = 0;
 
     Block() = default;
     explicit Block(Pages which) : pages(which) {}
     void* give(std::size_t wanted) {
         if (wanted > bytes) {
-            data.reset();
-            if (pages == Pages::huge) data = {hm_pages_alloc(wanted), hm_pages_free};
-            else data = {std::malloc(wanted), std::free};
-            if (!data) throw std::bad_alloc();
+            memory.reset();
+            memory.reset(std::malloc(pages == Pages::huge ? hm_pages_room(wanted) : wanted));
+            if (!memory) throw std::bad_alloc();
+            data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted) : memory.get();
             bytes = wanted;
         }
-        return data.get();
+        return data;
     }
     double* numbers(std::size_t n) { return static_cast<double*>(give(n * sizeof(double))); }
 };

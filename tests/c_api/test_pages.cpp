@@ -15,17 +15,23 @@ std::size_t misplaced(void* block) { return reinterpret_cast<std::uintptr_t>(blo
 
 }  // namespace
 
-TEST_CASE("blocks of any size can be written, and large ones begin at a huge page") {
+TEST_CASE("blocks of any size are aligned inside the caller's memory, wherever the memory begins") {
     for (std::size_t const bytes : {std::size_t{1}, std::size_t{1000}, huge_page - 1, huge_page, 3 * huge_page + 5}) {
-        void* const block = hm_pages_alloc(bytes);
-        REQUIRE(block != nullptr);
-        if (bytes >= huge_page) CHECK(misplaced(block) == 0);
-        CHECK(misplaced(block) % 64 == 0);
-        std::memset(block, 0x5a, bytes);
-        hm_pages_free(block);
+        std::size_t const alignment = hm_pages_alignment(bytes), room = hm_pages_room(bytes);
+        CHECK(alignment == (bytes < huge_page ? 64 : huge_page));
+        std::vector<unsigned char> memory(room + 64);
+        for (std::size_t const offset : {0, 1, 8, 63}) {
+            auto* const block = static_cast<unsigned char*>(hm_pages_place(memory.data() + offset, bytes));
+            REQUIRE(block >= memory.data() + offset);
+            CHECK(misplaced(block) % alignment == 0);
+            CHECK(static_cast<std::size_t>(block - (memory.data() + offset)) <= room - bytes);
+            std::memset(block, 0x5a, bytes);
+        }
     }
-    hm_pages_free(nullptr);
-    CHECK(hm_pages_alloc(SIZE_MAX) == nullptr);
+    CHECK(hm_pages_place(nullptr, 3 * huge_page) == nullptr);
+    // Sizes that no memory has: no sum goes round.
+    CHECK(hm_pages_room(SIZE_MAX) == SIZE_MAX);
+    CHECK(hm_pages_room(SIZE_MAX - huge_page) == SIZE_MAX - 1);
 }
 
 TEST_CASE("whole huge pages inside the block are asked for, and the contents stay") {
@@ -34,15 +40,15 @@ TEST_CASE("whole huge pages inside the block are asked for, and the contents sta
     unsigned char* const first = memory.data() + (huge_page - misplaced(memory.data())) % huge_page;
     // Inside: none, one and two; the system may refuse.
     for (std::size_t const bytes : {huge_page - 1, huge_page, 2 * huge_page + 1}) {
-        std::size_t const advised = hm_huge_pages(first, bytes);
-        CHECK(advised % huge_page == 0);
-        CHECK(advised <= bytes);
+        std::size_t const asked = hm_pages_ask(first, bytes);
+        CHECK(asked % huge_page == 0);
+        CHECK(asked <= bytes);
     }
-    CHECK(hm_huge_pages(first + 1, 2 * huge_page) <= huge_page);
-    CHECK(hm_huge_pages(first + 1, huge_page) == 0);
-    CHECK(hm_huge_pages(nullptr, 8 * huge_page) == 0);
-    CHECK(hm_huge_pages(first, 0) == 0);
-    CHECK(hm_huge_pages(first, SIZE_MAX) == 0);
+    CHECK(hm_pages_ask(first + 1, 2 * huge_page) <= huge_page);
+    CHECK(hm_pages_ask(first + 1, huge_page) == 0);
+    CHECK(hm_pages_ask(nullptr, 8 * huge_page) == 0);
+    CHECK(hm_pages_ask(first, 0) == 0);
+    CHECK(hm_pages_ask(first, SIZE_MAX) == 0);
     std::size_t changed = 0;
     for (std::size_t k = 0; k < memory.size(); ++k) changed += memory[k] != static_cast<unsigned char>(k * 7 % 251);
     CHECK(changed == 0);
