@@ -7,6 +7,7 @@
 #                         SECONDS=600; see tests/fuzz/run.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
+#   make amalgamation     the library as two files that any build system takes: build/amalgamation/harmorph.cpp, harmorph.h
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
 #                         see tests/bench/run.sh
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
@@ -21,7 +22,8 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit fuzzer fuzz test mpi check-link bench bench-mpi deform paper demo install uninstall clean
+.PHONY: all rules deform-driver unit fuzzer fuzz test mpi check-link bench bench-mpi deform paper demo install uninstall clean \
+	amalgamation
 
 BUILD = build
 PREFIX = /usr/local
@@ -122,6 +124,12 @@ mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/harmorph_mpi.c
 	rm -f $(BUILD)/libharmorph_mpi.a
 	$(AR) rcs $(BUILD)/libharmorph_mpi.a $(BUILD)/objects/harmorph_mpi.o
+
+amalgamation:
+	@rm -rf $(BUILD)/amalgamation
+	@mkdir -p $(BUILD)/amalgamation
+	@sh c_api/amalgamate.sh >$(BUILD)/amalgamation/harmorph.cpp
+	@cp c_api/harmorph.h $(BUILD)/amalgamation/
 
 check-link: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' sh tests/check_link.sh $(BUILD)

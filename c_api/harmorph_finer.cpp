@@ -9,7 +9,7 @@ namespace {
 // What a size query and the call itself read: the curves, and how one of them changes.
 struct FinerTask {
     CurvesView view;
-    Refinement refinement;
+    CurveRefinement refinement;
     FinerCounts counts;
 
     Status open(const hm_curves* curves, CallFault& fault) noexcept {
@@ -29,7 +29,7 @@ struct FinerTask {
     }
 };
 
-Status view_knots(Index n, const double* u, Refinement& refinement, Fault& fault) noexcept {
+Status view_knots(Index n, const double* u, CurveRefinement& refinement, Fault& fault) noexcept {
     constexpr Index most = Index{1} << 24;
     if (n < 0 || n > most) {
         return fault.refuse(Status::bad_argument, "n must be between 0 and 2^24, not #", Counts::from_zero, n);

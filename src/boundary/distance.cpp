@@ -6,7 +6,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index lanes = FaceDistance::lanes;
+constexpr Index in_group = FaceDistance::lanes;
 
 // Points in an order in which neighbours follow each other, whatever their numbers: by the squares of a grid that is
 // finest at the faces and reaches to infinity, in Morton order.
@@ -27,7 +27,7 @@ struct SortedPoints {
         for (Index i = 0; i < n_points; ++i) ++start[square[i]];
         counts_to_starts(Span<std::uint16_t>(start, squares));
         for (Index i = 0; i < n_points; ++i) set(start[square[i]]++, point[i], i);
-        for (n = n_points; n % lanes != 0; ++n) set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
+        for (n = n_points; n % in_group != 0; ++n) set(n, {x[n_points - 1], y[n_points - 1]}, number[n_points - 1]);
     }
 
 private:
@@ -63,10 +63,10 @@ void weigh(FaceDistance const& faces, Index quarters, Span<Real> k, Executor con
             for_each_point(first, first + n, [&](Index i, Vec2 at) { point[i - first] = at; });
             SortedPoints sorted;
             sorted.sort(faces, point, n);
-            for (Index i = 0; i < sorted.n; i += lanes) {
-                Real weight[lanes];
+            for (Index i = 0; i < sorted.n; i += in_group) {
+                Real weight[in_group];
                 kernels.weigh_eight(faces, quarters, sorted.x + i, sorted.y + i, weight, group);
-                for (Index lane = 0; lane < lanes; ++lane) k[first + sorted.number[i + lane]] = weight[lane];
+                for (Index lane = 0; lane < in_group; ++lane) k[first + sorted.number[i + lane]] = weight[lane];
             }
         }
     });
@@ -87,13 +87,13 @@ FaceDistance::Foot FaceDistance::foot(Vec2 from, Index& group) const noexcept {
     Segments const& segments = groups[group];
     Foot best;
     Real least = infinity;
-    for (Index lane = 0; lane < lanes && lanes * group + lane < count; ++lane) {
+    for (Index lane = 0; lane < in_group && in_group * group + lane < count; ++lane) {
         Vec2 const start{segments.x[lane], segments.y[lane]}, along{segments.along_x[lane], segments.along_y[lane]};
         Real const t = clamp(dot(here - start, along) * segments.inverse[lane], 0.0, 1.0);
         Real const distance = square(here - start - t * along);
         if (!(distance < least)) continue;
         least = distance;
-        best = {lanes * group + lane, t};
+        best = {in_group * group + lane, t};
     }
     return best;
 }

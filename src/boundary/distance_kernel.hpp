@@ -2,7 +2,7 @@
 // distance_table.cpp. All find the least of the same numbers, whichever parts of the tree they skip: so the bits are
 // the same.
 
-namespace harmorph::HARMORPH_SET {
+namespace harmorph::distances::HARMORPH_SET {
 namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
@@ -277,9 +277,9 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
 constexpr DistanceKernels kernels{nearest_square, weigh_eight};
 
 }  // namespace
-}  // namespace harmorph::HARMORPH_SET
+}  // namespace harmorph::distances::HARMORPH_SET
 
 namespace harmorph::simd {
 template <>
-inline constexpr const DistanceKernels* table<DistanceKernels, Kernel::HARMORPH_SET> = &harmorph::HARMORPH_SET::kernels;
+inline constexpr const DistanceKernels* table<DistanceKernels, Kernel::HARMORPH_SET> = &harmorph::distances::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

@@ -4,9 +4,8 @@
 namespace harmorph {
 namespace {
 
-constexpr Index lanes = FaceDistance::lanes;
 
-Index in_eights(Size n) noexcept { return static_cast<Index>((n + lanes - 1) / lanes); }
+Index in_eights(Size n) noexcept { return static_cast<Index>((n + FaceDistance::lanes - 1) / FaceDistance::lanes); }
 
 Real power_of_two_below(Real x) noexcept {
     std::uint64_t const exponent = bits_of(x) & 0x7ff0000000000000u;

@@ -5,10 +5,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Real most_of_extent = 0.25;
+constexpr Real most_reach = 0.25;
 constexpr Real growth = 0.5;          // of the reach, per length along the wall
 constexpr Real least_jump = 3;        // of feet, against the distance of two points of one cell
-constexpr Index least_points = 4096;  // for a thread
+constexpr Index least_points_near_walls = 4096;  // for a thread
 
 Real fade(Real x) noexcept { return x < 1 ? 1 - x * (3 - 2 * square_root(x)) : 0; }
 
@@ -25,7 +25,7 @@ void WallHeights::lay_out(Arena& arena, Mesh const& mesh, Size max_faces) noexce
 void WallHeights::find(Mesh const& mesh, Points before, Span<const PointKind> kinds, Span<const Index> representative,
                        FaceDistance const& walls, Executor const& executor) noexcept {
     wall.find(mesh.n_points, walls);
-    executor.for_ranges(mesh.n_points, least_points, [&](Index begin, Index end) {
+    executor.for_ranges(mesh.n_points, least_points_near_walls, [&](Index begin, Index end) {
         Index group = 0;
         for (Index k = begin; k < end; ++k) {
             foot[k] = kinds[k] == PointKind::inside ? walls.foot(before[k], group) : FaceDistance::Foot{};
@@ -55,7 +55,7 @@ void WallHeights::bound_by_curvature(FaceDistance const& walls, Points before) n
         if (wall.previous[slot] == none || wall.next[slot] == none) continue;
         Vec2 const here = before[wall.point[slot]];
         Vec2 const behind = here - before[wall.previous[slot]], ahead = before[wall.next[slot]] - here;
-        Real const curving = length(direction(ahead) - direction(behind)), most = most_of_extent * walls.extent;
+        Real const curving = length(direction(ahead) - direction(behind)), most = most_reach * walls.extent;
         Real const mean = 0.5 * (length(ahead) + length(behind));
         reach[slot] = mean < most * curving ? mean / curving : most;
     }
@@ -81,7 +81,7 @@ void WallHeights::bound_by_jumps(Mesh const& mesh, Points before, Span<const Ind
         Cell const cell = mesh.cell(i);
         for (Index k = 0; k < cell.n; ++k) {
             Index const here = representative[cell.point[k]];
-            if (!has_foot(here) || !(height(walls, here, before) < most_of_extent * walls.extent)) continue;
+            if (!has_foot(here) || !(height(walls, here, before) < most_reach * walls.extent)) continue;
             Index const next = representative[cell.next(k)], previous = representative[cell.previous(k)];
             if (is_jump(here, next) || is_jump(here, previous)) bound(here);
         }
@@ -105,7 +105,7 @@ void WallHeights::restore(FaceDistance const& walls, Points before, MutablePoint
                           Span<const Index> representative, Real amount, Executor const& executor) const noexcept {
     Points const after{points.x, points.y, points.stride};
     for (Index slot = 0; slot < wall.count; ++slot) turn[slot] = wall.turn(slot, before, after);
-    executor.for_ranges(foot.count(), least_points, [&](Index begin, Index end) {
+    executor.for_ranges(foot.count(), least_points_near_walls, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             FaceDistance::Foot const& foot_of_k = foot[k];
             if (foot_of_k.face == none) continue;

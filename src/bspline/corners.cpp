@@ -9,27 +9,27 @@ namespace {
 constexpr Real window[] = {2e-5, 5e-4, 1e-2};
 
 constexpr Real least_corner = 0.087;      // turn of the weakest corner: 5 degrees
-constexpr Real longest_side = 0.15;      // thick trailing edges of wind turbines have a tenth of the chord
+constexpr Real longest_base = 0.15;      // thick trailing edges of wind turbines have a tenth of the chord
 constexpr Real side_straightness = 0.02;  // of the side's length
 constexpr Real coordinate_noise = 2e-6;   // six digits
 constexpr Real flat_turn = 1e-4;          // of a point that divides a straight facet
 constexpr Index most_flat = 3;            // more of them in a row are a straight side
 
-Vec2 unit(Vec2 a) noexcept { return (1 / length(a)) * a; }
+Vec2 normalised(Vec2 a) noexcept { return (1 / length(a)) * a; }
 
-struct Bend {
+struct OutlineBend {
     Real turn = 0;
     Real curvature = 0;
 };
 
-Bend bend_at(Outline const& outline, Index point, Real reach) noexcept {
+OutlineBend bend_at(Outline const& outline, Index point, Real reach) noexcept {
     Index const a = outline.behind(point, reach);
     Index const b = outline.ahead(point, reach);
     if (a == none || b == none) return {infinity, infinity};
     Vec2 const back = outline.points[point] - outline.points[a];
     Vec2 const forth = outline.points[b] - outline.points[point];
     if (square(back) == 0 || square(forth) == 0) return {infinity, infinity};  // round the body and back
-    Real const turn = length(unit(forth) - unit(back));
+    Real const turn = length(normalised(forth) - normalised(back));
     return {turn, 2 * turn / (length(back) + length(forth))};  // on a circle exactly 1 / radius, for equal chords
 }
 
@@ -65,12 +65,12 @@ bool stands_out(Real turn, Real next, Real after) noexcept {
     return turn > 2.5 * growth * next;
 }
 
-struct Side {
+struct OutlineSide {
     bool is_smooth = false;
     bool has_partner = false;  // the next point is as sharp: the other end of a base, if that one's far side is smooth
 };
 
-Side look(Walk const& walk, Index point) noexcept {
+OutlineSide look(Walk const& walk, Index point) noexcept {
     Index const first = walk.next(point);
     Index const second = walk.next(first);
     Index const third = walk.next(second);
@@ -95,8 +95,8 @@ bool is_sharpest(Outline const& outline, Index point, bool forward) noexcept {
 bool is_corner(Outline const& outline, Index point) noexcept {
     if (outline.turn[point] < least_corner) return false;
     if (!is_sharpest(outline, point, true) || !is_sharpest(outline, point, false)) return false;
-    Side const back = look({outline, false}, point);
-    Side const forth = look({outline, true}, point);
+    OutlineSide const back = look({outline, false}, point);
+    OutlineSide const forth = look({outline, true}, point);
     return back.is_smooth && forth.is_smooth && !(back.has_partner && forth.has_partner);
 }
 
@@ -118,7 +118,7 @@ void Outline::measure() noexcept {
     for (Index k = 0; k < n; ++k) {
         turn[k] = curvature[k] = infinity;
         for (Real const reach : window) {
-            Bend const bend = bend_at(*this, k, reach);
+            OutlineBend const bend = bend_at(*this, k, reach);
             turn[k] = smaller(turn[k], bend.turn);
             curvature[k] = smaller(curvature[k], bend.curvature);
         }
@@ -158,7 +158,7 @@ bool is_short_side(Outline const& outline, Index from, Index to) noexcept {
     Vec2 const start = outline.points[from];
     Vec2 const along = outline.points[to] - start;
     Real const gap = length(along);
-    if (from == to || gap > longest_side) return false;
+    if (from == to || gap > longest_base) return false;
     Index const n = outline.count();
     Real walked = 0;
     for (Index k = from; k != to;) {

@@ -33,7 +33,7 @@ bool has_periodic_points(Curve const& curve) noexcept {
 
 // ---- What is asked
 
-Status Refinement::check(Curve const& old, Fault& fault) const noexcept {
+Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
     if (elevates) {
         if (old.degree < max_degree) return Status::ok;
         return fault.refuse(Status::bad_curve, "curve # (from 0) has degree @, the largest", Counts::from_zero, curve,
@@ -61,12 +61,12 @@ Status Refinement::check(Curve const& old, Fault& fault) const noexcept {
 }
 
 // Inserted knots with their images on either side of a period; or every knot twice.
-Index Refinement::most_knots(Curve const& old) const noexcept {
+Index CurveRefinement::most_knots(Curve const& old) const noexcept {
     Index const n = old.n_indices + old.degree + 1;
     return max_order + (elevates ? 2 * n : n + 3 * knots.count());
 }
 
-void FinerCounts::include(Curve const& old, bool changes, Refinement const& refinement) noexcept {
+void FinerCounts::include(Curve const& old, bool changes, CurveRefinement const& refinement) noexcept {
     ++n_curves;
     n_control = old.n_control;
     rational = old.weights != nullptr;
@@ -269,7 +269,7 @@ void FinerCurves::publish(Index changed, Curve const& old) noexcept {
     }
 }
 
-Status FinerCurves::run(Refinement const& refinement, Fault& fault) noexcept {
+Status FinerCurves::run(CurveRefinement const& refinement, Fault& fault) noexcept {
     Curve const old = curve[refinement.curve];
     period_ = has_periodic_points(old) ? 1 : 0;
     if (refinement.elevates) repeat_each_knot(old);

@@ -5,17 +5,17 @@ namespace {
 
 constexpr Real unimportant_error = 1e-9;  // in units of the extent: no mass is moved for less
 
-struct Section {  // positions first .. last between two corners or ends
+struct KnotSection {  // positions first .. last between two corners or ends
     Index first = 0, last = 0;
 };
 
-Section section_of(KnotSites const& sites, Index section) noexcept {
+KnotSection section_of(KnotSites const& sites, Index section) noexcept {
     Index const n_corners = sites.corner.count();
     Index const last = section == n_corners ? sites.u.count() - 1 : sites.corner[section];
     return {section == 0 ? 0 : sites.corner[section - 1], last};
 }
 
-Real sum_of(Span<const Real> mass, Section section) noexcept {
+Real sum_of(Span<const Real> mass, KnotSection section) noexcept {
     Real sum = 0;
     for (Index k = section.first; k < section.last; ++k) sum += mass[k];
     return sum;
@@ -31,7 +31,7 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
         Index neediest = 0;
         Real need = -1;
         for (Index s = 0; s < n_sections; ++s) {
-            Section const section = section_of(sites, s);
+            KnotSection const section = section_of(sites, s);
             Real const urgency = section.last - section.first > sites.section_spans[s] ? 1 : 1e-6;
             Real const wanted = urgency * sum_of(sites.mass, section) / (sites.section_spans[s] + 0.5);
             if (wanted <= need) continue;
@@ -44,7 +44,7 @@ void share_spans(KnotSites const& sites, Index n_spans) noexcept {
 
 // No interval may have more mass than one span, so that each span contains a point. This ensures the Schoenberg-Whitney
 // condition: points can be assigned one to one to basis functions that are not 0 there. Too few points: equal masses.
-void cap_mass(KnotSites const& sites, Section section, Index n_spans) noexcept {
+void cap_mass(KnotSites const& sites, KnotSection section, Index n_spans) noexcept {
     for (Index k = section.first; k < section.last; ++k) sites.capped[k] = sites.mass[k];
     Real const most = 1 / static_cast<Real>(smaller(n_spans, section.last - section.first));
     bool capped = true;
@@ -60,7 +60,7 @@ void cap_mass(KnotSites const& sites, Section section, Index n_spans) noexcept {
 }
 
 // Writes the n_spans - 1 knots inside the section.
-Real* divide(KnotSites const& sites, Section section, Index n_spans, Real* knot) noexcept {
+Real* divide(KnotSites const& sites, KnotSection section, Index n_spans, Real* knot) noexcept {
     cap_mass(sites, section, n_spans);
     Real const sum = sum_of(sites.capped, section);
     Real below = 0;  // mass up to position k
@@ -139,7 +139,7 @@ void place_knots(KnotSites const& sites, Index degree, Index n_indices, bool per
     fill(knots.first(degree + 1), Real(0));
     Real* knot = knots.data() + degree + 1;
     for (Index s = 0; s <= n_corners; ++s) {
-        Section const section = section_of(sites, s);
+        KnotSection const section = section_of(sites, s);
         knot = divide(sites, section, sites.section_spans[s], knot);
         for (Index fold = 0; s < n_corners && fold < degree; ++fold) *knot++ = sites.u[section.last];
     }

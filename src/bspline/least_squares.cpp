@@ -9,17 +9,17 @@ constexpr Real smoothing = 1e-12;
 
 Index bandwidth(Index degree) noexcept { return 2 * larger(degree, Index(2)) + 1; }  // 2: the second differences
 
-struct Block {  // symmetric
+struct SymmetricBlock {  // symmetric
     Real xx = 0, xy = 0, yy = 0;
 };
 
-Block operator*(Real s, Block a) noexcept { return {s * a.xx, s * a.xy, s * a.yy}; }
-Vec2 operator*(Block a, Vec2 p) noexcept { return {a.xx * p.x + a.xy * p.y, a.xy * p.x + a.yy * p.y}; }
+SymmetricBlock operator*(Real s, SymmetricBlock a) noexcept { return {s * a.xx, s * a.xy, s * a.yy}; }
+Vec2 operator*(SymmetricBlock a, Vec2 p) noexcept { return {a.xx * p.x + a.xy * p.y, a.xy * p.x + a.yy * p.y}; }
 
-constexpr Block unit{1, 0, 1};
+constexpr SymmetricBlock unit{1, 0, 1};
 
 // Squared distance from a line, and `along` times the square of what lies along it.
-Block metric(Vec2 tangent, Real along) noexcept {
+SymmetricBlock metric(Vec2 tangent, Real along) noexcept {
     Real const less = 1 - along;
     return {1 - less * tangent.x * tangent.x, -less * tangent.x * tangent.y, 1 - less * tangent.y * tangent.y};
 }
@@ -30,7 +30,7 @@ void add_to_right(LeastSquares const& fit, Index i, Vec2 value) noexcept {
 }
 
 // The equations of a pinned control point are replaced by its position.
-void add_product(LeastSquares const& fit, Index i, Index j, Block const& a) noexcept {
+void add_product(LeastSquares const& fit, Index i, Index j, SymmetricBlock const& a) noexcept {
     if (fit.pinned[i] != none) return;
     if (fit.pinned[j] != none) return add_to_right(fit, i, -1.0 * (a * fit.points[fit.pinned[j]]));
     if (j > i) return;
@@ -43,7 +43,7 @@ void add_product(LeastSquares const& fit, Index i, Index j, Block const& a) noex
 void add_points(LeastSquares const& fit, Real along) noexcept {
     for (Index k = 0; k < fit.points.count(); ++k) {
         CurveBasis const basis = curve_basis(fit.curve, fit.u[k], 0);
-        Block const weight = fit.weight[k] * metric(fit.tangent[k], along);
+        SymmetricBlock const weight = fit.weight[k] * metric(fit.tangent[k], along);
         Vec2 const pull = weight * fit.points[k];
         for (Index a = 0; a < basis.order; ++a) {
             add_to_right(fit, basis.control[a], basis.value[0][a] * pull);

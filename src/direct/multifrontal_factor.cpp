@@ -6,7 +6,7 @@ namespace {
 // A pivot smaller than this part of the sum of its absolute terms is rounding: the matrix is singular or indefinite.
 template <class Number>
 constexpr Number pivot_floor = static_cast<Number>(sizeof(Number) == sizeof(double) ? 1e-15 : 5e-7);
-constexpr Index nodes_between_reports = 512;
+constexpr Index nodes_between_factor_reports = 512;
 
 template <class Number>
 class Factorisation {
@@ -133,7 +133,7 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     HARMORPH_TRY(fault.status);
 
     auto const told = [&](Index node) {
-        if (subtrees.count == 0 && node % nodes_between_reports != 0) return Status::ok;
+        if (subtrees.count == 0 && node % nodes_between_factor_reports != 0) return Status::ok;
         return progress.report(Phase::factor, static_cast<Real>(node + 1) / (tree.count + 1.0), fault);
     };
     Worker<Number> const worker = top_worker<Number>();

@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index nodes_between_reports = 512;
+constexpr Index nodes_between_solve_reports = 512;
 constexpr Offset most_prefetched = 8192;  // entries of a panel; the hardware prefetches what is behind them
 
 // Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers of all functions.
@@ -97,7 +97,7 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
     Substitution<Number, Value> const substitution(*this, values);
     Index done = 0;
     auto const told = [&](Index) {
-        if (++done % nodes_between_reports != 0) return Status::ok;
+        if (++done % nodes_between_solve_reports != 0) return Status::ok;
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1), fault);
     };
     Worker<Number> const worker = top_worker<Number>();

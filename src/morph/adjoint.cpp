@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index most_blocks = 1 << 12;  // of one call of a kernel
 constexpr Index most_ranges = 16;    // their sums are on the stack
-constexpr Index least_range = 128;   // blocks that are worth a thread
+constexpr Index least_blocks_to_gather = 128;   // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");
 
 // body(first block, one behind the last, i) for ranges of the points' blocks; returns the number of ranges, on which the
@@ -15,7 +15,7 @@ constexpr Real not_a_number = __builtin_nan("");
 template <class Body>
 Index for_block_ranges(Index n_points, Executor const& executor, Body const& body) noexcept {
     Index const blocks = blocks_of(n_points);
-    Index const ranges = executor.is_serial() ? 1 : clamp(blocks / least_range, Index{1}, most_ranges);
+    Index const ranges = executor.is_serial() ? 1 : clamp(blocks / least_blocks_to_gather, Index{1}, most_ranges);
     auto const bound = [&](Index i) { return static_cast<Index>(Offset{blocks} * i / ranges); };
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1), i); });
     return ranges;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index few_faces = 8;
 
-struct Box {
+struct FaceBox {
     Vec2 low{infinity, infinity}, high{-infinity, -infinity};
 
     void include(Vec2 p) noexcept {
@@ -15,12 +15,12 @@ struct Box {
         high = {larger(high.x, p.x), larger(high.y, p.y)};
     }
     bool is_point() const noexcept { return low.x == high.x && low.y == high.y; }
-    bool overlaps(Box const& other) const noexcept {
+    bool overlaps(FaceBox const& other) const noexcept {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
     }
 };
 
-struct Range {
+struct FaceRange {
     Index begin, end;
     Index size() const noexcept { return end - begin; }
     Index middle() const noexcept { return begin + size() / 2; }
@@ -34,22 +34,22 @@ public:
           overlaps_(overlaps), ends_(ends) {}
 
     // Pairs of faces within the range.
-    bool within(Range range) noexcept {
+    bool within(FaceRange range) noexcept {
         if (range.size() <= few_faces) {
             for (Index face = range.begin; face < range.end; ++face) {
                 if (face_against(face, {face + 1, range.end})) return true;
             }
             return false;
         }
-        Range const left{range.begin, range.middle()}, right{range.middle(), range.end};
+        FaceRange const left{range.begin, range.middle()}, right{range.middle(), range.end};
         return within(left) || within(right) || between(left, right);
     }
 
     Crossing const& result() const noexcept { return result_; }
 
 private:
-    bool between(Range a, Range b) noexcept {
-        Box const box_a = box_of(a), box_b = box_of(b);
+    bool between(FaceRange a, FaceRange b) noexcept {
+        FaceBox const box_a = box_of(a), box_b = box_of(b);
         if (!box_a.overlaps(box_b) || (box_a.is_point() && box_b.is_point())) return false;
         if (a.size() <= few_faces && b.size() <= few_faces) {
             for (Index face = a.begin; face < a.end; ++face) {
@@ -61,10 +61,10 @@ private:
         return between({a.begin, a.middle()}, b) || between({a.middle(), a.end}, b);
     }
 
-    bool face_against(Index face, Range others) noexcept {
-        Box const box = box_of({face, face + 1});
+    bool face_against(Index face, FaceRange others) noexcept {
+        FaceBox const box = box_of({face, face + 1});
         for (Index other = others.begin; other < others.end; ++other) {
-            Box const its = box_of({other, other + 1});
+            FaceBox const its = box_of({other, other + 1});
             if (!its.overlaps(box) || (its.is_point() && box.is_point())) continue;
             bool const cross = cross_properly(face, other) || cross_at_a_point(face, other) || cross_at_a_point(other, face) ||
                                (overlaps_ == Overlaps::cross && lie_on_each_other(face, other));
@@ -182,8 +182,8 @@ private:
 
     Index end_of(Index face) const noexcept { return boundary_point_[after(face)]; }
 
-    Box box_of(Range range) const noexcept {
-        Box box;
+    FaceBox box_of(FaceRange range) const noexcept {
+        FaceBox box;
         for (Index face = range.begin; face < range.end; ++face) box.include(at(boundary_point_[face]));
         box.include(at(end_of(range.end - 1)));
         // A range may hold the end of one loop and the beginning of the next: faces that close a loop end at its start.

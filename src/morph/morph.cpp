@@ -7,7 +7,7 @@ namespace {
 
 constexpr Index chunk_blocks = 64;  // their points' sums stay in the first-level cache
 constexpr Index chunk_points = chunk_blocks * block_points;
-constexpr Index least_range = 512;  // blocks that are worth a thread
+constexpr Index least_blocks_to_morph = 512;  // blocks that are worth a thread
 constexpr Offset worth_asking = Offset{1} << 17;
 // As BlockProducts::move does.
 constexpr Real moved(Real from, Real by) noexcept { return by == 0 ? from : from + by; }
@@ -143,7 +143,7 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
     ProductKernels const& kernels = product_kernels_for(Offset{basis.n_points()} * basis.row_length(), worth_asking);
     RowMovements const movements(basis, move);
-    executor.for_ranges(blocks_of(basis.n_points()), least_range, [&](Index begin, Index end) {
+    executor.for_ranges(blocks_of(basis.n_points()), least_blocks_to_morph, [&](Index begin, Index end) {
         if (basis.in_single()) morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);
         else morph_blocks(kernels, basis.value, basis, movements, from, to, begin, end);
     });

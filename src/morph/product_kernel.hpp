@@ -1,7 +1,7 @@
 // The products of morphing with the registers of one instruction set; product.cpp compiles this file for each of them.
 // Loops over the vectors of a block are unrolled whatever the compiler's level, so that sums stay in registers.
 
-namespace harmorph::HARMORPH_SET {
+namespace harmorph::products::HARMORPH_SET {
 namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
@@ -194,9 +194,9 @@ constexpr ProductKernels kernels{{multiply<Real>, move<Real>, multiply_transpose
                                  largest_bits};
 
 }  // namespace
-}  // namespace harmorph::HARMORPH_SET
+}  // namespace harmorph::products::HARMORPH_SET
 
 namespace harmorph::simd {
 template <>
-inline constexpr const ProductKernels* table<ProductKernels, Kernel::HARMORPH_SET> = &harmorph::HARMORPH_SET::kernels;
+inline constexpr const ProductKernels* table<ProductKernels, Kernel::HARMORPH_SET> = &harmorph::products::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

@@ -3,7 +3,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_range = 256;  // blocks of points that are worth a thread
+constexpr Index least_blocks_to_add = 256;  // blocks of points that are worth a thread
 constexpr Index width = block_points;
 
 void add_real(const Real* from, Real* to, Real weight) noexcept {
@@ -33,7 +33,7 @@ void add_weighted(Basis const& sum, Basis const& basis, Span<const Vec2> weight,
                 return add_pair(from + 2 * plane, to + 2 * plane, plane, {w.x, -w.y});
         }
     };
-    executor.for_ranges(blocks_of(basis.n_points()), least_range, [&](Index begin, Index end) {
+    executor.for_ranges(blocks_of(basis.n_points()), least_blocks_to_add, [&](Index begin, Index end) {
         for (Index number = begin; number < end; ++number) {
             const Real* const from = basis.value.data() + number * block;
             Real* const to = sum.value.data() + number * block;

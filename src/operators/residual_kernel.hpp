@@ -1,7 +1,7 @@
 // Balances of all rows with the registers of one instruction set; residual_table.cpp compiles this file for each of
 // them. The arithmetic of a column is the same in all instruction sets, and so are the bits of the result.
 
-namespace harmorph::HARMORPH_SET {
+namespace harmorph::residuals::HARMORPH_SET {
 namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
@@ -230,10 +230,10 @@ template <class To>
 constexpr ResidualKernels<To> kernels{find_balances<To>};
 
 }  // namespace
-}  // namespace harmorph::HARMORPH_SET
+}  // namespace harmorph::residuals::HARMORPH_SET
 
 namespace harmorph::simd {
 template <class To>
 inline constexpr const ResidualKernels<To>* table<ResidualKernels<To>, Kernel::HARMORPH_SET> =
-    &harmorph::HARMORPH_SET::kernels<To>;
+    &harmorph::residuals::HARMORPH_SET::kernels<To>;
 }  // namespace harmorph::simd

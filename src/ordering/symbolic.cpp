@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-struct Range {
+struct PositionRange {
     Index begin, end;  // positions
 };
 
@@ -14,7 +14,7 @@ struct Range {
 struct Ranges {
     static constexpr Index most = 256;
     Index subtrees = 0;
-    Range subtree[most];
+    PositionRange subtree[most];
     Index n;
 
     Ranges(AssemblyTree const& tree, Index n_positions, Executor const& executor) noexcept : n(n_positions) {
@@ -25,7 +25,7 @@ struct Ranges {
     void for_each(Executor const& executor, Visit const& visit) const noexcept {
         executor.for_each(subtrees, [&](Index i) { visit(subtree[i]); });
         Index begin = 0;
-        for (Range const& done : Span<const Range>(subtree, static_cast<Size>(subtrees))) {
+        for (PositionRange const& done : Span<const PositionRange>(subtree, static_cast<Size>(subtrees))) {
             if (begin < done.begin) visit({begin, done.begin});
             begin = done.end;
         }
@@ -36,7 +36,7 @@ private:
     void add(AssemblyTree const& tree, Index root, Index largest) noexcept {
         Index first = root;
         while (tree.nodes[first].child != none) first = tree.nodes[first].child;
-        Range const positions{tree.nodes[first].begin, tree.nodes[root].end};
+        PositionRange const positions{tree.nodes[first].begin, tree.nodes[root].end};
         if (positions.end - positions.begin <= largest && subtrees < most) {
             subtree[subtrees++] = positions;
             return;
@@ -52,7 +52,7 @@ private:
 // 127), and then visit(none, position). To each node positions come in increasing order, so each border is filled in
 // order.
 template <class Visit>
-void walk(Graph const& graph, Span<const Index> order, BorderWork const& work, Range range, Visit visit) noexcept {
+void walk(Graph const& graph, Span<const Index> order, BorderWork const& work, PositionRange range, Visit visit) noexcept {
     Span<const Index> const node_of = work.node;
     Span<BorderWork::Step> const step = work.step;
     for (Index position = range.begin; position < range.end; ++position) {
@@ -75,7 +75,7 @@ void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
 // entry tells whether all nodes had room.
 class Track {
 public:
-    Track(BorderWork const& work, Range range) noexcept
+    Track(BorderWork const& work, PositionRange range) noexcept
         : numbers_(work.passed.data() + Offset{BorderWork::remembered} * range.begin),
           room_(Offset{BorderWork::remembered} * (range.end - range.begin)) {}
 
@@ -117,7 +117,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
     });
     restart(tree, work);
     Ranges const ranges(tree, graph.n, executor);
-    ranges.for_each(executor, [&](Range range) {
+    ranges.for_each(executor, [&](PositionRange range) {
         Track track(work, range);
         walk(graph, order, work, range, [&](Index node, Index) {
             track.add(node);
@@ -146,7 +146,7 @@ void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree cons
     auto const enter = [&](Index node, Index position) {
         if (node != none) border[border_start[node] + work.step[node].filled++] = position;
     };
-    ranges.for_each({}, [&](Range range) {
+    ranges.for_each({}, [&](PositionRange range) {
         Track track(work, range);
         if (!track.is_whole()) return walk(graph, order, work, range, enter);
         for (Index position = range.begin; position < range.end; ++position) {

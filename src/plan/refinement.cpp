@@ -42,9 +42,9 @@ Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const
     return static_cast<Index>(smaller(wanted, Offset{smaller(larger(columns, Index{2}), Residual::widest)}));
 }
 
-class Run {
+class RefinementRun {
 public:
-    Run(Refinement& with, Equations const& equations, AnyEngine& engine, DofValues const& dofs,
+    RefinementRun(Refinement& with, Equations const& equations, AnyEngine& engine, DofValues const& dofs,
         Progress const& progress) noexcept
         : equations_(equations), matrix_(equations.matrix), method_(equations.method), engine_(engine), dofs_(dofs),
           progress_(progress), residual_(with.residual), biconjugate_(with.biconjugate) {}
@@ -211,7 +211,7 @@ void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const
 
 Status Refinement::run(Equations const& equations, AnyEngine& engine, DofValues const& dofs, Progress const& progress,
                        SolveReport& report, Fault& fault) noexcept {
-    return Run(*this, equations, engine, dofs, progress).run(report, fault);
+    return RefinementRun(*this, equations, engine, dofs, progress).run(report, fault);
 }
 
 void Refinement::measure(Equations const& equations, DofValues const& dofs, SolveReport& report) const noexcept {

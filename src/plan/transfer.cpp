@@ -57,9 +57,9 @@ bool same_centre(Basis const& coarse, Condition const& rigid) noexcept {
     return false;
 }
 
-class Run {
+class TransferRun {
 public:
-    Run(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
+    TransferRun(Transfer const& transfer, Analysis const& analysis, Basis const& coarse, Basis const& fine) noexcept
         : transfer_(transfer), analysis_(analysis), points_(analysis.problem.mesh.points), coarse_(coarse), fine_(fine),
           row_length_(fine.row_length()) {}
 
@@ -184,7 +184,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     wall.kernel = kernel == Kernel::automatic ? best_kernel() : kernel;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);
-    Run run(*this, analysis, coarse, fine);
+    TransferRun run(*this, analysis, coarse, fine);
     Tally met = run.set_wall();
     met.merge(run.set_points());
     if (met.lost != none) {

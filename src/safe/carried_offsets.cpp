@@ -5,10 +5,10 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_points = 4096;    // for a thread
+constexpr Index least_carried_points = 4096;    // for a thread
 constexpr Real least_residual = 1e-12;  // of the extent of the control points: below, it is rounding
 
-Real fade(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
+Real fade_of_offset(Real x) noexcept { return x < 1 ? (1 - x) * (1 - x) * (1 + 2 * x) : 0; }
 
 }  // namespace
 
@@ -43,14 +43,14 @@ void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const 
     for (Index i = 0; i < control.count(); ++i) control[i] = i < 2 * n_control ? by.control[i] + reached[i] : 0;
     walls.build(now);
     morph(by, control.data(), {}, {x.data(), y.data(), 1}, executor);
-    executor.for_ranges(group.count(), least_points, [&](Index begin, Index end) {
+    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
         Index nearest = 0;
         for (Index k = begin; k < end; ++k) {
             group[k] = none;
             if (held[k] != 0 || representative[k] != k) continue;
             FaceDistance::Foot const foot = walls.foot(now[k], nearest);
             if (foot.face == none) continue;
-            Real const weight = fade(length(now[k] - walls.at(foot, now)) / reach);
+            Real const weight = fade_of_offset(length(now[k] - walls.at(foot, now)) / reach);
             if (weight == 0) continue;
             Index const slot = path.slot_of[walls.faces[foot.face].point[0]];
             if (slot == none || !by.is_on_curve(slot)) continue;
@@ -79,7 +79,7 @@ Real CarriedOffsets::largest(Basis const& basis, MovementPath const& path, Real 
 void CarriedOffsets::add(MovementPath const& path, Real from, Real to, MutablePoints displacement,
                          Executor const& executor) const noexcept {
     if (reach == 0) return;
-    executor.for_ranges(group.count(), least_points, [&](Index begin, Index end) {
+    executor.for_ranges(group.count(), least_carried_points, [&](Index begin, Index end) {
         Index last = none;
         Vec2 turn;
         for (Index k = begin; k < end; ++k) {

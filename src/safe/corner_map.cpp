@@ -4,7 +4,7 @@ namespace harmorph {
 namespace {
 
 constexpr Vec2 times_i(Vec2 a) noexcept { return {-a.y, a.x}; }
-Vec2 direction(Vec2 a) noexcept {
+Vec2 direction_or_x(Vec2 a) noexcept {
     Real const size = length(a);
     return size > 0 ? 1 / size * a : Vec2{1, 0};
 }
@@ -18,7 +18,7 @@ struct Eigen {
         Real const mean = 0.5 * (a + c), half = 0.5 * (a - c), radius = square_root(half * half + b * b);
         value[0] = mean + radius;
         value[1] = mean - radius;
-        axis = direction(half >= 0 ? Vec2{half + radius, b} : Vec2{b, radius - half});
+        axis = direction_or_x(half >= 0 ? Vec2{half + radius, b} : Vec2{b, radius - half});
     }
 };
 
@@ -47,7 +47,7 @@ void CornerMap::differentiate(Triangle const& now, DensityDerivatives const& by,
     pull_back(2 * by.by_p * z_now, 2 * by.by_q * w_now, gradient);
 
     // Turning z or w leaves p and q; growing them couples the two.
-    Vec2 const along_z = direction(z_now), along_w = direction(w_now);
+    Vec2 const along_z = direction_or_x(z_now), along_w = direction_or_x(w_now);
     Eigen const growth(2 * by.by_p + 4 * p * by.by_pp, 4 * square_root(p * q) * by.by_pq,
                        2 * by.by_q + 4 * q * by.by_qq);
     Real const curvature[4] = {2 * by.by_p, 2 * by.by_q, growth.value[0], growth.value[1]};

@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Real share_of_admissible = 0.5;  // that a substep may take
+constexpr Real substep_of_admissible = 0.5;  // that a substep may take
 constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
 constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
 constexpr Index usual_resolves = 5;        // what a large movement should do with
@@ -136,7 +136,7 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
     for (Index trial = 0; trial < most_trials && length >= least_step; ++trial) {
         Real const end = smaller(mesh.time + length, 1.0);
         work.report.limit = look_ahead(work, by, end);
-        Real const share = work.report.limit.step * share_of_admissible;
+        Real const share = work.report.limit.step * substep_of_admissible;
         if (share >= 1 && is_valid(work, mesh.ahead())) {
             if (length <= 1.001 * pace || work.goal() == 0) return length;
             Outcome there;

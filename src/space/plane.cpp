@@ -3,9 +3,9 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_range = 4096;  // points for which another thread is worth its start
+constexpr Index least_plane_points = 4096;  // points for which another thread is worth its start
 
-Real moved(Real old, Real step) noexcept { return step == 0 ? old : old + step; }
+Real moved_by_step(Real old, Real step) noexcept { return step == 0 ? old : old + step; }
 
 }  // namespace
 
@@ -42,17 +42,17 @@ Mesh Plane::mesh() const noexcept {
 
 void Plane::spread(Points displacement, SpacePoints from, MutableSpacePoints to,
                    Executor const& executor) const noexcept {
-    executor.for_ranges(n_space_points, least_range, [&](Index begin, Index end) {
+    executor.for_ranges(n_space_points, least_plane_points, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
             Vec3 const step = frame.moved(displacement[follows[k] - index_base], turn_of(k));
             Vec3 const old = from.given() ? from[k] : Vec3{};
-            to.set(k, {moved(old.x, step.x), moved(old.y, step.y), moved(old.z, step.z)});
+            to.set(k, {moved_by_step(old.x, step.x), moved_by_step(old.y, step.y), moved_by_step(old.z, step.z)});
         }
     });
 }
 
 void Plane::gather(SpacePoints by_space_points, MutablePoints by_points, Executor const& executor) const noexcept {
-    executor.for_ranges(n_points, least_range, [&](Index begin, Index end) {
+    executor.for_ranges(n_points, least_plane_points, [&](Index begin, Index end) {
         for (Index p = begin; p < end; ++p) {
             Vec2 sum;
             for (Index at = follower_start[p]; at < follower_start[p + 1]; ++at) {

@@ -1,11 +1,9 @@
 #include "harmorph/space/space_mesh.hpp"
 
+#include "harmorph/mesh/mesh.hpp"
+
 namespace harmorph {
 namespace {
-
-constexpr Index from_zero(Index number, Index index_base) noexcept {
-    return static_cast<Index>(static_cast<std::uint32_t>(number) - static_cast<std::uint32_t>(index_base));
-}
 
 Status check_rows(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.face_start == nullptr) return Status::ok;

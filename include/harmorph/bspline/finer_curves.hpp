@@ -17,7 +17,7 @@ void polar_form(Curve const& curve, Index span, const Real* argument, Real* valu
 // Do the first control points come again at the end, with knots that repeat with the period end() - begin()?
 bool has_periodic_points(Curve const& curve) noexcept;
 
-struct Refinement {
+struct CurveRefinement {
     Index curve = 0;            // which is changed
     bool elevates = false;      // the degree is raised; otherwise the knots are inserted
     Span<const Real> knots;
@@ -31,7 +31,7 @@ struct FinerCounts {
     Offset other_indices = 0, other_knots = 0;
     bool rational = false;
 
-    void include(Curve const& old, bool changes, Refinement const& refinement) noexcept;
+    void include(Curve const& old, bool changes, CurveRefinement const& refinement) noexcept;
     Offset most_control() const noexcept { return Offset{n_control} + most_knots; }
 };
 
@@ -43,7 +43,7 @@ struct FinerCurves {
 
     void lay_out(Arena& arena, FinerCounts const& counts) noexcept;
     // The refinement has been checked.
-    Status run(Refinement const& refinement, Fault& fault) noexcept;
+    Status run(CurveRefinement const& refinement, Fault& fault) noexcept;
 
 private:
     void insert(Curve const& old, Span<const Real> knots) noexcept;

@@ -2,6 +2,9 @@
 #define HARMORPH_SET avx2
 #define HARMORPH_TARGET "avx2,fma"
 #include "harmorph/simd/begin.hpp"
+#if !defined(HARMORPH_REGISTERS_AVX2)
+#define HARMORPH_REGISTERS_AVX2
+#include "harmorph/simd/register.hpp"
 
 namespace harmorph::simd::avx2 {
 
@@ -83,3 +86,4 @@ struct Registers<float> : Register<float, 8> {
 };
 
 }  // namespace harmorph::simd::avx2
+#endif

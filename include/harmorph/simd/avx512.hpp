@@ -3,6 +3,9 @@
 #define HARMORPH_SET avx512
 #define HARMORPH_TARGET "avx512f,avx512dq,avx512vl,avx2,fma"
 #include "harmorph/simd/begin.hpp"
+#if !defined(HARMORPH_REGISTERS_AVX512)
+#define HARMORPH_REGISTERS_AVX512
+#include "harmorph/simd/register.hpp"
 
 namespace harmorph::simd::avx512 {
 
@@ -78,3 +81,4 @@ struct Registers<float> : Register<float, 8> {
 };
 
 }  // namespace harmorph::simd::avx512
+#endif

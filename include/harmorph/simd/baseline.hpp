@@ -1,6 +1,9 @@
 // Whatever the compiler may assume: SSE2 on x86-64, plain vectors elsewhere. The manual of Registers.
 #define HARMORPH_SET baseline
 #include "harmorph/simd/begin.hpp"
+#if !defined(HARMORPH_REGISTERS_BASELINE)
+#define HARMORPH_REGISTERS_BASELINE
+#include "harmorph/simd/register.hpp"
 
 namespace harmorph::simd::baseline {
 
@@ -99,3 +102,4 @@ struct Registers<float> : Register<float, 4> {
 };
 
 }  // namespace harmorph::simd::baseline
+#endif

@@ -2,6 +2,9 @@
 // baseline.hpp for the manual.
 #define HARMORPH_SET neon
 #include "harmorph/simd/begin.hpp"
+#if !defined(HARMORPH_REGISTERS_NEON)
+#define HARMORPH_REGISTERS_NEON
+#include "harmorph/simd/register.hpp"
 
 namespace harmorph::simd::neon {
 
@@ -77,3 +80,4 @@ struct Registers<float> : Register<float, 4> {
 };
 
 }  // namespace harmorph::simd::neon
+#endif

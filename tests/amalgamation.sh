@@ -1,0 +1,35 @@
+#!/bin/sh
+# usage: amalgamation.sh BUILD   (MAKE, CXX, CC, CFLAGS from the environment)
+# `make amalgamation`: two files that need nothing else, compiled without a warning and without -I; a C program that
+# links with them runs; they export what the library exports.
+: "${MAKE:=make}" "${CXX:=c++}" "${CC:=cc}" "${CFLAGS:=-O2}"
+build=$(cd "$1" && pwd)
+source=$(pwd)
+dir=$build/amalgamation-test
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "amalgamation: $what failed:"
+        head -n 40 "$dir/log" | sed 's/^/    /'
+    fi
+}
+exported() { nm -g --defined-only "$1" | awk 'NF == 3 && $3 ~ /^_?hm_/ { print $3 }' | sort -u; }
+same_names() { exported "$build/libharmorph.a" >"$dir/names" && exported harmorph.o | diff "$dir/names" - && [ -s "$dir/names" ]; }
+rm -rf "$dir"
+mkdir -p "$dir"
+check "make amalgamation" $MAKE -s BUILD="$build" amalgamation
+check "two files" [ "$(ls "$build/amalgamation" | tr '\n' ' ')" = "harmorph.cpp harmorph.h " ]
+cp "$build/amalgamation/harmorph.cpp" "$build/amalgamation/harmorph.h" "$dir/" && cd "$dir" || exit 1
+# Without optimisation: what the compiler takes is not its speed.
+check "compilation" $CXX -std=c++17 -O0 -Wall -Wextra -Wconversion -Werror -fno-exceptions -fno-rtti -ffp-contract=off \
+    -c harmorph.cpp
+check "the names that it exports" same_names
+check "a C program" $CC -std=c99 -pedantic $CFLAGS -I. -o use "$source/tests/use.c" harmorph.o -lm
+check "the C program runs" ./use
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]
