@@ -97,16 +97,17 @@ rules:
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
-	    objects cli "$$cli tests/deform/movements.hpp tests/deform/seeds.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
+	    objects cli "$$cli tests/deform/movements.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
+	    objects cli "$$cli tests/deform/seeds.hpp" tests/deform/seeded.cpp; list="$$list $$parts"; program $(BUILD)/deform-seeded; \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	    flags='$$(UNIT) -Ic_api/cli'; objects fuzz "$$core $$cli `some tests/fuzz/*.hpp`" tests/fuzz/*.cpp; \
 	    list="$$list $$parts"; program $(BUILD)/fuzzer; \
 	} >$(BUILD)/rules.new
 	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk
 
-# The driver of `make deform`; the tests build and run it, too.
+# The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all
-	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver
+	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver $(BUILD)/deform-seeded
 
 unit: all
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
@@ -143,9 +144,8 @@ bench: all
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
 	    sh tests/bench/run.sh
 
-deform: all
-	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver
-	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
+deform: deform-driver
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \
 	    sh tests/deform/run.sh
 
 paper: all

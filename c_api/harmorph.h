@@ -1093,7 +1093,9 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
  *                          tried on straight lines, too
  *   HM_STRATEGY_UNTANGLED  the rest of the movement at once; then inner points are placed such that no cell is inverted
  *                          (foldover-free energy of Garanzha et al., ACM Trans. Graph. 40 (2021), with the initial
- *                          cells as the target shapes)
+ *                          cells as the target shapes). Where substeps would need more than 5 solutions, or become too
+ *                          short, this is tried, with improvement, before the functions are solved again; if the mesh
+ *                          is not good then, the substeps continue. With a derivative only after all substeps
  *   HM_STRATEGY_IMPROVED   inner points of a mesh at the target are placed for quality, see hm_improve
  * If no strategy reaches the target, the mesh is never nearer to the start than what one linear step reaches.
  *

@@ -202,33 +202,53 @@ void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const
 
 void SafeMorph::keep_if_better(Work& work) noexcept {
     measure(work, mesh.now(), work.attempt);
-    if (!work.is_better(work.attempt, work.best())) return;
-    copy(best_x, Span<const Real>(mesh.x));
-    copy(best_y, Span<const Real>(mesh.y));
-    copy(reached, Span<const Real>(mesh.reached));
-    work.best() = work.attempt;
+    if (work.is_better(work.attempt, work.best())) keep(work, work.attempt, mesh.x, mesh.y, mesh.reached);
+}
+
+void SafeMorph::keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y,
+                     Span<const Real> movement) noexcept {
+    copy(best_x, x);
+    copy(best_y, y);
+    copy(reached, movement);
+    work.best() = outcome;
     work.derivative_of_best = true;
 }
 
-// The rest of the way in one step, whatever it inverts, and then the inner points find their places.
-Status SafeMorph::untangle(Work& work, Basis const& by) noexcept {
+// The rest of the way in one step, whatever it inverts; then the inner points find their places, and better ones where cells
+// are poor. Returns whether the mesh is good then. If not, and it is not the last thing to try, the way goes on from where it
+// was.
+bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
+    if (!work.options.tries(Strategy::untangled)) return false;
     look_ahead(work, by, 1);
     untangling.tangle = {work.mesh(), work.mesh().points, work.basis.reversed, mesh.representative, mesh.held};
     untangling.executor = work.executor();
     Fault why;
     Status const status = untangling.run(work.options.untangle, mesh.to_ahead(), work.report.untangle, why);
-    if (status != Status::ok || !is_valid(work, mesh.ahead())) return Status::ok;  // points that slide may have passed others
-    take_step(work, by);
-    work.attempt.strategy = Strategy::untangled;
-    keep_if_better(work);
-    return Status::ok;
+    if (status != Status::ok || !is_valid(work, mesh.ahead())) return false;  // points that slide may have passed others
+    Outcome there = work.attempt;
+    there.strategy = Strategy::untangled;
+    there.fraction = 1;
+    ++there.steps;
+    there.turned_offset = mesh.carried.largest(work.basis, mesh.path, 1);
+    measure(work, mesh.ahead(), there);
+    if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
+        ImproveReport improved;
+        there.strategy = Strategy::improved;
+        if (failed(improvement.run(work.plan, work.options.improve, work.mesh().points, mesh.ahead(), mesh.to_ahead(), improved,
+                                   why)) || !is_valid(work, mesh.ahead())) return false;
+        measure(work, mesh.ahead(), there);
+    }
+    bool const is_good = work.is_good(there);
+    if (is_last || is_good) take_step(work, by);
+    if (work.is_better(there, work.best())) keep(work, there, mesh.ahead_x, mesh.ahead_y, mesh.aimed);
+    return is_good;
 }
 
 // The best mesh's inner points, for the quality that is reported. The derivative remains that of the way.
 void SafeMorph::improve(Work& work) noexcept {
     ImproveReport report;
     Fault why;
-    if (work.best().fraction < 1) return;
+    if (work.best().fraction < 1 || work.best().strategy == Strategy::improved) return;
     if (failed(improvement.run(work.plan, work.options.improve, work.mesh().points, result(), mesh.to_ahead(), report, why))) return;
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);

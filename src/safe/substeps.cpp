@@ -9,22 +9,25 @@ constexpr Real substep_of_admissible = 0.5;  // that a substep may take
 constexpr Real least_step = 1e-4;          // of the whole way; shorter ones lead nowhere
 constexpr Index most_trials = 12;          // of a substep's length; the way is not straight
 constexpr Index usual_resolves = 5;        // what a large movement should do with
+constexpr Index most_leaps = 2;            // over the rest of the way, before all solutions are used up
 constexpr Real stuck_below = 0.5;          // of the pace that leads to the target with the resolves that are left
 constexpr Real worth_changing = 1.5;       // an operator that goes so much farther is the one from now on
 
-struct OperatorChoice {
+}  // namespace
+
+struct SafeMorph::OperatorChoice {
     Operator kind;
     Index quarters;
 };
-
-}  // namespace
 
 // The basis's own operator, and those that may help where it is stuck. Conformal functions do not follow what shears cells,
 // as bodies that pass each other do; and their exponent decides what is kept: 1 bends far, 2 keeps what is near the wall.
 struct SafeMorph::Operators {
     OperatorChoice list[4];
     Index count = 0, current = 0;
-    Index rest = 0;  // solutions for which no change is tried, after one that did not help
+    Index rest = 0;  // steps for which no change is tried, after one that did not help
+
+    OperatorChoice const& now() const noexcept { return list[current]; }
 
     void add(OperatorChoice choice) noexcept {
         for (Index k = 0; k < count; ++k) {
@@ -44,6 +47,7 @@ Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
     Basis const here = unsolved_copy(work.basis);
     Operators operators(work.basis.header->method);
+    Index leaps = work.derivative == nullptr ? most_leaps : 0;  // the derivative does not know what untangling moves
     // A solution that failed may have left anything in `here`; the functions of the start always serve.
     const Basis* by = &work.basis;
     if (work.options.tries(Strategy::substeps)) {
@@ -57,15 +61,32 @@ Status SafeMorph::substeps(Work& work) noexcept {
                 return Status::ok;
             }
             if (work.report.resolves >= work.options.most_resolves) break;
-            Status const status = find_step_by_operators(work, here, operators, length);
+            Status status = solve_by(work, here, operators.now());
+            if (!failed(status)) {
+                by = &here;
+                length = find_step(work, here);
+                bool const is_late = work.report.resolves >= usual_resolves;
+                if ((is_late || is_stuck(work, length)) && leaps > 0) {
+                    --leaps;
+                    if (leap(work, here, false)) return Status::ok;
+                }
+                status = is_stuck(work, length) ? change_operator(work, here, operators, length) : Status::ok;
+            }
             if (status == Status::cancelled) return status;
             by = here.header->solved == 1 ? &here : &work.basis;
             if (failed(status)) break;  // a scheme that cannot, or a mesh too poor
+            if (length >= least_step) look_ahead(work, here, smaller(mesh.time + length, 1.0));
         }
         if (work.attempt.steps > 0) keep_if_better(work);
     }
-    if (!work.options.tries(Strategy::untangled) || work.best().fraction >= 1) return Status::ok;
-    return untangle(work, *by);
+    leap(work, *by, true);
+    return Status::ok;
+}
+
+// Is a step too short to reach the target with the solutions that are left?
+bool SafeMorph::is_stuck(Work const& work, Real length) const noexcept {
+    Real const left = static_cast<Real>(larger(work.options.most_resolves - work.report.resolves, Index{1}));
+    return length < stuck_below * (1 - mesh.time) / left;
 }
 
 // At the start all bases are there: the one that goes farthest, if the own one is stuck.
@@ -87,43 +108,38 @@ Basis const& SafeMorph::choose_first(Work& work, Real& length) noexcept {
     return *best;
 }
 
-// Solves on the mesh as it is and finds the step that follows; tries other operators where that is too short.
-Status SafeMorph::find_step_by_operators(Work& work, Basis const& here, Operators& operators, Real& length) noexcept {
-    Real best = -1;
-    Index const first = operators.current;
-    Index solved = none;
-    auto const solve = [&](Index number) {
-        OperatorChoice const choice = operators.list[number];
-        if (!work.plan.equations.change_operator(choice.kind, choice.quarters)) {
-            return number == first ? Status::ok : Status::unsupported;
-        }
-        here.header->method.operator_kind = choice.kind;
-        here.header->method.quarters = choice.quarters;
+// By the operator that goes farthest from here, where the one at hand, which was solved last, is stuck.
+Status SafeMorph::change_operator(Work& work, Basis const& here, Operators& operators, Real& length) noexcept {
+    if (operators.rest > 0) {
+        --operators.rest;
         return Status::ok;
-    };
-    for (Index k = 0; k < operators.count; ++k) {
+    }
+    Index const first = operators.current;
+    Index solved = first;
+    for (Index k = 1; k < operators.count && is_stuck(work, length); ++k) {
         Index const number = (first + k) % operators.count;
-        if (k > 0 && work.report.resolves + 2 > work.options.most_resolves) break;  // it may have to be solved twice
-        if (failed(solve(number))) continue;
-        HARMORPH_TRY(solve_at_present(work, here));
+        if (work.report.resolves + 2 > work.options.most_resolves) break;  // it may have to be solved twice
+        Status const status = solve_by(work, here, operators.list[number]);
+        if (status == Status::unsupported) continue;
+        HARMORPH_TRY(status);
         solved = number;
         Real const its = find_step(work, here);
-        if (its > (k == 0 ? 0 : worth_changing) * best || k == 0) {
-            best = its;
-            operators.current = number;
-        }
-        Real const left = static_cast<Real>(larger(work.options.most_resolves - work.report.resolves, Index{1}));
-        bool const is_stuck = best < stuck_below * (1 - mesh.time) / left;
-        if (!is_stuck || operators.rest > 0) break;
+        if (its <= worth_changing * length) continue;
+        length = its;
+        operators.current = number;
     }
-    operators.rest = operators.rest > 0 ? operators.rest - 1 : operators.current == first && solved != first ? 3 : 0;
-    length = best;
-    if (solved != operators.current) {
-        solve(operators.current);
-        HARMORPH_TRY(solve_at_present(work, here));
-        if (length > 0) look_ahead(work, here, smaller(mesh.time + length, 1.0));
-    }
-    return Status::ok;
+    if (operators.current == first && solved != first) operators.rest = 3;
+    return solved == operators.current ? Status::ok : solve_by(work, here, operators.now());
+}
+
+// On the mesh as it is. Status::unsupported: the conditions do not allow this operator.
+Status SafeMorph::solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept {
+    Method& method = here.header->method;
+    bool const is_new = method.operator_kind != choice.kind || method.quarters != choice.quarters;
+    if (!work.plan.equations.change_operator(choice.kind, choice.quarters) && is_new) return Status::unsupported;
+    method.operator_kind = choice.kind;
+    method.quarters = choice.quarters;
+    return solve_at_present(work, here);
 }
 
 // The longest step from here, in parts of the whole way, that takes no more than its share of what is admissible and leaves

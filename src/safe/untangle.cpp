@@ -48,6 +48,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
         region.keep([&](Index i) { return !is_good(i, options.margin); });
         if (is_whole && region.n_cells > 0) break;
     }
+    region.keep([&](Index i) { return !is_good(i, 0); });  // thin cells of the whole mesh are valid, too
     report.left = region.n_cells;
     if (region.n_cells > 0) return Status::not_converged;
     write(points);

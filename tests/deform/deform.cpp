@@ -12,12 +12,10 @@
 #include "../../c_api/cli/solver.hpp"
 #include "../../c_api/cli/stopwatch.hpp"
 #include "movements.hpp"
-#include "seeds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -159,34 +157,6 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
     return missed;
 }
 
-// Safe morphs by random movements, those left out that no mesh can follow. SEEDS in the environment: how many.
-void random_targets(const Case& its, const Movements& movements) {
-    const char* const asked = std::getenv("SEEDS");
-    const int wanted = asked != nullptr ? std::atoi(asked) : 20;
-    int counted = 0, impossible = 0, reached = 0, good = 0, few_resolves = 0;
-    std::vector<double> seconds;
-    for (std::uint64_t seed = 1; counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
-        const cli::Morph morph = its.safe(random_movement(movements.points(), seed));
-        if (morph.impossible) {
-            ++impossible;
-            continue;
-        }
-        ++counted;
-        const bool whole = morph.valid() && morph.safe.step_fraction >= 1;
-        const bool is_good = whole && morph.quality.min_quality >= .05 * morph.safe.start_quality;
-        reached += whole ? 1 : 0;
-        good += is_good ? 1 : 0;
-        few_resolves += morph.safe.resolves <= 6 ? 1 : 0;
-        seconds.push_back(morph.seconds);
-        const std::string& why = morph.refusal.empty() ? morph.warning : morph.refusal;
-        if (!is_good) std::printf("    seed %d: %d solutions; %s\n", static_cast<int>(seed), morph.safe.resolves, why.c_str());
-    }
-    if (counted == 0) return;
-    std::printf("  %d random movements (%d that no mesh can follow left out): %d at the target and valid, %d of these with .05\n"
-                "    of the smallest quality before, or more; %d with at most 6 solutions; median %.2g s\n",
-                counted, impossible, reached, good, few_resolves, cli::median(seconds));
-}
-
 int airfoil(const std::string& folder, const std::string& path, const std::string& marker, const cli::Threads& threads) {
     const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
     std::printf("\n== %s\n", path.c_str());
@@ -213,7 +183,6 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
         print_limits(its_operator.name, *its, movements, laplace_seconds);
         if (its_operator.kind == HM_CONFORMAL && its_operator.quarters == 6) usual = std::move(its);
     }
-    random_targets(*usual, movements);
     return safe_targets(*usual, movements, stem);
 }
 

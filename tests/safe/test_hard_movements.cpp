@@ -1,6 +1,8 @@
 // Movements that are possible, on meshes with traits that have made them look impossible; and impossible ones.
 #include <doctest/doctest.h>
 
+#include "../deform/seeds.hpp"
+
 #include <fixtures/channels.hpp>
 #include <fixtures/safe.hpp>
 #include <fixtures/fitted.hpp>
@@ -108,6 +110,34 @@ TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: it
             CHECK(safe.report.resolves <= 6);
             CHECK(safe.boundary_error(move) < 1e-15);
         }
+}
+
+// Every movement that crosses no wall ends at the target, with the quality asked for and six solutions at most.
+TEST_CASE("seeded movements of a channel's floor by up to half the channel, and of a cascade by up to half a pitch") {
+    Case floor = channel(14, 16, 0.004, 20), row;
+    row.mesh = read_su2("tests/meshes/cascade.su2");   // markers in the order of the file: blade, inlet, lower, outlet, upper
+    REQUIRE(row.mesh.n_points() > 0);
+    row.curves.add(fitted_loop(points_along(row.mesh, 1), 20));
+    row.put_on_curves(1);
+    row.set_periodic(3, 5);
+    for (bool const is_row : {false, true}) {
+        Safe safe(is_row ? row : floor);
+        safe.safe_options.min_quality = 0;
+        int counted = 0;
+        for (std::uint64_t seed = 1; seed <= 11; ++seed) {
+            std::vector<double> const move = is_row ? deform::random_flight(row.curves.control, seed, 0.45)
+                                                    : deform::random_bump(20, seed, 0.5);
+            hm_status const status = safe.run(move);
+            if (status == HM_CROSSING) continue;
+            INFO((is_row ? "cascade" : "channel") << ", seed " << seed << ": " << safe.error.text);
+            ++counted;
+            CHECK(status == HM_OK);
+            CHECK(safe.is_valid());
+            CHECK(safe.report.resolves <= 6);
+            CHECK(safe.report.min_quality >= 0.05 * safe.report.start_quality);
+        }
+        CHECK(counted >= 7);
+    }
 }
 
 TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its points along, and heights are kept") {

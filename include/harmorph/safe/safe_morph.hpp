@@ -91,20 +91,24 @@ private:
     Index count_inverted(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
     void keep_if_better(Work& work) noexcept;
+    void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y, Span<const Real> movement) noexcept;
     void measure(Work const& work, Points points, Outcome& outcome) const noexcept;
     void single_step(Work& work, Basis const& by, Strategy strategy, Index other) noexcept;
     void longest_linear_step(Work& work) noexcept;
 
     // substeps.cpp
+    struct OperatorChoice;
     struct Operators;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by) noexcept;
     Basis const& choose_first(Work& work, Real& length) noexcept;
-    Status find_step_by_operators(Work& work, Basis const& here, Operators& operators, Real& length) noexcept;
+    bool is_stuck(Work const& work, Real length) const noexcept;
+    Status change_operator(Work& work, Basis const& here, Operators& operators, Real& length) noexcept;
+    Status solve_by(Work& work, Basis const& here, OperatorChoice const& choice) noexcept;
     Status solve_at_present(Work& work, Basis const& basis) noexcept;
     Basis unsolved_copy(Basis const& basis) const noexcept;
 
-    Status untangle(Work& work, Basis const& by) noexcept;
+    bool leap(Work& work, Basis const& by, bool is_last) noexcept;
     void improve(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;

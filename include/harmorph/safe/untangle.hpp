@@ -14,7 +14,8 @@ struct UntangleOptions {
     Index iterations_in_whole = 200; // at most, in the whole mesh
     Index most_products = 200;       // with the Hessian, in each iteration
     // Of corner areas in units of the reference's. A region is done when its smallest is at least `goal`, or at least
-    // `margin` and no longer grows; nothing below `margin` is a success. Corners that cannot move must be positive.
+    // `margin` and no longer grows; below `margin` a larger one is tried. Of the whole mesh, and of corners that cannot
+    // move, positive is enough.
     Real goal = 0.05, margin = 1e-3;
 };
 

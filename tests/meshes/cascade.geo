@@ -1,0 +1,51 @@
+// A cascade: one period of a row of NACA 0012 blades of chord 1, pitch .9, staggered by 25 degrees. Triangles; the lower
+// and the upper side have the same points.
+pitch = 0.9;
+near = 0.025;  // sizes of triangles
+far = 0.09;
+
+Point(100) = {0.453154, -0.211309, 0, near};
+Point(101) = {0.438748, -0.201889, 0, near};
+Point(102) = {0.396386, -0.174542, 0, near};
+Point(103) = {0.328643, -0.131801, 0, near};
+Point(104) = {0.239764, -0.077374, 0, near};
+Point(105) = {0.135436, -0.015766, 0, near};
+Point(106) = {0.022340, 0.047909, 0, near};
+Point(107) = {-0.092365, 0.108131, 0, near};
+Point(108) = {-0.201470, 0.159496, 0, near};
+Point(109) = {-0.297994, 0.197527, 0, near};
+Point(110) = {-0.375477, 0.219383, 0, near};
+Point(111) = {-0.428456, 0.223960, 0, near};
+Point(112) = {-0.453154, 0.211309, 0, near};
+Point(113) = {-0.446970, 0.184258, 0, near};
+Point(114) = {-0.409409, 0.146615, 0, near};
+Point(115) = {-0.342862, 0.101309, 0, near};
+Point(116) = {-0.251684, 0.051813, 0, near};
+Point(117) = {-0.142204, 0.001251, 0, near};
+Point(118) = {-0.022340, -0.047909, 0, near};
+Point(119) = {0.099134, -0.093616, 0, near};
+Point(120) = {0.213389, -0.133935, 0, near};
+Point(121) = {0.312213, -0.167035, 0, near};
+Point(122) = {0.388499, -0.191456, 0, near};
+Point(123) = {0.436678, -0.206329, 0, near};
+Spline(1) = {100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112};
+Spline(2) = {112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 100};
+Curve Loop(1) = {1, 2};
+Physical Curve("blade") = {1, 2};
+
+Point(1) = {-1.2, -pitch / 2, 0, far};
+Point(2) = {1.2, -pitch / 2, 0, far};
+Point(3) = {1.2, pitch / 2, 0, far};
+Point(4) = {-1.2, pitch / 2, 0, far};
+Line(11) = {1, 2};
+Line(12) = {2, 3};
+Line(13) = {3, 4};
+Line(14) = {4, 1};
+Periodic Curve {13} = {-11} Translate {0, pitch, 0};
+Curve Loop(2) = {11, 12, 13, 14};
+Physical Curve("lower") = {11};
+Physical Curve("outlet") = {12};
+Physical Curve("upper") = {13};
+Physical Curve("inlet") = {14};
+Plane Surface(1) = {2, 1};
+Physical Surface("fluid") = {1};
