@@ -116,6 +116,17 @@ HM_API int32_t     hm_abi_version(void);
 HM_API const char *hm_version(void);                      /* "major.minor.patch" of the library */
 HM_API const char *hm_status_name(hm_status status);      /* "HM_OK", ...; "unknown status" otherwise */
 
+/* ---- Vector instructions ---------------------------------------------------------------------------------------- */
+
+enum {                             /* kernels: the library contains those of its architecture */
+    HM_KERNEL_AUTO = 0,            /* the best that the processor has; the library asks the processor */
+    HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3,
+    HM_KERNEL_NEON = 4             /* 64-bit ARM; the AVX kernels are those of x86-64 */
+};
+/* The best kernel that this processor has; never HM_KERNEL_AUTO. On a virtual machine the question may take 15 us, more
+ * than a morph of 5000 points. So ask once, and keep the answer in hm_executor.kernel. */
+HM_API int32_t hm_best_kernel(void);
+
 /* ---- Threads of the caller -------------------------------------------------------------------------------------- */
 
 /* Calls task(context, i) once for each i in 0 .. n_tasks-1, in any order, on any threads, and returns when all tasks
@@ -128,7 +139,12 @@ typedef struct hm_executor {
     void    *user;                 /* passed to run */
     int32_t  n_threads;            /* how many tasks run at once, about; 1 .. 256; 0 means 1. The memory of a plan grows
                                       with n_threads */
-    int32_t  reserved;             /* 0 */
+    int32_t  kernel;               /* HM_KERNEL_...: hm_best_kernel(), asked once; the ready-made executors contain it.
+                                      HM_KERNEL_AUTO: each call that has enough to do asks the processor, small ones
+                                      take the baseline. Results of calls without hm_options (morph, adjoint, quality)
+                                      do not depend on the kernel. The number is checked (HM_UNSUPPORTED), the processor
+                                      is not: with a kernel that it lacks, the program ends with an illegal
+                                      instruction; a kernel of another architecture means the baseline */
 } hm_executor;
 
 /* ---- Points: two numbers for each point of a mesh, in the caller's arrays --------------------------------------- */
@@ -538,10 +554,6 @@ enum {                             /* start of HM_FAS */
     HM_START_ZERO = 1
 };
 
-enum {                             /* kernel: results agree to rounding; one that the processor lacks: HM_UNSUPPORTED */
-    HM_KERNEL_AUTO = 0, HM_KERNEL_BASELINE = 1, HM_KERNEL_AVX2 = 2, HM_KERNEL_AVX512 = 3,
-    HM_KERNEL_NEON = 4             /* 64-bit ARM; the AVX kernels are those of x86-64 */
-};
 enum {                             /* precision; HM_SINGLE is available with HM_DIRECT in all its combinations */
     HM_DOUBLE = 0,
     HM_SINGLE = 1                  /* the factor takes half the memory, the plan 0.6 times the memory; no time is saved.
@@ -565,8 +577,9 @@ typedef struct hm_options {
     int32_t  operator_kind;        /* default HM_CONFORMAL */
     int32_t  scheme;               /* default HM_COMPACT */
     int32_t  engine;               /* default HM_DIRECT */
-    int32_t  kernel;               /* HM_KERNEL_...: vector instructions; choose one for equal bits on different
-                                      processors */
+    int32_t  kernel;               /* HM_KERNEL_...: vector instructions of the plan; choose one for equal bits on
+                                      different processors. HM_KERNEL_AUTO: executor.kernel, if given, otherwise the
+                                      best that the processor has. A kernel that the processor lacks: HM_UNSUPPORTED */
     double   tolerance;            /* [-] relative residual above which hm_plan_solve warns; 0 means 1e-10. Iterative
                                       engines continue until the relative residual is below the tolerance and the
                                       estimated error of the values is about tolerance times the largest value. With

@@ -23,7 +23,7 @@ static inline hm_executor hm_openmp_executor(int32_t n_threads) {
     executor.run = hm_openmp_run;
     executor.user = (void *)(intptr_t)n_threads;
     executor.n_threads = n_threads < 256 ? n_threads : 256;
-    executor.reserved = 0;
+    executor.kernel = hm_best_kernel();
     return executor;
 }
 

@@ -80,7 +80,7 @@ static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads
     executor.run = hm_pthreads_run;
     executor.user = pool;
     executor.n_threads = pool->n_started + 1;
-    executor.reserved = 0;
+    executor.kernel = hm_best_kernel();
     return executor;
 }
 

@@ -65,7 +65,10 @@ Status view_executor(const hm_executor* given, Executor& executor, Fault& fault)
         return fault.refuse(Status::bad_argument, "executor.n_threads must be between 1 and 256, not #",
                             Counts::from_zero, e.n_threads);
     }
-    executor = {e.run, e.user, e.n_threads};
+    if (e.kernel < HM_KERNEL_AUTO || e.kernel > HM_KERNEL_NEON) {
+        return fault.refuse(Status::unsupported, "executor.kernel is #, which is unknown", Counts::from_zero, e.kernel);
+    }
+    executor = {e.run, e.user, e.n_threads, static_cast<Kernel>(e.kernel)};
     return Status::ok;
 }
 

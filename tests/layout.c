@@ -13,7 +13,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
     case 1: PUT(sizeof(TYPE)); AT(code); AT(item); AT(value); AT(text); break;
 #undef TYPE
 #define TYPE hm_executor
-    case 2: PUT(sizeof(TYPE)); AT(struct_size); AT(run); AT(user); AT(n_threads); AT(reserved); break;
+    case 2: PUT(sizeof(TYPE)); AT(struct_size); AT(run); AT(user); AT(n_threads); AT(kernel); break;
 #undef TYPE
 #define TYPE hm_mesh
     case 3:

@@ -47,7 +47,7 @@ program layout
     call compare("hm_error", 1, c_sizeof(error), c_loc(error), [c_loc(error%code), c_loc(error%item), &
         c_loc(error%value), c_loc(error%text)])
     call compare("hm_executor", 2, c_sizeof(executor), c_loc(executor), [c_loc(executor%struct_size), &
-        c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%reserved)])
+        c_loc(executor%run), c_loc(executor%user), c_loc(executor%n_threads), c_loc(executor%kernel)])
     call compare("hm_mesh", 3, c_sizeof(mesh), c_loc(mesh), [c_loc(mesh%struct_size), c_loc(mesh%index_base), &
         c_loc(mesh%n_points), c_loc(mesh%points), c_loc(mesh%cell_layout), &
         c_loc(mesh%n_cells), c_loc(mesh%cell_start), c_loc(mesh%cell_points), c_loc(mesh%ni), c_loc(mesh%nj), &

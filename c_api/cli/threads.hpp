@@ -8,6 +8,8 @@ namespace cli {
 class Threads {
 public:
     explicit Threads(std::int32_t count) : started_(count > 1) {
+        executor_.struct_size = sizeof executor_;
+        executor_.kernel = hm_best_kernel();
         if (started_) executor_ = hm_pthreads_start(&pool_, count);
     }
     ~Threads() {
@@ -16,7 +18,7 @@ public:
     Threads(const Threads&) = delete;
     Threads& operator=(const Threads&) = delete;
 
-    const hm_executor* executor() const { return started_ ? &executor_ : nullptr; }
+    const hm_executor* executor() const { return &executor_; }
 
 private:
     bool started_;

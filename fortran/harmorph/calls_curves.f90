@@ -1,12 +1,16 @@
 
 ! ---- The functions of harmorph.h: the library, and curves ------------------------------------------------------------
 
-    public :: hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, &
+    public :: hm_best_kernel, hm_c_abi_version, hm_c_version, hm_c_status_name, hm_c_curves_check, hm_c_curve_basis, &
         hm_c_curve_point, hm_c_curve_project, hm_c_refine_size, hm_c_refine, hm_c_elevate_size, hm_c_elevate, &
         hm_c_measure, hm_c_variables_size, hm_c_variables_map, hm_c_fit_size, hm_c_fit
 
     interface
         integer(c_int32_t) function hm_c_abi_version() bind(c, name="hm_abi_version")
+            import
+        end function
+        ! Of this processor; to be asked once, for hm_executor%kernel.
+        integer(c_int32_t) function hm_best_kernel() bind(c, name="hm_best_kernel")
             import
         end function
         type(c_ptr) function hm_c_version() bind(c, name="hm_version")

@@ -11,7 +11,7 @@
         integer(c_int64_t) :: struct_size = 0
         type(c_funptr) :: run = c_null_funptr
         type(c_ptr) :: user = c_null_ptr
-        integer(c_int32_t) :: n_threads = 1, reserved = 0
+        integer(c_int32_t) :: n_threads = 1, kernel = 0
     end type
 
     type, bind(c), public :: hm_c_points        ! hm_points and hm_points_out

@@ -38,6 +38,7 @@
     type, public :: hm_executor
         procedure(hm_run), pointer, nopass :: run => null()     ! null: everything on the calling thread
         integer :: n_threads = 1                                ! 1 .. 256
+        integer :: kernel = hm_kernel_auto                      ! hm_best_kernel(), asked once; automatic: see harmorph.h
     end type
 
     type :: callback                          ! what C hands back as `user`
@@ -65,6 +66,7 @@ contains
         integer, intent(in) :: n_threads
         type(hm_executor) :: executor
         executor%n_threads = 1
+        executor%kernel = hm_best_kernel()
         !$ executor%n_threads = min(n_threads, 256)
         if (executor%n_threads /= 1) executor%run => run_openmp
         if (n_threads < 1) executor%n_threads = n_threads        ! the call will refuse it
@@ -113,6 +115,7 @@ contains
         if (.not. present(executor)) return
         threads%c%struct_size = int(c_sizeof(threads%c), c_int64_t)
         threads%c%n_threads = int(executor%n_threads, c_int32_t)
+        threads%c%kernel = int(executor%kernel, c_int32_t)
         threads%its%n_threads = executor%n_threads
         threads%its%run => executor%run
         if (associated(executor%run)) threads%c%run = c_funloc(call_executor)

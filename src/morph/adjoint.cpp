@@ -130,9 +130,9 @@ void set_gradient(Basis const& basis, Real value, Real* gradient) noexcept {
     for (Index i = 0; i < 2 * basis.n_functions(); ++i) gradient[i] = value;
 }
 
-ProductKernels const& kernels_for(Basis const& basis) noexcept {
+ProductKernels const& kernels_for(Basis const& basis, Executor const& executor) noexcept {
     constexpr Offset worth_asking = Offset{1} << 15;
-    return product_kernels_for(Offset{basis.n_points()} * basis.row_length(), worth_asking);
+    return product_kernels_for(executor.kernel, Offset{basis.n_points()} * basis.row_length(), worth_asking);
 }
 
 template <class Body>
@@ -146,7 +146,7 @@ void for_each_part(Index row_length, Body const& body) noexcept {
 
 BinaryScale adjoint_scale(Basis const& basis, Points gradient_by_points, Executor const& executor) noexcept {
     LargestMagnitude largest[most_ranges];
-    ProductKernels const& kernels = kernels_for(basis);
+    ProductKernels const& kernels = kernels_for(basis, executor);
     for_block_ranges(basis.n_points(), executor, [&](Index first, Index behind, Index i) {
         Index const begin = first * block_points, end = smaller(behind * block_points, basis.n_points());
         if (gradient_by_points.stride == 1) {
@@ -169,7 +169,7 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     Offset const n = basis.row_length();
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
-    ProductKernels const& kernels = kernels_for(basis);
+    ProductKernels const& kernels = kernels_for(basis, executor);
     for_each_part(basis.row_length(), [&](Part part) {
         PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
         for (Index k = 0; k < part.width; ++k) {
@@ -196,7 +196,7 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
     BinaryScale const scale = adjoint_scale(basis, gradient_by_points, executor);
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);
-    ProductKernels const& kernels = kernels_for(basis);
+    ProductKernels const& kernels = kernels_for(basis, executor);
     for_each_part(basis.row_length(), [&](Part part) {
         PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
         for (Index k = 0; k < part.width; ++k) {

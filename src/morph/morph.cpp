@@ -141,7 +141,8 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
 }  // namespace
 
 void morph(Basis const& basis, const Real* move, Points from, MutablePoints to, Executor const& executor) noexcept {
-    ProductKernels const& kernels = product_kernels_for(Offset{basis.n_points()} * basis.row_length(), worth_asking);
+    ProductKernels const& kernels = product_kernels_for(
+        executor.kernel, Offset{basis.n_points()} * basis.row_length(), worth_asking);
     RowMovements const movements(basis, move);
     executor.for_ranges(blocks_of(basis.n_points()), least_blocks_to_morph, [&](Index begin, Index end) {
         if (basis.in_single()) morph_blocks(kernels, basis.single, basis, movements, from, to, begin, end);

@@ -23,7 +23,7 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
 void Equations::init(Analysis const& analysis) noexcept {
     cells.mesh = analysis.problem.mesh;
     method = analysis.problem.method;
-    if (method.kernel == Kernel::automatic) method.kernel = best_kernel();
+    method.kernel = resolved(method.kernel, analysis.problem.executor.kernel);
     for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
     copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
     for (Index k = 0; k < kinds.count(); ++k) kinds[k] = analysis.kinds[analysis.topology.representative[k]];

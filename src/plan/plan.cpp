@@ -29,7 +29,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     copy(wall_point, Span<const Index>(analysis.wall.point.first(wall_point.count())));
     given.init(analysis);
     equations.init(analysis);
-    refinement.residual.kernel = equations.method.kernel;
+    refinement.residual.kernel = executor.kernel = equations.method.kernel;
     executor.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations.build(analysis);
         if (part == 1) engine.init(analysis);

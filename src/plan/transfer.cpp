@@ -180,8 +180,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     fill(fine.value, 0.0);
     Points const points = analysis.problem.mesh.points;
     locator.build({coarse_mesh, coarse.reversed});
-    Kernel const kernel = analysis.problem.method.kernel;
-    wall.kernel = kernel == Kernel::automatic ? best_kernel() : kernel;
+    wall.kernel = resolved(analysis.problem.method.kernel, analysis.problem.executor.kernel);
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);
     TransferRun run(*this, analysis, coarse, fine);

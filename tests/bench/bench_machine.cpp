@@ -89,7 +89,7 @@ void read_all(Loops const& loops, double const* data, std::size_t n, std::size_t
         sink = job.loops.read(job.data + static_cast<std::size_t>(index) * job.part, job.part, job.ahead);
     };
     Job job{loops, data, n / static_cast<std::size_t>(settings.threads) / 64 * 64, ahead};
-    if (settings.executor == nullptr) read_part(&job, 0);
+    if (settings.executor->run == nullptr) read_part(&job, 0);
     else settings.executor->run(settings.executor->user, settings.threads, read_part, &job);
 }
 

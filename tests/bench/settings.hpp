@@ -15,7 +15,7 @@ struct Settings {
     std::vector<std::int32_t> functions{20, 60};
     std::vector<std::string> parts{"dense", "solve", "morph"};
     int threads = 1;        // of both sides
-    hm_executor const* executor = nullptr;   // with as many; null: one
+    hm_executor const* executor = nullptr;   // with as many
     int kernel = 0;         // HM_KERNEL_...
     int precision = HM_DOUBLE;   // of our factor
     int repeats = 0;        // of the solves; 0: by size

@@ -238,6 +238,12 @@ TEST_CASE("options that do not exist are refused before anything else is done") 
         bad.executor = &executor;
         CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_BAD_ARGUMENT);
     }
+    for (std::int32_t const kernel : {-1, 5}) {
+        hm_executor const executor{sizeof executor, nullptr, nullptr, 1, kernel};
+        hm_options bad = good;
+        bad.executor = &executor;
+        CHECK(hm_analysis_size(&problem, &bad, &bytes, nullptr) == HM_UNSUPPORTED);
+    }
     hm_executor const unset{0, nullptr, nullptr, 1, 0};
     hm_options bad = good;
     bad.executor = &unset;

@@ -1,6 +1,7 @@
 // The caller's threads, if any. The core has none.
 #pragma once
 
+#include "harmorph/base/kernel.hpp"
 #include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
@@ -10,6 +11,7 @@ struct Executor {
                 void* context) = nullptr;
     void* user = nullptr;
     Index n_threads = 1;
+    Kernel kernel = Kernel::automatic;  // of the processor, if the caller has found it out
 
     static constexpr Index most_threads = 256;
 

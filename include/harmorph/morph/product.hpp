@@ -61,8 +61,9 @@ struct ProductKernels {
 };
 
 ProductKernels const& product_kernels(Kernel kernel) noexcept;
-// The fastest kernels for so many values. Below worth_asking values CPUID, which may take ten microseconds on a virtual
-// machine, costs more time than a better kernel saves.
-ProductKernels const& product_kernels_for(Offset values, Offset worth_asking) noexcept;
+// The fastest kernels for so many values; `known`: the best kernel, if known. If it is not, the baseline is taken below
+// worth_asking values: there CPUID, which may take ten microseconds on a virtual machine, costs more time than a better
+// kernel saves.
+ProductKernels const& product_kernels_for(Kernel known, Offset values, Offset worth_asking) noexcept;
 
 }  // namespace harmorph

@@ -8,15 +8,18 @@
 // This file: the instruction sets, and which of them this processor has, by its own answer (CPUID).
 #pragma once
 
-#include "harmorph/base/types.hpp"
+#include "harmorph/base/kernel.hpp"
 
 namespace harmorph {
-
-// The numbers are those of the C header. Every kernel computes the same to rounding; one kernel, the same bits.
-enum class Kernel : std::int32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
 
 // Never automatic. CPUID may take microseconds on a virtual machine: call once for each plan.
 Kernel best_kernel() noexcept;
 bool has_kernel(Kernel kernel) noexcept;
+
+// The first that is not automatic of a kernel chosen, a kernel found out before, and this processor's best.
+inline Kernel resolved(Kernel chosen, Kernel known) noexcept {
+    Kernel const kernel = chosen == Kernel::automatic ? known : chosen;
+    return kernel == Kernel::automatic ? best_kernel() : kernel;
+}
 
 }  // namespace harmorph
