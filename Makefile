@@ -36,7 +36,7 @@ LEVEL = -O2
 LEVEL_OF_LOOPS = -O3
 LOOPS = src/dense/* src/operators/* src/direct/* src/ordering/* src/boundary/distance* src/multigrid/multigrid* \
 	src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp src/mesh/orientation.cpp \
-	src/morph/admissible_step.cpp src/morph/assessment.cpp src/morph/quality.cpp src/morph/weighted_sum.cpp
+	src/morph/weighted_sum.cpp
 CC = cc
 CFLAGS = -O2
 FC = gfortran

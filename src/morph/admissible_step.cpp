@@ -24,14 +24,26 @@ Real smallest_positive_root(Real a, Real b, Real c) noexcept {
     return a < 0 ? -(b + root) / (2 * a) : infinity;
 }
 
+void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches,
+                         std::uint64_t triangles, std::uint64_t quads) noexcept {
+    if ((triangles | quads) == 0) return;
+    batches.for_each([&](Index number, bool is_triangle, Index i) {
+        if (((is_triangle ? triangles : quads) >> i & 1) == 0) return;
+        Cell const its = cells.cell(number);
+        CellShape const now(its, places.at, false);
+        add(number, now, CellShape(its, places.change, false), CellCorners(now));
+    });
+}
+
 AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points displacement,
                                Executor const& executor) noexcept {
+    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    CellPlaces const places{points, displacement, {}};
     return reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
         AdmissibleStep limit;
-        cells.mesh.for_each_cell(begin, end, [&](Index i, Cell cell) {
-            if (cells.reversed[i] != 0) cell.reverse();
-            CellShape const now(cell, points, false);
-            limit.add(i, now, CellShape(cell, displacement, false), CellCorners(now));
+        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, limit.step, nullptr);
+            limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, limit.step, nullptr));
         });
         result = limit;
     });

@@ -16,13 +16,24 @@ void Quality::merge(Quality const& later) noexcept {
     cells += later.cells;
 }
 
+void Quality::add(CellBatches const& batches, BatchQuality const& triangles, BatchQuality const& quads) noexcept {
+    batches.for_each([&](Index cell, bool is_triangle, Index i) {
+        BatchQuality const& its = is_triangle ? triangles : quads;
+        add(cell, its.twice_smallest[i], its.quality[i]);
+    });
+}
+
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept {
+    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    CellPlaces const places{points, {}, reference};
     return reduce_ranges<Quality>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
         Quality quality;
-        cells.mesh.for_each_cell(begin, end, [&](Index i, Cell const& cell) {
-            CellCorners const corners(CellShape(cell, points, cells.reversed[i] != 0));
-            quality.add(i, cell.n, corners, reference.given() ? cell_area(cell, reference) : 0);
+        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+            BatchQuality triangles, quads;
+            kernels.triangles(batches.triangles, places, 0, &triangles);
+            kernels.quads(batches.quads, places, 0, &quads);
+            quality.add(batches, triangles, quads);
         });
         result = quality;
     });

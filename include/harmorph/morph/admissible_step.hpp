@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
-#include "harmorph/mesh/topology.hpp"
+#include "harmorph/morph/cell_batch.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {
@@ -13,6 +13,9 @@ struct AdmissibleStep {
 
     // Of `number`, whose points move from `now` by `change`.
     inline void add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept;
+    // Of some batches, the cells whose bits are set in the shape's number.
+    void add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches, std::uint64_t triangles,
+             std::uint64_t quads) noexcept;
     void merge(AdmissibleStep const& later) noexcept {
         if (later.step < step) *this = later;
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/mesh/cell_shape.hpp"
-#include "harmorph/mesh/topology.hpp"
+#include "harmorph/morph/cell_batch.hpp"
 #include "harmorph/base/executor.hpp"
 
 namespace harmorph {
@@ -34,19 +34,26 @@ struct Quality {
     // Adds a cell. reference_area: area of the cell in the mesh to compare with, or 0: skew quality alone. sqrt(f_size)
     // f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784.
     inline void add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept;
+    // Adds a cell of which twice the smallest corner area and the quality are known.
+    inline void add(Index cell, Real twice_smallest, Real value) noexcept;
+    // Adds the cells of some batches.
+    void add(CellBatches const& batches, BatchQuality const& triangles, BatchQuality const& quads) noexcept;
     // Of cells that come later.
     void merge(Quality const& later) noexcept;
 };
 
 inline void Quality::add(Index cell, Index n, CellCorners const& corners, Real reference_area) noexcept {
-    ++cells;
-    Real const twice_smallest = corners.smallest();
-    min_area = smaller(min_area, 0.5 * twice_smallest);
     Real value = skew_quality(n, corners);
     if (value > 0 && reference_area != 0) {
         Real const area = corners.cell_area(n), size = absolute(reference_area);
         value *= square_root(smaller(area, size) / larger(area, size));
     }
+    add(cell, corners.smallest(), value);
+}
+
+inline void Quality::add(Index cell, Real twice_smallest, Real value) noexcept {
+    ++cells;
+    min_area = smaller(min_area, 0.5 * twice_smallest);
     if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;  // NaN: a coordinate that is not finite
     if (!(value > 0)) value = 0;
     quality_sum += value;

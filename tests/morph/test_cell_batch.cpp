@@ -1,0 +1,214 @@
+// Cells in batches, kernel by kernel: the bits of looking at one cell after the other.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/kernels.hpp>
+#include <fixtures/traps.hpp>
+
+#include <harmorph/morph/assessment.hpp>
+
+#include <cmath>
+
+using namespace fixtures;
+using harmorph::Assessment;
+using harmorph::Cell;
+using harmorph::CellCorners;
+using harmorph::CellLayout;
+using harmorph::CellShape;
+using harmorph::Index;
+using harmorph::OrientedMesh;
+using harmorph::Points;
+
+namespace {
+
+// A grid of 41 x 12 points, moved at random, with cells in one of the layouts; every third cell runs clockwise.
+struct Grid {
+    static constexpr Index ni = 41, nj = 12;
+    std::vector<double> x, y, dx, dy;
+    std::vector<Index> triangles, quads, starts, row_points;
+    std::vector<std::uint8_t> reversed;
+    OrientedMesh cells;
+
+    Grid(CellLayout layout, double noise, double size, unsigned seed) {
+        std::mt19937 random(seed);
+        auto const any = [&] { return 2 * uniform(random) - 1; };
+        for (Index j = 0; j < nj; ++j) {
+            for (Index i = 0; i < ni; ++i) {
+                x.push_back(i + noise * any());
+                y.push_back(j + noise * any());
+                dx.push_back(size * any());
+                dy.push_back(size * any());
+            }
+        }
+        harmorph::Mesh& mesh = cells.mesh;
+        mesh.layout = layout;
+        mesh.n_points = ni * nj;
+        mesh.ni = ni;
+        mesh.nj = nj;
+        for (Index j = 0; j + 1 < nj; ++j)
+            for (Index i = 0; i + 1 < ni; ++i) add_cell(i + ni * j);
+        Index const n_triangles = static_cast<Index>(triangles.size() / 3), n_quads = static_cast<Index>(quads.size() / 4);
+        starts.push_back(static_cast<Index>(row_points.size()));
+        mesh.n_cells = layout == CellLayout::rows ? static_cast<Index>(starts.size()) - 1 : n_triangles + n_quads;
+        if (layout == CellLayout::structured) mesh.n_cells = (ni - 1) * (nj - 1);
+        mesh.n_quads = n_quads;
+        mesh.cell_points = layout == CellLayout::rows    ? row_points.data()
+                           : layout == CellLayout::quads ? quads.data()
+                                                         : triangles.data();
+        mesh.quad_points = quads.data();
+        mesh.cell_start = starts.data();
+        reversed.assign(static_cast<std::size_t>(mesh.n_cells), 0);
+        if (layout != CellLayout::structured) reverse_some(layout);
+        cells.reversed = {reversed.data(), reversed.size()};
+    }
+    Points points() const { return {x.data(), y.data(), 1}; }
+    Points change() const { return {dx.data(), dy.data(), 1}; }
+
+private:
+    // As a quadrilateral or as two triangles; among lists of quadrilaterals, some triangles with a repeated point.
+    void add_cell(Index p) {
+        Index const q[4] = {p, p + 1, p + 1 + ni, p + ni};
+        CellLayout const layout = cells.mesh.layout;
+        bool const split = p % 3 == 0;
+        if (layout == CellLayout::rows) {
+            starts.push_back(static_cast<Index>(row_points.size()));
+            row_points.insert(row_points.end(), q, q + (split ? 3 : 4));
+        } else if (layout == CellLayout::triangles || (layout == CellLayout::mixed && split)) {
+            triangles.insert(triangles.end(), {q[0], q[1], q[2], q[0], q[2], q[3]});
+        } else {
+            quads.insert(quads.end(), q, q + 4);
+            if (layout == CellLayout::quads && p > 300 && split) quads.back() = q[2];
+        }
+    }
+    void reverse_some(CellLayout layout) {
+        auto const turn = [&](Index* first, Index width, Index number) {
+            if (number % 3 != 0 || (width == 4 && first[2] == first[3])) return;
+            std::reverse(first, first + width);
+            reversed[static_cast<std::size_t>(number)] = 1;
+        };
+        Index const n_triangles = static_cast<Index>(triangles.size() / 3);
+        for (Index i = 0; i < n_triangles; ++i) turn(&triangles[3 * static_cast<std::size_t>(i)], 3, i);
+        for (std::size_t i = 0; 4 * i < quads.size(); ++i) turn(&quads[4 * i], 4, n_triangles + static_cast<Index>(i));
+        for (Index i = 0; layout == CellLayout::rows && i < cells.mesh.n_cells; ++i) {
+            Index const begin = starts[static_cast<std::size_t>(i)], end = starts[static_cast<std::size_t>(i) + 1];
+            turn(&row_points[static_cast<std::size_t>(begin)], end - begin, i);
+        }
+    }
+};
+
+// One cell after the other, in the ranges in which the library adds.
+template <class Add>
+Assessment one_by_one(OrientedMesh const& cells, Add const& add) {
+    Assessment all;
+    for (Index range = 0; range < 16; ++range) {
+        Assessment part;
+        Index const n = cells.mesh.n_cells;
+        for (Index i = n * range / 16; i < n * (range + 1) / 16; ++i) add(i, cells.cell(i), part);
+        if (range == 0) all = part;
+        else all.merge(part);
+    }
+    return all;
+}
+
+bool same(double a, double b) { return harmorph::bits_of(a) == harmorph::bits_of(b); }
+
+void check_same(harmorph::Quality const& a, harmorph::Quality const& b) {
+    CHECK(a.inverted == b.inverted);
+    CHECK(a.first_inverted == b.first_inverted);
+    CHECK(same(a.min_area, b.min_area));
+    CHECK(same(a.min_quality, b.min_quality));
+    CHECK(a.min_quality_cell == b.min_quality_cell);
+    CHECK(same(a.quality_sum, b.quality_sum));
+    CHECK(a.cells == b.cells);
+}
+
+void check_same(harmorph::AdmissibleStep const& a, harmorph::AdmissibleStep const& b) {
+    CHECK(same(a.step, b.step));
+    CHECK(a.cell == b.cell);
+    CHECK(a.corner == b.corner);
+}
+
+void check_all(Grid const& grid) {
+    OrientedMesh const& cells = grid.cells;
+    Points const points = grid.points(), change = grid.change();
+    Assessment const assessed = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
+        CellShape const now(cell, points, false), by(cell, change, false);
+        CellCorners const corners(now);
+        to.limit.add(i, now, by, corners);
+        CellShape then = now;
+        for (Index k = 0; k < 4; ++k) then.at[k] = now.at[k] + by.at[k];
+        to.quality.add(i, cell.n, CellCorners(then), corners.cell_area(cell.n));
+    });
+    Assessment const skew = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
+        to.quality.add(i, cell.n, CellCorners(CellShape(cell, points, false)), 0);
+    });
+    Assessment const compared = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
+        to.quality.add(i, cell.n, CellCorners(CellShape(cell, points, false)), cell_area(cell, change));
+    });
+    for (harmorph::Kernel const kernel : usable_kernels()) {
+        harmorph::Executor executor;
+        executor.kernel = kernel;
+        Assessment const found = harmorph::assess(cells, points, change, executor);
+        check_same(found.limit, assessed.limit);
+        check_same(found.quality, assessed.quality);
+        check_same(harmorph::admissible_step(cells, points, change, executor), assessed.limit);
+        check_same(harmorph::measure_quality(cells, points, {}, executor), skew.quality);
+        check_same(harmorph::measure_quality(cells, points, change, executor), compared.quality);
+    }
+}
+
+constexpr CellLayout layouts[] = {CellLayout::rows, CellLayout::triangles, CellLayout::quads, CellLayout::structured,
+                                  CellLayout::mixed};
+
+}  // namespace
+
+TEST_CASE("batches have the bits of single cells, in all layouts, valid and inverted") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        for (double const noise : {0.0, 0.2, 0.9}) {  // the last one inverts cells
+            for (double const size : {0.0, 1e-3, 0.3, 5.0}) check_all(Grid(layout, noise, size, 7));
+        }
+    }
+}
+
+TEST_CASE("where no cell limits the step, none is named") {
+    Grid grid(CellLayout::mixed, 0.2, 0, 3);
+    for (std::size_t i = 0; i < grid.x.size(); ++i) {  // the mesh moves as a whole, and grows
+        grid.dx[i] = 2 + grid.x[i];
+        grid.dy[i] = 1 + grid.y[i];
+    }
+    check_all(grid);
+    harmorph::AdmissibleStep const limit = harmorph::admissible_step(grid.cells, grid.points(), grid.change(), {});
+    CHECK(limit.step == harmorph::infinity);
+    CHECK(limit.cell == harmorph::none);
+}
+
+TEST_CASE("numbers that are not finite are found as they are in single cells") {
+    Untrapped const untrapped;
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+            for (std::size_t const point : {0u, 100u, 491u}) {
+                Grid moved(layout, 0.1, 0.1, 5), displaced(layout, 0.1, 0.1, 5);
+                moved.x[point] = bad;
+                displaced.dy[point] = bad;
+                check_all(moved);
+                check_all(displaced);
+            }
+        }
+    }
+}
+
+TEST_CASE("points in pairs give the bits of points in two arrays") {
+    Grid const grid(CellLayout::quads, 0.2, 0.3, 11);
+    std::vector<double> pairs;
+    for (std::size_t i = 0; i < grid.x.size(); ++i) pairs.insert(pairs.end(), {grid.x[i], grid.y[i]});
+    for (harmorph::Kernel const kernel : usable_kernels()) {
+        harmorph::Executor executor;
+        executor.kernel = kernel;
+        Assessment const apart = harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
+        Assessment const in_pairs = harmorph::assess(grid.cells, {pairs.data(), pairs.data() + 1, 2}, grid.change(), executor);
+        check_same(in_pairs.limit, apart.limit);
+        check_same(in_pairs.quality, apart.quality);
+    }
+}
