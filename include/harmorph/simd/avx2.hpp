@@ -41,7 +41,7 @@ struct Registers<double> : Register<double, 4> {
     static constexpr Index count = 16;
 
     using Register::load;
-    static HARMORPH_INLINE Vector load(const float* from) noexcept { return load_converted<lanes>(from); }
+    static HARMORPH_INLINE Vector load(const float* from) noexcept { return _mm256_cvtps_pd(_mm_loadu_ps(from)); }
     static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
         return _mm256_maskload_pd(from, _mm256_cmpgt_epi64(_mm256_set1_epi64x(n), _mm256_set_epi64x(3, 2, 1, 0)));
     }

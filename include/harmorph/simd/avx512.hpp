@@ -17,7 +17,9 @@ struct Registers<double> : Register<double, 8> {
     static constexpr Index count = 32;
 
     using Register::load;
-    static HARMORPH_INLINE Vector load(const float* from) noexcept { return load_converted<lanes>(from); }
+    static HARMORPH_INLINE Vector load(const float* from) noexcept {
+        return _mm512_maskz_cvtps_pd(every, _mm256_loadu_ps(from));
+    }
     static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
         return _mm512_maskz_loadu_pd(first(n), from);
     }

@@ -18,7 +18,13 @@ struct Registers<double> : Register<double, 2> {
 
     // Numbers in double or in single precision; load_part: the first n, 0 <= n < lanes, and zeros. No others are read.
     using Register::load;
-    static HARMORPH_INLINE Vector load(const float* from) noexcept { return load_converted<lanes>(from); }
+    static HARMORPH_INLINE Vector load(const float* from) noexcept {
+#if defined(__SSE2__)
+        return Vector(_mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(from)))));
+#else
+        return Vector{static_cast<double>(from[0]), static_cast<double>(from[1])};
+#endif
+    }
     static HARMORPH_INLINE Vector load_part(const double* from, Index n) noexcept {
         return Vector{n > 0 ? *from : 0, 0};
     }

@@ -24,11 +24,4 @@ private:
     typedef Word StoredWords __attribute__((vector_size(n * sizeof(Of)), aligned(sizeof(Of)), may_alias));
 };
 
-// Loads numbers in single precision and converts them to double precision.
-template <Index n>
-HARMORPH_INLINE typename Register<double, n>::Vector load_converted(const float* from) noexcept {
-    typedef float Stored __attribute__((vector_size(4 * n), aligned(4), may_alias));
-    return __builtin_convertvector(*reinterpret_cast<const Stored*>(from), typename Register<double, n>::Vector);
-}
-
 }  // namespace harmorph::simd::HARMORPH_SET
