@@ -93,7 +93,8 @@ struct Corners {
 // As skew_quality() and Quality::add(); reference_area 0: skew quality alone. Where a cell is inverted, nothing is divided by its areas: that might raise a
 // floating-point exception.
 template <Index n>
-HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_area, Index i, BatchQuality& to) noexcept {
+HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_area, Index i,
+                                 BatchQuality& to) noexcept {
     Vector const zero = {}, one = zero + 1, smallest = corners.smallest();
     Vector quality;
     if (n == 3) {
@@ -105,7 +106,8 @@ HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_are
         for (Index k = 0; k < n; ++k) length[k] = Registers::square_root(square(corners.side[k]));
 #pragma GCC unroll 4
         for (Index k = 0; k < n; ++k) {
-            sum += length[corners.before(k)] * length[k] / (smallest > 0 ? corners.twice_area[k % corners.n_areas] : one);
+            Vector const area = smallest > 0 ? corners.twice_area[k % corners.n_areas] : one;
+            sum += length[corners.before(k)] * length[k] / area;
         }
         quality = 4 / (smallest > 0 ? sum : one);
     }

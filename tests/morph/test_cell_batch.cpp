@@ -47,7 +47,8 @@ struct Grid {
         mesh.nj = nj;
         for (Index j = 0; j + 1 < nj; ++j)
             for (Index i = 0; i + 1 < ni; ++i) add_cell(i + ni * j);
-        Index const n_triangles = static_cast<Index>(triangles.size() / 3), n_quads = static_cast<Index>(quads.size() / 4);
+        Index const n_triangles = static_cast<Index>(triangles.size() / 3);
+        Index const n_quads = static_cast<Index>(quads.size() / 4);
         starts.push_back(static_cast<Index>(row_points.size()));
         mesh.n_cells = layout == CellLayout::rows ? static_cast<Index>(starts.size()) - 1 : n_triangles + n_quads;
         if (layout == CellLayout::structured) mesh.n_cells = (ni - 1) * (nj - 1);
@@ -207,7 +208,8 @@ TEST_CASE("points in pairs give the bits of points in two arrays") {
         harmorph::Executor executor;
         executor.kernel = kernel;
         Assessment const apart = harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
-        Assessment const in_pairs = harmorph::assess(grid.cells, {pairs.data(), pairs.data() + 1, 2}, grid.change(), executor);
+        Points const at = {pairs.data(), pairs.data() + 1, 2};
+        Assessment const in_pairs = harmorph::assess(grid.cells, at, grid.change(), executor);
         check_same(in_pairs.limit, apart.limit);
         check_same(in_pairs.quality, apart.quality);
     }
