@@ -2,7 +2,7 @@
 // cell_batch.cpp compiles this file for each of them. The formulas are those of mesh/cell_shape, morph/quality and
 // morph/admissible_step, in the same order of operations.
 
-namespace harmorph::HARMORPH_SET {
+namespace harmorph::cell_looks::HARMORPH_SET {
 namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
@@ -166,9 +166,9 @@ std::uint64_t look_at(CellBatch const& cells, CellPlaces const& places, Real ste
 constexpr CellKernels kernels{look_at<3>, look_at<4>};
 
 }  // namespace
-}  // namespace harmorph::HARMORPH_SET
+}  // namespace harmorph::cell_looks::HARMORPH_SET
 
 namespace harmorph::simd {
 template <>
-inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> = &harmorph::HARMORPH_SET::kernels;
+inline constexpr const CellKernels* table<CellKernels, Kernel::HARMORPH_SET> = &harmorph::cell_looks::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd
