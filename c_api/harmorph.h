@@ -768,9 +768,9 @@ HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, co
  * (hm_moved_curves) by variables instead of control points; the basis has the memory of n functions, and the first
  * basis is no longer needed. Values are real if those of the first basis and the matrix are. A variable whose matrix is
  * not real, or a function that is not, turns with its movement: variables that are one number v move by (v, 0).
- * The new basis is used, extracted, sent in parcels, written, attached, stored in single precision and combined like
- * any basis. Calls that solve for functions refuse the new basis, with HM_UNSUPPORTED: hm_plan_solve, hm_transfer,
- * hm_morph_safe. The first basis must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item:
+ * The new basis is used, solved again (hm_plan_solve, on moved coordinates too), extracted, sent in parcels, written,
+ * attached, stored in single precision and combined like any basis. Only hm_transfer refuses it, with HM_UNSUPPORTED:
+ * transfer the functions of the control points, and combine those. The first basis must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item:
  * the column, from 0: a column that is zero, or a combination of the columns before; with HM_BAD_ARGUMENT a matrix that
  * is not finite. */
 HM_API hm_status hm_combine_size(const hm_basis *basis, int32_t n, int32_t numbers, size_t *bytes, hm_error *err);
@@ -881,8 +881,9 @@ HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *po
  * of hm_given_points); numbers 1: real values, which move points along the amplitude (dx, dy); 2: pairs x,y, complex
  * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the
  * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
- * The new basis depends on nothing else and is used like any basis, but hm_plan_solve, hm_transfer and hm_morph_safe
- * refuse such a basis with HM_UNSUPPORTED. `basis` must be of the same analysis as the plan, complete, in double
+ * The new basis depends on nothing else and is used like any basis: hm_plan_solve solves it again, on moved coordinates
+ * too, with the same values at the wall, if it has at most 1024 numbers at a point for its modes. hm_transfer refuses it
+ * with HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same analysis as the plan, complete, in double
  * precision, and solved if it has functions. work: working memory of work_bytes. report may be NULL; functions are
  * fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a
  * list that is not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of
@@ -1181,16 +1182,18 @@ typedef struct hm_safe_report {
     hm_worst_cell worst[5];        /* [n_worst] the cells of lowest quality of `to`, the worst first */
 } hm_safe_report;
 
-/* Working memory of hm_morph_safe: space for a basis, several copies of the mesh points, and untangling. */
-HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error *err);
+/* Working memory of hm_morph_safe with a basis like this one, NULL: as hm_basis_init makes it; space for such a basis,
+ * several copies of the mesh points, and untangling. */
+HM_API hm_status hm_morph_safe_size(const hm_plan *plan, const hm_basis *basis, size_t *bytes, hm_error *err);
 /* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must not have changed, by
- * `move` (see hm_morph). `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
+ * `move` (see hm_morph). The basis may be a combined one (hm_combine) or have functions by table (hm_tabulate); they
+ * move on straight lines, because their values on the wall cannot turn. `others` must then have the same functions. `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
  * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_POOR: the whole movement and a valid
  * mesh, but options.min_quality or options.max_height_change is missed; HM_SHORT: the best valid mesh,
  * report.step_fraction of the movement. If the call is refused or cancelled, `to` is unchanged. `to` never contains an
  * inverted cell, and the boundary of `to` does not cross itself unless the boundary of the mesh does.
- * options NULL: defaults. report may be NULL. The threads are those of the plan. Afterwards the plan has another
- * factor: call hm_plan_factor before the next hm_plan_solve.
+ * options NULL: defaults. report may be NULL. The threads are those of the plan. Where functions were
+ * solved again, the plan has no factor afterwards: call hm_plan_factor before the next hm_plan_solve.
  *
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of the functions of all
  * steps, each weighted by the part of the movement that the step made. With this basis hm_morph is the derivative of
@@ -1202,6 +1205,21 @@ HM_API hm_status hm_morph_safe_size(const hm_plan *plan, size_t *bytes, hm_error
 HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const double *move, const hm_points_out *to,
                                hm_basis *derivative, void *work, size_t bytes, const hm_safe_options *options,
                                hm_safe_report *report, hm_error *err);
+
+/* The same for displacements that are given at the points of markers with HM_GIVEN, see hm_displace: all strategies,
+ * options, results and refusals are those of hm_morph_safe, but n_others must be 0; where one step is not enough, the
+ * functions of other operators are solved as they are needed (HM_STRATEGY_OTHER; report.other is their operator_kind).
+ * basis: of the same analysis as the plan, from hm_basis_init; solved if it has functions, without functions by table.
+ * move [2*functions]: what curves and rigid bodies move by in the same call, as in hm_morph_safe; NULL: nothing.
+ * points [n], wall [n]: the displacements, see hm_displace. A loop of the boundary all of whose points are given is a
+ * body, whose rotation is taken out; points of other loops move on straight lines. Where the whole movement is
+ * possible, the points of `points` are displaced by the given bits. The plan needs no factor; where
+ * functions were solved again, call hm_plan_factor before the next hm_displace. Work: that of hm_morph_safe for three complex functions for
+ * each body, one more, and those of the basis, and of a basis with these. */
+HM_API hm_status hm_displace_safe_size(const hm_plan *plan, const hm_basis *basis, size_t *bytes, hm_error *err);
+HM_API hm_status hm_displace_safe(hm_plan *plan, const hm_basis *basis, const double *move, int32_t n,
+                                  const int32_t *points, const hm_points *wall, const hm_points_out *to, void *work,
+                                  size_t bytes, const hm_safe_options *options, hm_safe_report *report, hm_error *err);
 
 /* ---- Better cells in a mesh that is valid ------------------------------------------------------------------------ */
 

@@ -1,6 +1,5 @@
 // The C interface: displacements given at points of the wall, and the transpose.
-#include "handles.hpp"
-#include "harmorph/morph/displacement.hpp"
+#include "given_list.hpp"
 #include "harmorph/morph/mode_functions.hpp"
 
 namespace harmorph {
@@ -9,9 +8,7 @@ namespace {
 constexpr Index most_fields = Index{1} << 20;
 
 Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
-    if (plan.given.point.empty()) {
-        return fault.refuse(Status::bad_condition, "no marker has the condition HM_GIVEN: no displacements can be given");
-    }
+    HARMORPH_TRY(require_given_points(plan, fault));
     if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
     return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #", Counts::from_zero, n_fields);
 }
@@ -27,7 +24,7 @@ struct DisplaceCall {
         HARMORPH_TRY(open_plan(handle, plan, fault));
         HARMORPH_TRY(check_fields(*plan, n_fields, fault));
         HARMORPH_TRY(check_report_if(report, fault));
-        HARMORPH_TRY(view_list(n, points, fault));
+        HARMORPH_TRY(view_given_list(*plan, n, points, list, fault));
         HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { displacement.lay_out(arena, *plan, n_fields); }));
         return displacement.find_places(*plan, list, fault);
     }
@@ -52,19 +49,6 @@ struct DisplaceCall {
             HARMORPH_TRY(body(first, Span<const View<Given>>{views, static_cast<Size>(n)}));
         }
         return Status::ok;
-    }
-
-    // A list of given points.
-    Status view_list(Index n, const Index* points, Fault& fault) noexcept {
-        HARMORPH_TRY(PointList::check_length(n, fault));
-        Index const n_given = plan->given.point.count();
-        if (points == nullptr && n != n_given) {
-            return fault.refuse(Status::bad_argument, "n is #, but @ points have given displacements", Counts::from_zero, n,
-                                n_given);
-        }
-        list = {0, plan->given.point};
-        if (points != nullptr) list = {plan->mesh.index_base, {points, static_cast<Size>(n)}};
-        return list.check(plan->mesh.n_points, fault);
     }
 
     void write(SolveReport const& solved, hm_solve_report* report) const noexcept {
@@ -225,7 +209,7 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         HARMORPH_TRY(table.open(plan, basis, n_modes, numbers, fault));
         HARMORPH_TRY(open_plan(plan, call.plan, fault));
         HARMORPH_TRY(check_report_if(report, fault));
-        HARMORPH_TRY(call.view_list(n, points, fault));
+        HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh.n_points) {
             return fault.refuse(Status::bad_argument, "the list is longer than twice the mesh: # points", Counts::from_zero, n);
         }

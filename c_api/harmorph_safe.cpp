@@ -1,7 +1,7 @@
 // The C interface: large movements that stay valid, for which the functions are solved again on the way.
-#include "handles.hpp"
+#include "given_list.hpp"
 #include "harmorph/morph/quality.hpp"
-#include "harmorph/safe/safe_morph.hpp"
+#include "harmorph/safe/safe_displacement.hpp"
 
 namespace harmorph {
 namespace {
@@ -96,6 +96,46 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     return filled;
 }
 
+// What both calls have in common.
+struct SafeCall {
+    MutablePoints to;
+    SafeOptions options;
+    SafeReport reached;
+    double* reached_movement = nullptr;
+    hm_safe_report* report = nullptr;
+
+    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* its_report, Span<Basis> others,
+                CallFault& fault) noexcept {
+        report = its_report;
+        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(view_points(given, "to", to, fault));
+        return view_safe_options(asked, others, options, reached_movement, fault);
+    }
+    // n_functions: of the caller's basis.
+    Status finish(Plan const& plan, SafeMorph const& safe, Size n_functions, Status status) const noexcept {
+        if (failed(status) && status != Status::crossing) return status;
+        if (report != nullptr) write_struct(report_of(reached, plan, plan.mesh.points, safe.result()), report);
+        if (failed(status)) return status;
+        safe.write(to);
+        if (reached_movement != nullptr) {
+            std::memcpy(reached_movement, safe.reached.data(), 2 * n_functions * sizeof(double));
+        }
+        return status;
+    }
+};
+
+// Plan and basis of given displacements: the basis is solved, if it has functions, and none of them is a mode.
+template <class Handle, class Object>
+Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis, CallFault& fault) noexcept {
+    HARMORPH_TRY(open_basis(given, basis, fault));
+    if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
+    HARMORPH_TRY(open_plan(handle, plan, fault));
+    HARMORPH_TRY(require_given_points(*plan, fault));
+    HARMORPH_TRY(plan->check_fit(basis, fault));
+    if (basis.header->counts.modes == 0) return Status::ok;
+    return fault.refuse(Status::unsupported, "the basis has functions by table, which move the same points: hm_morph_safe");
+}
+
 }  // namespace
 }  // namespace harmorph
 
@@ -103,12 +143,16 @@ using namespace harmorph;
 
 extern "C" {
 
-hm_status hm_morph_safe_size(const hm_plan* plan, size_t* bytes, hm_error* err) {
+hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
+        Basis b;
+        if (basis != nullptr) HARMORPH_TRY(open_basis(basis, b, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
+        if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
+        BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts;
         SafeMorph safe;
-        return count_bytes(bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p); });
+        return count_bytes(bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, counts); });
     });
 }
 
@@ -118,29 +162,51 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
     return guarded(err, [&](CallFault& fault) {
         Plan* p = nullptr;
         Basis b, sum, others[most_others];
-        MutablePoints after;
-        SafeOptions asked;
-        double* reached_movement = nullptr;
+        SafeCall call;
         HARMORPH_TRY(open_solved(basis, b, fault));
         if (derivative == basis) return fault.refuse(Status::bad_argument, "derivative is the basis itself");
         if (derivative != nullptr) HARMORPH_TRY(open_basis(derivative, sum, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(check_report_if(report, fault));
+        HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
-        HARMORPH_TRY(view_points(to, "to", after, fault));
-        HARMORPH_TRY(view_safe_options(options, {others, most_others}, asked, reached_movement, fault));
+        HARMORPH_TRY(p->check_fit(b, fault));
         SafeMorph safe;
-        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p); }));
-        SafeReport reached;
-        Status const status = safe.run(*p, b, move, asked, derivative != nullptr ? &sum : nullptr, reached, fault);
-        if (failed(status) && status != Status::crossing) return status;
-        if (report != nullptr) write_struct(report_of(reached, *p, p->mesh.points, safe.result()), report);
-        if (failed(status)) return status;
-        safe.write(after);
-        if (reached_movement != nullptr) {
-            std::memcpy(reached_movement, safe.reached.data(), safe.reached.size() * sizeof(double));
-        }
-        return status;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { safe.lay_out(arena, *p, b.header->counts); }));
+        Status const status =
+            safe.run(*p, b, move, call.options, derivative != nullptr ? &sum : nullptr, call.reached, fault);
+        return call.finish(*p, safe, static_cast<Size>(b.header->counts.functions()), status);
+    });
+}
+
+hm_status hm_displace_safe_size(const hm_plan* plan, const hm_basis* basis, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        Basis b;
+        HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
+        SafeDisplacement made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); });
+    });
+}
+
+hm_status hm_displace_safe(hm_plan* plan, const hm_basis* basis, const double* move, int32_t n, const int32_t* points,
+                           const hm_points* wall, const hm_points_out* to, void* work, size_t bytes,
+                           const hm_safe_options* options, hm_safe_report* report, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        Plan* p = nullptr;
+        Basis b;
+        PointList list;
+        Points displacement;
+        SafeCall call;
+        HARMORPH_TRY(open_plan_of_given(plan, p, basis, b, fault));
+        if (move != nullptr) HARMORPH_TRY(check_move(b, move, fault));
+        HARMORPH_TRY(view_given_list(*p, n, points, list, fault));
+        HARMORPH_TRY(view_points(wall, "wall", displacement, fault));
+        HARMORPH_TRY(call.open(to, options, report, {}, fault));
+        call.options.solves_others = true;
+        SafeDisplacement made;
+        HARMORPH_TRY(place(work, bytes, fault, [&](Arena& arena) { made.lay_out(arena, *p, b); }));
+        Status const status = made.run(*p, b, move, list, displacement, call.options, call.reached, fault);
+        return call.finish(*p, made.safe, static_cast<Size>(b.header->counts.functions()), status);
     });
 }
 

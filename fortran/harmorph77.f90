@@ -33,6 +33,9 @@
 !                                                                with KIND 6: any number of times, each as a
 !                                                                substitution; of velocities: velocities
 !     CALL HMGADJ (W, N, IP, GX, GY, INC, HX, HY, IERR, MSG)     the transpose: HX(N), HY(N) from GX, GY of mesh points
+!     CALL HMGSAF (W, N, IP, WX, WY, DP, XN, YN, INC, FRAC,      XN, YN: the mesh of HMMESH moved by WX, WY and, if there
+!                  ISTRAT, IERR, MSG)                            are curves or rigid bodies, by DP, so that no cell is
+!                                                                inverted; see HMSAFE. After HMSOLV or HMFACT
 !     CALL HMGETP (W, NMAX, P, NCP, IERR, MSG)                   the control points P(2,NCP)
 !     CALL HMMEAS (W, KIND, STATN, DP, VALUE, G, IERR, MSG)      area, thickness, ...: quantity KIND of hm_measure, at
 !                                                                the station STATN or 0, of all curves after the
@@ -296,6 +299,30 @@ contains
         if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
         top = top - words_of(bytes)
         call tell(hm_c_plan_init(plan, c_loc(w(top + 1)), bytes, analysis, e), e, ierr, msg)
+    end subroutine
+
+    ! A plan for a safe movement from where HMSOLV found the mesh, below top; info: of the functions.
+    subroutine plan_of_start(w, its, name, plan, info, top, ierr, msg)
+        real(c_double), intent(inout), target :: w(*)
+        type(state), intent(inout), target :: its
+        character(len=*), intent(in) :: name
+        type(c_ptr), intent(out) :: plan
+        type(hm_c_basis_info), intent(out) :: info
+        integer(c_int64_t), intent(out) :: top
+        integer, intent(inout) :: ierr
+        character(len=*), intent(inout) :: msg
+        type(hm_c_error) :: e
+        type(c_ptr) :: analysis, same
+        plan = c_null_ptr
+        top = 0
+        info%struct_size = int(c_sizeof(info), c_int64_t)
+        if (its%n_conditions == 0) call complain(name // " needs HMSOLV before it, HMLOAD is not enough", ierr, msg)
+        if (ierr == hm_ok) call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
+        if (ierr == hm_ok) call tell(hm_c_basis_attach(same, its%basis, int(info%bytes, c_size_t), c_loc(its%mesh), e), &
+            e, ierr, msg)
+        if (ierr == hm_moved) call complain("X, Y are no longer where HMSOLV found them", ierr, msg)
+        if (ierr == hm_ok) call analyse(w, its, .true., analysis, top, ierr, msg)
+        if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
     end subroutine
 
     ! The functions; keeps: matrix and factor stay as well, at the end of W.
@@ -812,6 +839,41 @@ subroutine hmgadj(w, n, ip, gx, gy, inc, hx, hy, ierr, msg)
         [points_of(gx, gy, inc)], [points_of(hx, hy, 1)], work, bytes, report, e), e, ierr, msg)
 end subroutine
 
+subroutine hmgsaf(w, n, ip, wx, wy, dp, xn, yn, inc, frac, istrat, ierr, msg)
+    use harmorph77_state
+    implicit none
+    integer, intent(in) :: n, inc
+    integer(c_int32_t), intent(in), target :: ip(*)
+    real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
+    real(c_double), intent(in), target :: wx(*), wy(*), dp(2, *)
+    real(c_double), intent(inout) :: frac
+    integer, intent(inout) :: istrat
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    type(hm_c_basis_info) :: info
+    type(hm_c_error) :: e
+    type(hm_c_safe_options) :: options
+    type(hm_safe_report) :: report
+    type(c_ptr) :: plan, move
+    integer(c_int64_t) :: top
+    integer(c_size_t) :: bytes
+    options%struct_size = int(c_sizeof(options), c_int64_t)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call open_solved(w, its, ierr, msg)
+    if (ierr == hm_ok) call plan_of_start(w, its, "HMGSAF", plan, info, top, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_displace_safe_size(plan, its%basis, bytes, e), e, ierr, msg)
+    if (ierr < 0) return
+    if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
+    move = c_null_ptr
+    if (info%functions > 0) move = c_loc(dp)
+    call tell(hm_c_displace_safe(plan, its%basis, move, int(n, c_int32_t), c_loc(ip), points_of(wx, wy, 1), &
+        points_of(xn, yn, inc), c_loc(w(top - words_of(bytes) + 1)), bytes, options, report, e), e, ierr, msg)
+    if (ierr < 0) return
+    frac = report%step_fraction
+    istrat = int(report%strategy)
+end subroutine
+
 subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
     use harmorph77_state
     implicit none
@@ -919,23 +981,15 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     type(hm_c_error) :: e
     type(hm_c_safe_options) :: options
     type(hm_safe_report) :: report
-    type(c_ptr) :: analysis, plan, same
+    type(c_ptr) :: plan
     integer(c_int64_t) :: top
     integer(c_size_t) :: bytes
-    info%struct_size = int(c_sizeof(info), c_int64_t)
     options%struct_size = int(c_sizeof(options), c_int64_t)
     options%reached = c_loc(dr)
     report%struct_size = int(c_sizeof(report), c_int64_t)
     call open_solved(w, its, ierr, msg)
-    if (ierr == hm_ok .and. its%n_conditions == 0) &
-        call complain("HMSAFE needs HMSOLV before it, HMLOAD is not enough", ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_basis_info_get(its%basis, info, e), e, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_basis_attach(same, its%basis, int(info%bytes, c_size_t), c_loc(its%mesh), e), e, &
-        ierr, msg)
-    if (ierr == hm_moved) call complain("X, Y are no longer where HMSOLV found them", ierr, msg)
-    if (ierr == hm_ok) call analyse(w, its, .true., analysis, top, ierr, msg)
-    if (ierr == hm_ok) call make_plan(w, its, analysis, plan, top, ierr, msg)
-    if (ierr == hm_ok) call tell(hm_c_morph_safe_size(plan, bytes, e), e, ierr, msg)
+    if (ierr == hm_ok) call plan_of_start(w, its, "HMSAFE", plan, info, top, ierr, msg)
+    if (ierr == hm_ok) call tell(hm_c_morph_safe_size(plan, its%basis, bytes, e), e, ierr, msg)
     if (ierr < 0) return
     if (.not. fits(its, words_of(bytes), top, ierr, msg)) return
     call tell(hm_c_morph_safe(plan, its%basis, dp, points_of(xn, yn, inc), c_null_ptr, &

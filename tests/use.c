@@ -268,7 +268,7 @@ static void morph_safely(const hm_problem *problem, const hm_basis *basis) {
     require(hm_assess(laplace, problem->mesh, NULL, &(hm_points){dx, dy, 1}, NULL, &step, &quality,
                       &error), "its assessment", &error);
     check(step.admissible < 1 && quality.inverted > 0, "at once, cells are inverted", &error);
-    require(hm_morph_safe_size(plan, &bytes, &error), "size of a safe morph", &error);
+    require(hm_morph_safe_size(plan, laplace, &bytes, &error), "size of a safe morph", &error);
     work = block_of(bytes);
     require(hm_morph_safe(plan, laplace, move, &(hm_points_out){x_new, y_new, 1}, NULL, work, bytes, NULL, &report,
                           &error), "it",

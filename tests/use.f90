@@ -1106,6 +1106,9 @@ contains
         real(dp), target :: dx(n_points), dy(n_points), found_x(n_points), found_y(n_points), x2(n_points), y2(n_points)
         real(dp), target :: gx(n_points), gy(n_points)
         real(dp) :: move(2, n_control), wall(2, around), gradient(2, around), size_of_sum
+        real, target :: x4(n_points), y4(n_points)
+        type(hm_basis) :: safe
+        type(hm_safe_report) :: safe_report
         real(dp), allocatable, target :: walls(:, :, :), fields_x(:, :), fields_y(:, :), gradients(:, :, :)
         integer, allocatable :: points(:), list(:)
         integer :: k
@@ -1159,14 +1162,66 @@ contains
         call none%init(plan)
         call none%assess(mesh, found_x, found_y, step, quality)
         call check(step%admissible > 1 .and. quality%inverted == 0, "assessment by a basis without functions")
+        call plan%displace_safe(safe, wall, x2, y2, points=list, report=safe_report)
+        call check(safe_report%strategy == hm_strategy_linear .and. safe_report%other == -1, "a small one, safely")
+        call check(maxval(abs(x2 - x - found_x)) + maxval(abs(y2 - y - found_y)) < 1e-13_dp, "the same mesh, safely")
+        wall(1, :) = -0.3_dp * x(list) - 0.8_dp * y(list)
+        wall(2, :) = 0.8_dp * x(list) - 0.3_dp * y(list)
+        call plan%displace_safe(safe, wall, x2, y2, points=list, options=hm_safe_options(min_quality=-1._dp), &
+            report=safe_report, stat=stat, err=err)
+        call check(stat == hm_ok .and. safe_report%inverted == 0, "a large one, safely: " // err%text)
+        call check(all(same_numbers(x2(list), x(list) + wall(1, :))) .and. all(same_numbers(y2(list), y(list) + wall(2, :))), &
+            "a large one, by the given bits")
+        x4 = real(x)
+        y4 = real(y)
+        call plan%displace_safe(safe, real(0.01_dp * wall), x4, y4, points=list)
+        call check(maxval(abs(x4(list) - x(list) - 0.01_dp * wall(1, :))) < 1e-6_dp, "safely, in default reals")
+        wall(1, 3) = 1e4_dp
+        call plan%displace_safe(safe, wall, x2, y2, points=list, stat=stat)
+        call check(stat == hm_crossing, "a wall that crosses itself, safely")
+        call plan%displace_safe(safe, wall, x2(2:), y2(2:), points=list, stat=stat)
+        call check(stat == hm_bad_argument, "fewer mesh points, safely")
+        call plan%displace_safe(safe, wall, x2, y2, move, list, stat=stat)
+        call check(stat == hm_bad_argument, "a movement of functions that are not there, safely")
+        call safe_together()
+
         call plan%displacement(wall(:, 2:), found_x, found_y, stat=stat, err=err)
         call check(stat == hm_bad_argument, "a point less: " // err%text)
         call plan%displacement(wall, found_x(2:), found_y(2:), stat=stat)
         call check(stat == hm_bad_argument, "fewer mesh points")
+        wall = 0
         wall(1, 3) = huge(1._dp)
         call plan%displacement(wall, found_x, found_y, list, stat=stat, err=err)
         call check(stat == hm_bad_argument .and. err%item == list(3) .and. index(err%text, "field 1") > 0, &
             "beyond the range: " // err%text)
+    end subroutine
+
+    ! The body on its curve, the outer boundary given: both move in one call.
+    subroutine safe_together()
+        type(hm_curves) :: curves
+        type(hm_plan) :: plan
+        type(hm_basis) :: basis
+        type(hm_safe_report) :: report
+        real(dp), target :: x2(n_points), y2(n_points), moved_x(n_points), moved_y(n_points)
+        real(dp) :: move(2, n_control)
+        real(dp), allocatable :: wall(:, :)
+        integer, allocatable :: points(:)
+        call curves%fit(x(:around), y(:around), .true., n_control=n_control)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_given)])
+        call plan%factor()
+        call plan%solve(basis)
+        call plan%given_points(points)
+        allocate(wall(2, size(points)))
+        wall(1, :) = 0.05_dp * x(points)
+        wall(2, :) = 0.1_dp
+        move = 0.01_dp
+        x2 = x
+        y2 = y
+        call plan%displace_safe(basis, wall, x2, y2, move, points, report=report)
+        call check(report%step_fraction >= 1 .and. all(same_numbers(x2(points), x(points) + wall(1, :))), &
+            "the outer boundary as given")
+        call basis%morph_to(move, x, y, moved_x, moved_y)
+        call check(maxval(abs(x2(:around) - moved_x(:around))) < 1e-14_dp, "and the curve in the same call")
     end subroutine
 
     elemental logical function same_numbers(a, b)

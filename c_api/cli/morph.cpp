@@ -64,7 +64,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     Solver solver(mesh, task, threads);
     solver.prepare();
     std::size_t bytes = 0;
-    call(mesh, hm_morph_safe_size, solver.plan(), &bytes);
+    call(mesh, hm_morph_safe_size, solver.plan(), basis.get(), &bytes);
     Block work(bytes);
     moved.x = mesh.x;
     moved.y = mesh.y;

@@ -4,6 +4,7 @@
     public :: hm_c_tabulate_size, hm_c_tabulate, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
         hm_c_plan_solve, hm_c_given_points, hm_c_displace_size, hm_c_displace, hm_c_displace_adjoint, hm_c_plan_level, &
+        hm_c_displace_safe_size, hm_c_displace_safe, &
         hm_c_transfer_size, hm_c_transfer, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_morph_safe_size, &
         hm_c_morph_safe, hm_c_improve_size, hm_c_improve
 
@@ -129,6 +130,23 @@
             type(hm_solve_report), intent(inout) :: report
             type(hm_c_error), intent(inout) :: err
         end function
+        integer(c_int32_t) function hm_c_displace_safe_size(plan, basis, bytes, err) bind(c, name="hm_displace_safe_size")
+            import
+            type(c_ptr), value, intent(in) :: plan, basis
+            integer(c_size_t), intent(inout) :: bytes
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_displace_safe(plan, basis, move, n, points, wall, to, work, bytes, options, &
+            report, err) bind(c, name="hm_displace_safe")
+            import
+            type(c_ptr), value, intent(in) :: plan, basis, move, points, work    ! move, points: null if there are none
+            integer(c_int32_t), value, intent(in) :: n
+            type(hm_c_points), intent(in) :: wall, to
+            integer(c_size_t), value, intent(in) :: bytes
+            type(hm_c_safe_options), intent(in) :: options
+            type(hm_safe_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
         integer(c_int32_t) function hm_c_plan_level(plan, level, cells, n_cells, err) bind(c, name="hm_plan_level")
             import
             type(c_ptr), value, intent(in) :: plan
@@ -176,9 +194,9 @@
             integer(c_int32_t), value, intent(in) :: first, n
             type(hm_c_error), intent(inout) :: err
         end function
-        integer(c_int32_t) function hm_c_morph_safe_size(plan, bytes, err) bind(c, name="hm_morph_safe_size")
+        integer(c_int32_t) function hm_c_morph_safe_size(plan, basis, bytes, err) bind(c, name="hm_morph_safe_size")
             import
-            type(c_ptr), value, intent(in) :: plan
+            type(c_ptr), value, intent(in) :: plan, basis    ! basis: or null
             integer(c_size_t), intent(inout) :: bytes
             type(hm_c_error), intent(inout) :: err
         end function

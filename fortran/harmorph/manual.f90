@@ -23,6 +23,7 @@
 !     call plan%improve(x, y)                      after a movement: inner points where cells are better; needs the plan
 !     call plan%displacement(wall, dx, dy)         displacements or velocities of wall points, wall(2,n), carried to all
 !                                                  mesh points: no curves, no basis; displace_adjoint: the transpose
+!     call plan%displace_safe(basis, wall, x, y)   of any size without inverted cells; basis: empty, or solved for curves
 !     call plan%transfer(coarse, coarse_mesh, basis)      functions of a coarser mesh instead of factor and solve
 !     call basis%save(file);  call basis%load(file, mesh)
 !     call curves%measure([hm_quantity(hm_area), hm_quantity(hm_thickness, 0.25_dp)], values, gradients=g)

@@ -44,11 +44,12 @@
         procedure :: displacements => plan_displacements
         procedure :: displace_adjoints => plan_displace_adjoints
 !@each form
-        procedure, private :: displace_@FORM@, plan_displacement_@FORM@, displace_adjoint_@FORM@
+        procedure, private :: displace_@FORM@, plan_displacement_@FORM@, displace_adjoint_@FORM@, displace_safe_@FORM@
         generic :: displace => displace_@FORM@
         generic :: displacement => plan_displacement_@FORM@
         generic :: velocity => plan_displacement_@FORM@
         generic :: displace_adjoint => displace_adjoint_@FORM@
+        generic :: displace_safe => displace_safe_@FORM@
 !@end
         procedure :: morph_safe_words => plan_morph_safe_words
         procedure :: improve_words => plan_improve_words

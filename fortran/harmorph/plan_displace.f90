@@ -89,6 +89,57 @@ contains
         call done%finish("plan%displace_adjoint", stat, err)
     end subroutine
 
+    ! displace_safe(basis, wall, x_new, y_new): however large the displacements are, x_new has no inverted cell; hm_short:
+    ! only a part of the way; see morph_safe. basis: of the same plan, made here if empty; solved, where the problem has
+    ! curves or rigid bodies. move: what these move by in the same call. In the report, `other` is the operator_kind of
+    ! hm_strategy_other, -1: none. The mesh's own coordinates are the start, and x_new may be the same arrays.
+    subroutine displace_safe_@FORM@(self, basis, wall, x_new, y_new, move, points, options, report, stat, err)
+        class(hm_plan), intent(inout) :: self
+        type(hm_basis), intent(inout) :: basis
+        real(@KIND@), intent(in) :: wall(:, :)
+        real(@KIND@), intent(inout), target :: x_new@SHAPE@, y_new@SHAPE@
+        real(@KIND@), intent(in), optional :: move(:, :)
+        integer, intent(in), optional :: points(:)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_safe_report), intent(out), optional :: report
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(view) :: to
+        type(displace_call) :: call_of
+        type(hm_c_safe_options) :: c_options
+        type(hm_safe_report) :: its
+        real(c_double), target :: given(2, size(wall, 2))
+        real(c_double), allocatable, target :: movement(:, :)
+        type(c_ptr) :: at_movement
+        integer(c_size_t) :: bytes
+        to = space_for(x_new, y_new)
+        if (associated(self%data)) call read_again(self%data%arrays)
+        call begin_list(self, shape(wall), points, call_of, done)
+        if (done%ok() .and. .not. c_associated(basis%address())) call make_basis(basis, self, done=done)
+        call check_points(basis, to, done)
+        at_movement = c_null_ptr
+        if (present(move)) then
+            movement = real(move, c_double)
+            call check_pairs(basis, movement, done)
+            if (size(movement) > 0) at_movement = c_loc(movement)
+        end if
+        call read_safe_options(options, basis, c_options, done)
+        if (done%ok()) done%status = hm_c_displace_safe_size(self%plan, basis%address(), bytes, done%error)
+        if (done%ok()) call call_of%work%take(bytes, done=done)
+        its%struct_size = int(c_sizeof(its), c_int64_t)
+        if (done%ok()) then
+            given = real(wall, c_double)
+            done%status = hm_c_displace_safe(self%plan, basis%address(), at_movement, call_of%n, call_of%points, &
+                pairs_at(given), c_points(to), call_of%work%start, call_of%work%bytes, c_options, its, done%error)
+        end if
+        if (present(report)) report = its
+        call end_displace(call_of)
+        if (done%status >= hm_ok) call to%put_back(x_new, y_new)
+        call to%drop()
+        call done%finish("plan%displace_safe", stat, err)
+    end subroutine
+
 !@end
     ! Several fields at once, wall(2,n,m) to dx(:,m), dy(:,m), for instance modes: cheaper than one after the other.
     subroutine plan_displacements(self, wall, dx, dy, points, report, stat, err)
@@ -173,6 +224,18 @@ contains
         type(displace_call), intent(inout) :: its
         type(outcome), intent(inout) :: done
         integer(c_size_t) :: bytes
+        call begin_list(self, extents, points, its, done)
+        its%report%struct_size = int(c_sizeof(its%report), c_int64_t)
+        if (done%ok()) done%status = hm_c_displace_size(self%plan, int(n_fields, c_int32_t), bytes, done%error)
+        if (done%ok()) call its%work%take(bytes, done=done)
+    end subroutine
+
+    subroutine begin_list(self, extents, points, its, done)
+        class(hm_plan), intent(in) :: self
+        integer, intent(in) :: extents(:)
+        integer, intent(in), optional :: points(:)
+        type(displace_call), intent(inout) :: its
+        type(outcome), intent(inout) :: done
         call done%refuse_if(.not. c_associated(self%plan), "the plan is empty: call factor first")
         call done%refuse_if(extents(1) /= 2 .or. extents(2) < 1, "an array of wall points is empty, or its first extent is not 2")
         its%n = int(extents(2), c_int32_t)
@@ -182,9 +245,6 @@ contains
             its%list = int(points, c_int32_t)
             if (size(points) > 0) its%points = c_loc(its%list(1))
         end if
-        its%report%struct_size = int(c_sizeof(its%report), c_int64_t)
-        if (done%ok()) done%status = hm_c_displace_size(self%plan, int(n_fields, c_int32_t), bytes, done%error)
-        if (done%ok()) call its%work%take(bytes, done=done)
     end subroutine
 
     subroutine end_displace(its, report)

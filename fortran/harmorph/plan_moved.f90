@@ -53,24 +53,14 @@ contains
             if (done%ok() .and. .not. c_associated(derivative%address())) call make_basis(derivative, self, done=done)
             sum_of_steps = derivative%address()
         end if
-        c_options%struct_size = int(c_sizeof(c_options), c_int64_t)
-        if (present(options)) then
-            c_options%max_resolves = int(options%max_resolves, c_int32_t)
-            c_options%skipped_strategies = int(options%skipped_strategies, c_int32_t)
-            c_options%heights = options%heights
-            c_options%min_quality = options%min_quality
-            c_options%max_height_change = options%max_height_change
-            if (associated(options%reached)) then
-                call check_pairs(basis, options%reached, done)
-                c_options%reached = c_loc(options%reached)
-            end if
-        end if
+        call read_safe_options(options, basis, c_options, done)
         if (present(others)) then
             handles = [(others(k)%address(), k = 1, size(others))]
             c_options%n_others = int(size(others), c_int32_t)
             if (size(others) > 0) c_options%others = c_loc(handles)
         end if
-        if (done%ok()) done%status = hm_c_morph_safe_size(self%plan, bytes, done%error)
+        if (done%ok()) done%status = hm_c_morph_safe_size(self%plan, basis%address(), bytes, &
+            done%error)
         call block%take(bytes, work, done)
         its%struct_size = int(c_sizeof(its), c_int64_t)
         if (done%ok()) done%status = hm_c_morph_safe(self%plan, basis%address(), real(move, c_double), &
@@ -127,3 +117,20 @@ contains
     end subroutine
 
 !@end
+    subroutine read_safe_options(options, basis, c_options, done)
+        type(hm_safe_options), intent(in), optional :: options
+        type(hm_basis), intent(in) :: basis
+        type(hm_c_safe_options), intent(inout) :: c_options
+        type(outcome), intent(inout) :: done
+        c_options%struct_size = int(c_sizeof(c_options), c_int64_t)
+        if (.not. present(options)) return
+        c_options%max_resolves = int(options%max_resolves, c_int32_t)
+        c_options%skipped_strategies = int(options%skipped_strategies, c_int32_t)
+        c_options%heights = options%heights
+        c_options%min_quality = options%min_quality
+        c_options%max_height_change = options%max_height_change
+        if (.not. associated(options%reached)) return
+        call check_pairs(basis, options%reached, done)
+        c_options%reached = c_loc(options%reached)
+    end subroutine
+

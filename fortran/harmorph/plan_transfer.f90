@@ -39,13 +39,17 @@ contains
             plan_transfer_words = words_of(bytes)
     end function
 
-    ! Working space of morph_safe; 0 without prepare or factor.
-    integer(c_int64_t) function plan_morph_safe_words(self)
+    ! Working space of morph_safe, of a basis made by combine or tabulate with that basis; 0 without prepare or factor.
+    integer(c_int64_t) function plan_morph_safe_words(self, basis)
         class(hm_plan), intent(in) :: self
+        type(hm_basis), intent(in), optional :: basis
+        type(c_ptr) :: address
         type(hm_c_error) :: e
         integer(c_size_t) :: bytes
         plan_morph_safe_words = 0
-        if (hm_c_morph_safe_size(self%plan, bytes, e) >= 0) plan_morph_safe_words = words_of(bytes)
+        address = c_null_ptr
+        if (present(basis)) address = basis%address()
+        if (hm_c_morph_safe_size(self%plan, address, bytes, e) >= 0) plan_morph_safe_words = words_of(bytes)
     end function
 
     ! Working space of improve; 0 without prepare or factor.

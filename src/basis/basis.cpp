@@ -140,7 +140,28 @@ Vec2 Basis::control_move(Index control_point, const Real* move) const noexcept {
     return sum;
 }
 
+namespace {
+
+// By its modes, a linear map for each.
+Vec2 given_move(Basis const& basis, Index slot, const Real* move) noexcept {
+    auto const row = basis.row(basis.wall_point[slot]);
+    Index const n = basis.n_functions();
+    Vec2 sum;
+    for (Index i = n - basis.header->counts.modes; i < n; ++i) {
+        Vec2 const by{move[2 * i], move[2 * i + 1]};
+        if (basis.kind() == ValueKind::matrix) {
+            sum = sum + Vec2{row[i] * by.x + row[n + i] * by.y, row[2 * n + i] * by.x + row[3 * n + i] * by.y};
+        } else {
+            sum = sum + product(Vec2{row[i], basis.kind() == ValueKind::complex ? row[n + i] : 0}, by);
+        }
+    }
+    return sum;
+}
+
+}  // namespace
+
 Vec2 Basis::wall_move(Index slot, const Real* move) const noexcept {
+    if (is_given(slot)) return given_move(*this, slot, move);
     BoundaryFunctions const functions = boundary_functions(slot);
     Vec2 sum;
     for (Index k = 0; k < functions.order; ++k) {

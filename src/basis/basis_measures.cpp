@@ -17,13 +17,13 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
     BasisMeasures measures;
     BasisCounts const& counts = basis.header->counts;
     Index const n_functions = basis.n_functions();
-    Index const n_control = clamp(counts.control - counts.first_stored, Index{0}, n_functions);  // of those stored
+    Index const n_control = clamp(counts.shapes() - counts.first_stored, Index{0}, n_functions);  // of those stored
     ValueKind const kind = basis.kind();
     for (Index slot = 0; slot < basis.wall_point.count(); ++slot) {
         Index const point = basis.wall_point[slot];
         BoundaryFunctions const functions = basis.stored_boundary_functions(slot);
         auto const values = basis.row(point);
-        for (Index plane = 0; plane < numbers_of(kind); ++plane) {
+        for (Index plane = 0; plane < numbers_of(kind) && !counts.derived(); ++plane) {
             Real sum = 0;
             for (Index i = 0; i < n_functions; ++i) {
                 Real const value = values[plane * n_functions + i];

@@ -22,20 +22,35 @@ void to_block(const Real* rows, Index n_points, Index numbers, Real* block) noex
     }
 }
 
+void to_rows(const Real* block, Index n_points, Index numbers, Real* rows) noexcept {
+    for (Index point = 0; point < n_points; ++point) {
+        Real* const row = rows + Offset{point} * numbers;
+        for (Index k = 0; k < numbers; ++k) row[k] = block[Offset{k} * block_points + point];
+    }
+}
+
 }  // namespace
 
-void RowsToBlocks::run(Executor const& executor) const noexcept {
-    Index const blocks = blocks_of(n_points), tasks = clamp(blocks / least_blocks, Index{1}, most_tasks);
+// move(numbers as they were, points, numbers of a point, where they go)
+template <class Move>
+void RowsToBlocks::for_each_block(Executor const& executor, Move const& move) const noexcept {
     Offset const size = Offset{block_points} * numbers;
+    if (size == 0) return;
+    Index const room = static_cast<Index>(smaller(static_cast<Offset>(work.size()) / size, Offset{most_tasks}));
+    Index const blocks = blocks_of(n_points), tasks = clamp(blocks / least_blocks, Index{1}, room);
     auto const bound = [&](Index task) { return static_cast<Index>(Offset{blocks} * task / tasks); };
     executor.for_each(tasks, [&](Index task) {
-        Real* const rows = work + task * size;
+        Real* const copied = work.data() + task * size;
         for (Index number = bound(task); number < bound(task + 1); ++number) {
             Real* const block = values + number * size;
-            std::memcpy(rows, block, static_cast<Size>(size) * sizeof(Real));
-            to_block(rows, smaller(block_points, n_points - number * block_points), numbers, block);
+            std::memcpy(copied, block, static_cast<Size>(size) * sizeof(Real));
+            move(copied, smaller(block_points, n_points - number * block_points), numbers, block);
         }
     });
 }
+
+void RowsToBlocks::run(Executor const& executor) const noexcept { for_each_block(executor, to_block); }
+
+void RowsToBlocks::undo(Executor const& executor) const noexcept { for_each_block(executor, to_rows); }
 
 }  // namespace harmorph

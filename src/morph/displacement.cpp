@@ -8,15 +8,6 @@ namespace {
 
 constexpr Index points_of_a_task = 4096;
 
-// The slot of a point whose displacement is given, or none.
-Index slot_of(Plan const& plan, Index point) noexcept {
-    Matrix const& matrix = plan.equations.matrix;
-    Index const row = matrix.row_of[matrix.components() * point];
-    if (!Matrix::is_wall(row)) return none;
-    Index const slot = Matrix::wall(row) / matrix.components();
-    return slot >= plan.given.first_slot ? slot : none;
-}
-
 // The first derivative that is not.
 struct NotFinite {
     Index point = none, field = 0;
@@ -64,12 +55,12 @@ Status Displacement::find_places(Plan const& plan, PointList const& list, Fault&
     fill(place, none);
     Span<const Index> const given = plan.given.point;
     for (Index k = 0; k < list.count(); ++k) {
-        Index const slot = slot_of(plan, list[k]);
-        if (slot == none) {
+        Index const number = plan.given_index(list[k]);
+        if (number == none) {
             return fault.refuse(Status::bad_condition, "point # is on no marker whose displacements are given",
                                 Counts::mesh, list[k]);
         }
-        Index& first = place[slot - plan.given.first_slot];
+        Index& first = place[number];
         if (first == none) first = k;
     }
     for (Index i = 0; i < given.count(); ++i) {
@@ -93,7 +84,7 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
                          Fault& fault) const noexcept {
     MutablePoints const to = block_of(plan, field).field(field);
     for (Index k = 0; k < list.count(); ++k) {
-        Index const slot = slot_of(plan, list[k]), first = place[slot - plan.given.first_slot];
+        Index const number = plan.given_index(list[k]), first = place[number];
         if (!is_in_range(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
             return fault.refuse(Status::bad_argument,
@@ -105,7 +96,7 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
             return fault.refuse(Status::bad_argument, "point # has two displacements in field @ (from 0)",
                                 Counts::mesh_and_marker, list[k], field);
         }
-        to.set(plan.wall_point[slot], wall[k]);
+        to.set(plan.given.point[number], wall[k]);
     }
     return Status::ok;
 }
@@ -227,9 +218,9 @@ void Displacement::write_gradient(Plan const& plan, PointList const& list, Index
                                   MutablePoints gradient) const noexcept {
     Points const found = block_of(plan, field).field(field);
     for (Index k = 0; k < list.count(); ++k) {
-        Index const slot = slot_of(plan, list[k]);
-        bool const is_first = place[slot - plan.given.first_slot] == k;
-        gradient.set(k, is_first ? found[plan.wall_point[slot]] : Vec2{});
+        Index const number = plan.given_index(list[k]);
+        bool const is_first = place[number] == k;
+        gradient.set(k, is_first ? found[plan.given.point[number]] : Vec2{});
     }
 }
 

@@ -53,6 +53,7 @@ Status tabulate(Plan& plan, Basis const& from, PointList const& list, Modes cons
 
     BasisCounts const counts = tabulated_counts(from, modes.n, modes.numbers);
     begin_derived(from, counts, to);
+    copy(to.combination, Span<const Real>(from.combination));
     Index const old_length = from.n_functions(), length = to.n_functions();
     for (Index point = 0; point < to.n_points(); ++point) {
         auto const old_row = from.row(point);

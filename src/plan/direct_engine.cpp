@@ -84,7 +84,13 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                            IterationReport&,
                            Fault& fault) noexcept {
-    return factor.solve(dofs.rows(equations.matrix), progress, fault);
+    Rows const rows = dofs.rows(equations.matrix);
+    if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
+    for (Index first = 0; first < rows.width; first += factor.padded_width) {  // combined functions and modes
+        Index const n = smaller(factor.padded_width, rows.width - first);
+        HARMORPH_TRY(factor.solve(Rows{rows.data + first, rows.row_of, rows.row_length, n, rows.plane}, progress, fault));
+    }
+    return Status::ok;
 }
 
 Offset DirectEngine::idle_bytes() const noexcept {

@@ -14,7 +14,10 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     engine.choose(method.engine);
     engine.lay_out(arena, analysis, columns);
     refinement.lay_out(arena, analysis, engine, equations, columns);
-    arena.take(rows_in_work, RowsToBlocks::work_numbers(Offset{numbers_of(counts.kind)} * counts.functions()));
+    Offset const numbers = Offset{numbers_of(counts.kind)} * counts.functions();
+    Offset const with_modes = block_points * (numbers + most_mode_numbers);
+    arena.take(rows_in_work, larger(RowsToBlocks::work_numbers(numbers),
+                                    analysis.problem.demands.given ? with_modes : Offset{0}));
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
@@ -57,26 +60,54 @@ Status Plan::factor(Points points, Fault& fault) noexcept {
 Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept {
     if (!factored) return fault.refuse(Status::bad_argument, "the plan has no factor: hm_plan_factor comes first");
     HARMORPH_TRY(check_fit(basis, fault));
+    if (block_points * Offset{basis.row_length()} > static_cast<Offset>(rows_in_work.size())) {
+        return fault.refuse(Status::unsupported, "a point has # numbers, this plan solves bases with @ at most",
+                            Counts::from_zero, basis.row_length(), static_cast<Index>(rows_in_work.size() / block_points));
+    }
     basis.unseal();
     HARMORPH_TRY(progress.report(Phase::solve, 0, fault));
-    Matrix const& matrix = equations.matrix;
     DofValues const dofs = equations.dofs(basis);
-    set_right_hand_sides(matrix, basis, dofs);
-    HARMORPH_TRY(engine.solve(equations, dofs, progress, report.iteration, fault));
-    HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
-
-    HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
-    report.unknowns = matrix.n;
-    report.functions = basis.n_functions();
-    report.factor_entries = factor_entries;
-    HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
-    turn_slipping_points(dofs);
-    for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
-    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work.data()}.run(executor);
+    RowsToBlocks const rows{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work};
+    if (basis.header->counts.derived()) {
+        rows.undo(executor);
+        clear_all_but_wall(dofs);
+        subtract_couplings(equations.matrix, dofs);
+    } else {
+        set_right_hand_sides(equations.matrix, basis, dofs);
+    }
+    Status const status = solve_rows(dofs, report, fault);
+    rows.run(executor);  // also where the solution failed: values on the wall of derived functions must not be lost
+    HARMORPH_TRY(status);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
     basis.seal();
     return judge(report, equations.method, fault);
+}
+
+Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept {
+    HARMORPH_TRY(engine.solve(equations, dofs, progress, report.iteration, fault));
+    HARMORPH_TRY(progress.report(Phase::solve, 1, fault));
+
+    HARMORPH_TRY(progress.report(Phase::residual, 0, fault));
+    report.unknowns = equations.matrix.n;
+    report.functions = dofs.n_functions;
+    report.factor_entries = factor_entries;
+    HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
+    turn_slipping_points(dofs);
+    for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
+    return Status::ok;
+}
+
+void Plan::clear_all_but_wall(DofValues const& dofs) const noexcept {
+    Matrix const& matrix = equations.matrix;
+    Index const components = matrix.components();
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Index const row = matrix.row_of[components * point];
+        if (Matrix::is_wall(row) && wall_point[Matrix::wall(row) / components] == point) continue;
+        for (Index dof = components * point; dof < components * (point + 1); ++dof) {
+            std::memset(dofs.of_dof(dof), 0, sizeof(Real) * static_cast<Size>(dofs.length()));
+        }
+    }
 }
 
 Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept {
@@ -102,8 +133,11 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
 
 Status Plan::check_fit(Basis const& basis, Fault& fault) const noexcept {
     HARMORPH_TRY(basis.require_double(fault));
-    HARMORPH_TRY(basis.require_control_points(fault));
-    BasisCounts const whole = basis.header->counts.share(0, basis_counts.stored);
+    BasisCounts whole = basis.header->counts.share(0, basis_counts.stored);
+    if (whole.derived()) {
+        whole.combined = whole.combination = whole.modes = 0;
+        if (whole.kind == ValueKind::complex) whole.kind = basis_counts.kind;  // by a complex matrix or complex modes
+    }
     bool const same_counts = std::memcmp(&whole, &basis_counts, sizeof basis_counts) == 0;
     bool const same_mesh = basis.header->topology == topology && basis.header->conditions == conditions;
     if (same_counts && same_mesh && basis.header->method.agrees_with(equations.method)) return Status::ok;
@@ -143,6 +177,14 @@ Index Plan::same_point(Index point) const noexcept {
     Index const components = matrix.components(), row = matrix.row_of[components * point];
     if (row >= 0) return equations.point_of(row);
     return row == none ? none : wall_point[Matrix::wall(row) / components];
+}
+
+Index Plan::given_index(Index point) const noexcept {
+    Matrix const& matrix = equations.matrix;
+    Index const row = matrix.row_of[matrix.components() * point];
+    if (!Matrix::is_wall(row)) return none;
+    Index const slot = Matrix::wall(row) / matrix.components();
+    return slot >= given.first_slot ? slot - given.first_slot : none;
 }
 
 }  // namespace harmorph

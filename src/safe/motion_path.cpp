@@ -1,5 +1,7 @@
 #include "harmorph/safe/motion_path.hpp"
 
+#include "harmorph/safe/similarity.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -12,9 +14,6 @@ Vec2 complex_root(Vec2 z) noexcept {
     if (z.x >= 0) return {larger_part, smaller_part};
     return {absolute(smaller_part), z.y < 0 ? -larger_part : larger_part};
 }
-
-// A body that collapses or turns inside out has no way round 0 that is worth going.
-constexpr Real least_ratio = 0.05;
 
 }  // namespace
 
@@ -63,9 +62,37 @@ bool MovementPath::is_bent() const noexcept {
 }
 
 void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
+    BasisCounts const& counts = basis.header->counts;
+    constexpr Vec2 not_at_all{1, 0};
+    Index const n_shapes = counts.shapes(), first_mode = n_shapes + 2 * counts.bodies;
+    if (counts.combination == 0) fit_curves(basis, straight);
+    for (Index i = 0; i < n_shapes && counts.combination != 0; ++i) set_alone(i, {}, not_at_all, false);
+    for (Index body = 0; body < counts.bodies; ++body) {
+        Index const translation = n_shapes + 2 * body, turn_of_it = translation + 1;
+        Vec2 const ratio = Vec2{1, 0} + Vec2{target[2 * turn_of_it], target[2 * turn_of_it + 1]};
+        bool const anchored = groups[turn_of_it].anchored;
+        bool const turns = !straight && !anchored && length(ratio) > Similarity::least_ratio;
+        set_alone(translation, {}, not_at_all, anchored);
+        set_alone(turn_of_it, {1, 0}, turns ? ratio : not_at_all, anchored);
+        if (turns) drift[turn_of_it] = {};
+    }
+    for (Index mode = 0; mode < counts.modes; ++mode) {
+        ModeWay const way = mode_ways.empty() || straight ? ModeWay{{}, not_at_all} : mode_ways[mode];
+        set_alone(first_mode + mode, way.start, way.ratio, false);
+    }
+}
+
+void MovementPath::set_alone(Index function, Vec2 from, Vec2 ratio, bool anchored) noexcept {
+    Vec2 const move_of_it{target[2 * function], target[2 * function + 1]};
+    groups[function] = {{}, {}, ratio, 1, anchored};
+    start[function] = from;
+    drift[function] = groups[function].is_straight() ? move_of_it : quotient(from + move_of_it, ratio) - from;
+}
+
+void MovementPath::fit_curves(Basis const& basis, bool straight) noexcept {
     Index const n_control = basis.header->counts.control;
     for (Index i = 0; i < n_control; ++i) start[i] = {basis.control[2 * i], basis.control[2 * i + 1]};
-    for (Index group = 0; group < n_control; ++group) fit_similarity(basis, group, straight);
+    for (Index group = 0; group < n_control; ++group) fit_group(basis, group, straight);
     for (Index i = 0; i < n_control; ++i) {
         Group const& similarity = groups[group_of[i]];
         Vec2 const move_of_it{target[2 * i], target[2 * i + 1]};
@@ -73,18 +100,6 @@ void MovementPath::fit_all(Basis const& basis, bool straight) noexcept {
         drift[i] = similarity.is_straight()
                        ? move_of_it
                        : quotient(start[i] + move_of_it - similarity.shift, similarity.ratio) - start[i];
-    }
-    for (Index body = 0; body < basis.header->counts.bodies; ++body) {
-        Index const translation = n_control + 2 * body, turn_of_it = translation + 1;
-        Vec2 const change{target[2 * turn_of_it], target[2 * turn_of_it + 1]}, ratio = Vec2{1, 0} + change;
-        bool const anchored = groups[turn_of_it].anchored;
-        bool const turns = !straight && !anchored && length(ratio) > least_ratio;
-        groups[translation] = {{}, {}, {1, 0}, 1, anchored};
-        groups[turn_of_it] = {{}, {}, turns ? ratio : Vec2{1, 0}, 1, anchored};
-        start[translation] = {};
-        drift[translation] = {target[2 * translation], target[2 * translation + 1]};
-        start[turn_of_it] = {1, 0};
-        drift[turn_of_it] = turns ? Vec2{} : change;
     }
 }
 
@@ -94,6 +109,7 @@ void MovementPath::find_groups(Basis const& basis) noexcept {
         group_of[i] = i;
         groups[i].anchored = false;
     }
+    if (basis.header->counts.combination != 0) return;
     for (Index changed = 1; changed > 0;) {
         changed = 0;
         for (Index number = 0; number < basis.header->counts.curves; ++number) {
@@ -121,7 +137,7 @@ void MovementPath::join(Index group, Index other) noexcept {
 // A loop of the boundary that is wall all round is a body: its curves turn as one. Where a loop is wall in part, or of curves
 // in part and rigid in part, whatever is on it goes straight.
 void MovementPath::find_anchors(Basis const& basis) noexcept {
-    Index const n_control = basis.header->counts.control;
+    Index const n_shapes = basis.header->counts.shapes();
     for (Index loop = 0; loop + 1 < basis.loop_start.count(); ++loop) {
         Span<const Index> const points =
             basis.boundary_point.from(basis.loop_start[loop], basis.loop_start[loop + 1] - basis.loop_start[loop]);
@@ -135,7 +151,7 @@ void MovementPath::find_anchors(Basis const& basis) noexcept {
             }
             Index const group = group_of_slot(basis, slot);
             if (first == none) first = group;
-            bool const curves = first < n_control && group < n_control;
+            bool const curves = first < n_shapes && group < n_shapes;
             if (group != first && curves) join(group, first);
             if (group != first && curves) first = smaller(group, first);
             is_body = is_body && (curves || group == first);
@@ -147,35 +163,20 @@ void MovementPath::find_anchors(Basis const& basis) noexcept {
     }
 }
 
-// Least squares over the members: d = mean of dP, r - 1 = sum conj(p) (dP - d) / sum |p|^2, p = P - c, c = mean of P.
-void MovementPath::fit_similarity(Basis const& basis, Index group, bool straight) noexcept {
+void MovementPath::fit_group(Basis const& basis, Index group, bool straight) noexcept {
     Group& similarity = groups[group];
     similarity = {{}, {}, {1, 0}, 0, similarity.anchored};
-    auto const for_each_member = [&](auto const& visit) {
+    if (straight || similarity.anchored) return;
+    Similarity const fit = fit_similarity([&](auto const& visit) {
         for (Index i = group; i < basis.header->counts.control; ++i) {
             if (group_of[i] == group) visit(start[i], Vec2{target[2 * i], target[2 * i + 1]});
         }
-    };
-    if (straight || similarity.anchored) return;
-    for_each_member([&](Vec2, Vec2) { ++similarity.members; });
-    if (similarity.members == 0) return;
-    Real const share = 1 / static_cast<Real>(similarity.members);
-    for_each_member([&](Vec2 point, Vec2 move) {
-        similarity.centre = similarity.centre + share * point;
-        similarity.shift = similarity.shift + share * move;
     });
-    Vec2 turned;
-    Real squares = 0;
-    for_each_member([&](Vec2 point, Vec2 move) {
-        turned = turned + product(conjugate(point - similarity.centre), move - similarity.shift);
-        squares += square(point - similarity.centre);
-    });
-    Vec2 const ratio = squares > 0 ? Vec2{1, 0} + (1 / squares) * turned : Vec2{};
-    if (length(ratio) > least_ratio) {
-        similarity.ratio = ratio;
-    } else {
-        similarity.centre = similarity.shift = {};
-    }
+    similarity.members = fit.members;
+    if (fit.ratio.x == 1 && fit.ratio.y == 0) return;
+    similarity.centre = fit.centre;
+    similarity.shift = fit.shift;
+    similarity.ratio = fit.ratio;
 }
 
 void MovementPath::at(Real t, Span<Real> movement) const noexcept {

@@ -78,6 +78,11 @@ void MovingMesh::advance() noexcept {
     carried.forget();
 }
 
+Vec2 MovingMesh::wall_move(Plan const& plan, Basis const& basis, Index slot) const noexcept {
+    if (basis.is_given(slot) && !given.empty() && aimed_time >= 1) return given[slot - plan.given.first_slot];
+    return basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, aimed_time);
+}
+
 template <class Visit>
 void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept {
     Matrix const& matrix = plan.equations.matrix;
@@ -85,8 +90,7 @@ void MovingMesh::for_wall(Plan const& plan, Basis const& basis, Visit const& vis
         Index const row = matrix.row_of[matrix.components() * k];
         if (!Matrix::is_wall(row)) continue;
         Index const slot = Matrix::wall(row) / matrix.components();
-        visit(k, plan.mesh.points[k],
-              basis.wall_move(slot, aimed.data()) + carried.of_wall(basis, path, slot, aimed_time));
+        visit(k, plan.mesh.points[k], wall_move(plan, basis, slot));
     }
 }
 

@@ -16,18 +16,41 @@ Span<const unsigned char> problem_of(Basis const& basis) noexcept {
     return {begin, static_cast<Size>(end - begin)};
 }
 
+// Do modes move the given points alike?
+bool same_modes(Basis const& basis, Basis const& other) noexcept {
+    Index const modes = basis.header->counts.modes, n = basis.n_functions();
+    if (modes > 0 && other.kind() != basis.kind()) return false;
+    for (Index slot = 0; slot < basis.wall_point.count() && modes > 0; ++slot) {
+        if (!basis.is_given(slot)) continue;
+        auto const own = basis.row(basis.wall_point[slot]), theirs = other.row(basis.wall_point[slot]);
+        for (Index plane = 0; plane < numbers_of(basis.kind()); ++plane) {
+            for (Index i = n - modes; i < n; ++i) {
+                if (own[plane * n + i] != theirs[plane * n + i]) return false;
+            }
+        }
+    }
+    return true;
+}
+
 // Another one's step moves the wall as the B-spline does only if its curves and parameters are the same.
 Status check_other(Basis const& basis, Basis const& other, Fault& fault) noexcept {
     HARMORPH_TRY(other.require_double(fault));
-    HARMORPH_TRY(other.require_control_points(fault));
     BasisCounts counts = other.header->counts;
     counts.kind = basis.header->counts.kind;
     Span<const unsigned char> const own = problem_of(basis), theirs = problem_of(other);
     bool const same = other.header->topology == basis.header->topology &&
                       std::memcmp(&counts, &basis.header->counts, sizeof counts) == 0 && theirs.size() == own.size() &&
                       std::memcmp(theirs.data(), own.data(), own.size()) == 0;
-    if (same && other.header->solved == 1) return Status::ok;
+    if (same && other.header->solved == 1 && same_modes(basis, other)) return Status::ok;
     return fault.refuse(Status::bad_basis, "one of the other bases is not solved, or of another mesh or other curves");
+}
+
+// Of derived functions too: the same functions, in the same layout.
+Status check_derivative(Plan const& plan, Basis const& basis, Basis const& derivative, Fault& fault) noexcept {
+    HARMORPH_TRY(plan.check_fit(derivative, fault));
+    BasisCounts const &own = basis.header->counts, &its = derivative.header->counts;
+    if (std::memcmp(&own, &its, sizeof own) == 0) return Status::ok;
+    return fault.refuse(Status::bad_basis, "the basis for the derivative has other functions than the basis");
 }
 
 struct Count {
@@ -51,14 +74,14 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 
 }  // namespace
 
-void SafeMorph::lay_out(Arena& arena, Plan const& plan) noexcept {
-    Index const n = plan.mesh.n_points, n_functions = plan.basis_counts.functions();
-    mesh.lay_out(arena, plan.basis_counts);
+void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
+    Index const n = plan.mesh.n_points, n_functions = counts.functions();
+    mesh.lay_out(arena, counts);
     arena.take(best_x, n);
     arena.take(best_y, n);
     arena.take(reached, 2 * Offset{n_functions});
     arena.take(weight, n_functions);
-    arena.take(block, Basis::bytes(plan.basis_counts));
+    arena.take(block, Basis::bytes(counts));
     first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     wall_heights.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
     arena.take(kinds, n);
@@ -75,7 +98,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     if (!basis.header->counts.complete() || (derivative != nullptr && !derivative->header->counts.complete())) {
         return fault.refuse(Status::bad_basis, "a share of the functions cannot move the mesh: all of them are needed");
     }
-    if (derivative != nullptr) HARMORPH_TRY(plan.check_fit(*derivative, fault));
+    if (derivative != nullptr) HARMORPH_TRY(check_derivative(plan, basis, *derivative, fault));
     for (Basis const& other : options.others) HARMORPH_TRY(check_other(basis, other, fault));
     mesh.init(plan, basis, move);
     copy(best_x, Span<const Real>(mesh.x));
@@ -95,6 +118,7 @@ Status SafeMorph::run(Plan& plan, Basis const& basis, const Real* move, SafeOpti
     Method const method = plan.equations.method;
     Status const status = climb(work);
     plan.equations.method = method;
+    if (work.factored_again) plan.factored = false;  // of another mesh or operator
     HARMORPH_TRY(status);
     return finish(work);
 }
@@ -109,6 +133,8 @@ Status SafeMorph::climb(Work& work) noexcept {
         Basis const& other = options.others[i];
         if (work.derivative == nullptr || other.kind() == work.basis.kind()) single_step(work, other, Strategy::other, i);
     }
+    if (work.is_good(work.best())) return Status::ok;
+    if (options.solves_others && options.tries(Strategy::other)) HARMORPH_TRY(other_operators(work));
     if (work.is_good(work.best())) return Status::ok;
     HARMORPH_TRY(substeps(work));
     if (work.best().fraction < 1 && may_turn_back && mesh.path.is_bent()) {

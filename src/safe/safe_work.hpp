@@ -14,6 +14,7 @@ struct SafeMorph::Work {
     Fault& fault;
     Outcome attempt;               // of the mesh at hand
     bool derivative_of_best = true;  // the derivative is that of the best mesh, not of a later attempt
+    bool factored_again = false;
 
     Mesh const& mesh() const noexcept { return plan.mesh; }
     OrientedMesh const& cells() const noexcept { return plan.equations.cells; }

@@ -43,6 +43,22 @@ struct SafeMorph::Operators {
     }
 };
 
+// All of the way at once, by functions of other operators that are solved on the start.
+Status SafeMorph::other_operators(Work& work) noexcept {
+    begin(work);
+    Basis const here = unsolved_copy(work.basis);
+    Operators const operators(work.basis.header->method);
+    for (Index k = 1; k < operators.count && work.report.resolves < work.options.most_resolves; ++k) {
+        Status const status = solve_by(work, here, operators.list[k]);
+        if (status == Status::cancelled) return status;
+        if (failed(status)) continue;
+        single_step(work, here, Strategy::other, static_cast<Index>(operators.list[k].kind));
+        if (work.is_good(work.best())) break;
+        mesh.begin(work.plan);
+    }
+    return Status::ok;
+}
+
 Status SafeMorph::substeps(Work& work) noexcept {
     begin(work);
     Basis const here = unsolved_copy(work.basis);
@@ -170,7 +186,8 @@ Real SafeMorph::find_step(Work& work, Basis const& by) noexcept {
 Basis SafeMorph::unsolved_copy(Basis const& basis) const noexcept {
     auto const begin = reinterpret_cast<const unsigned char*>(basis.header);
     auto const end = reinterpret_cast<const unsigned char*>(basis.value.data());
-    std::memcpy(block.data(), begin, static_cast<Size>(end - begin));
+    Size const values = basis.header->counts.derived() ? basis.value.size() * sizeof(Real) : 0;  // with those on the wall
+    std::memcpy(block.data(), begin, static_cast<Size>(end - begin) + values);
     Basis const copy = Basis::view(static_cast<void*>(block.data()));
     copy.unseal();
     return copy;
@@ -182,6 +199,7 @@ Status SafeMorph::solve_at_present(Work& work, Basis const& basis) noexcept {
     Fault why;
     basis.unseal();
     mesh.carried.forget();
+    work.factored_again = true;
     Status status = work.plan.factor(mesh.now(), why);
     if (!failed(status)) status = work.plan.solve(basis, solved, why);
     if (status != Status::ok && (!failed(status) || status == Status::cancelled)) work.fault = why;

@@ -1,63 +1,14 @@
 #include <doctest/doctest.h>
 
-#include <fixtures/single.hpp>
+#include <fixtures/derived.hpp>
 
 #include <complex>
 #include <cstring>
 #include <string>
 
 using namespace fixtures;
-using Complex = std::complex<double>;
 
 namespace {
-
-// A random matrix [rows * n * numbers] as hm_combine takes it.
-struct Combination {
-    int rows, n, numbers;
-    Numbers entries;
-
-    Combination(int its_rows, int its_n, int its_numbers, unsigned seed)
-        : rows(its_rows), n(its_n), numbers(its_numbers), entries(some_move((rows * n * numbers + 1) / 2, 1, seed)) {
-        entries.resize(static_cast<std::size_t>(rows * n * numbers));
-    }
-    Complex at(int row, int column) const {
-        const double* const entry = &entries[static_cast<std::size_t>((row * n + column) * numbers)];
-        return {entry[0], numbers == 2 ? entry[1] : 0};
-    }
-    // Movements of the first basis' functions; those behind the control points are the same.
-    Numbers expanded(Numbers const& move) const {
-        Numbers out;
-        for (int row = 0; row < rows; ++row) {
-            Complex sum = 0;
-            for (int column = 0; column < n; ++column) {
-                auto const k = static_cast<std::size_t>(2 * column);
-                sum += at(row, column) * Complex(move[k], move[k + 1]);
-            }
-            out.insert(out.end(), {sum.real(), sum.imag()});
-        }
-        out.insert(out.end(), move.begin() + 2 * n, move.end());
-        return out;
-    }
-};
-
-class Combined {
-public:
-    hm_basis* basis = nullptr;
-    hm_status status = HM_OK;
-    hm_error error{};
-
-    Combined(const hm_basis* from, Combination const& by, std::size_t less = 0) {
-        std::size_t bytes = 0;
-        status = hm_combine_size(from, by.n, by.numbers, &bytes, &error);
-        if (status < 0) return;
-        block_ = std::make_unique<Guarded>(bytes - less);
-        status = hm_combine(&basis, block_->data(), bytes - less, from, by.n, by.numbers, by.entries.data(), &error);
-        CHECK(block_->guards_intact());
-    }
-
-private:
-    std::unique_ptr<Guarded> block_;
-};
 
 double difference(Moved const& a, Moved const& b) {
     double worst = 0;
@@ -176,11 +127,23 @@ TEST_CASE("combined functions are extracted, written, attached, stored in single
         CHECK(difference(displaced(twice.basis, few),
                          displaced(solved.basis, by.expanded(again.expanded(few)))) < 1e-14);
         CHECK(info_of(twice.basis).combined == 2);
-
-        hm_error refusal{};
-        CHECK(hm_plan_solve(solved.plan, combined.basis, nullptr, &refusal) == HM_UNSUPPORTED);
-        CHECK(std::string(refusal.text).find("combined") != std::string::npos);
     }
+}
+
+TEST_CASE("combined functions are solved again on a moved mesh, as the control points are") {
+    for (KindOfProblem& problem : problems())
+        for (int const numbers : {1, 2}) {
+            Solved const solved(problem.its, &problem.options);
+            Combination const by(solved.info().control_points, 3, numbers, 5);
+            Combined const combined(solved.basis, by);
+            REQUIRE(combined.status == HM_OK);
+            Moved const at = morphed(solved.basis, problem.its.mesh, some_move(solved.info().functions, 1e-3, 11));
+            if (hm_plan_factor(solved.plan, points_in(at.x, at.y), nullptr) != HM_OK) continue;   // bounded scheme
+            REQUIRE(hm_plan_solve(solved.plan, combined.basis, nullptr, nullptr) == HM_OK);
+            REQUIRE(hm_plan_solve(solved.plan, solved.basis, nullptr, nullptr) == HM_OK);
+            Numbers const move = some_move(info_of(combined.basis).functions, 0.01, 7);
+            CHECK(difference(displaced(combined.basis, move), displaced(solved.basis, by.expanded(move))) < 1e-12);
+        }
 }
 
 TEST_CASE("singular matrices are refused by column; so are short blocks and numbers that are not finite") {

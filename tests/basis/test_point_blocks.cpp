@@ -29,7 +29,7 @@ TEST_CASE("each number is found where its row says, points behind the last one a
             if (n_points > 1000 && numbers > 9) continue;
             std::vector<double> values = rows(n_points, numbers);
             std::vector<double> work(static_cast<std::size_t>(harmorph::RowsToBlocks::work_numbers(numbers)));
-            harmorph::RowsToBlocks{values.data(), n_points, numbers, work.data()}.run({});
+            harmorph::RowsToBlocks{values.data(), n_points, numbers, {work.data(), work.size()}}.run({});
             Index wrong = 0;
             for (Index point = 0; point < harmorph::whole_blocks(n_points); ++point) {
                 harmorph::RowInBlock<double> const row(values.data(), numbers, point);

@@ -80,7 +80,7 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
     CHECK(refused(hm_transfer(solved.basis, work.data(), bytes, solved.analysis, single.basis, &mesh, nullptr, &error), error));
     CHECK(refused(hm_transfer(single.basis, work.data(), bytes, solved.analysis, solved.basis, &mesh, nullptr, &error), error));
 
-    REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe_size(solved.plan, nullptr, &bytes, nullptr) == HM_OK);
     work.resize(bytes);
     Numbers const move = some_move(20, 1e-3, 1);
     Numbers x = its.mesh.x, y = its.mesh.y;

@@ -327,7 +327,7 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     REQUIRE(derivative.analyse(its.problem(), &way.options));
                     REQUIRE(derivative.prepare());
                     std::size_t bytes = 0;
-                    REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+                    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
                     Guarded work(bytes);
                     std::vector<double> const move =
                         similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5}, 0.03);

@@ -99,7 +99,7 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     if (inverted_cells(moved) > 0) CHECK(step.admissible < 1.001);
 
     std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     std::vector<double> reached(move.size());
     hm_safe_options safe{};
@@ -195,7 +195,7 @@ TEST_CASE("a power of two as the unit of length changes no bit of the functions,
                 REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step,
                                            nullptr) == HM_OK);
                 std::size_t bytes = 0;
-                REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+                REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
                 Guarded work(bytes);
                 REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(), points_out(x, y), nullptr, work.data(),
                                       bytes, nullptr, nullptr, nullptr) >= HM_OK);

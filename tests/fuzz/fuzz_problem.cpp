@@ -208,7 +208,7 @@ private:
 
     void safe_morph() {
         std::size_t bytes = 0;
-        hm_status status = hm_morph_safe_size(its_.plan, &bytes, &error_);
+        hm_status status = hm_morph_safe_size(its_.plan, its_.basis, &bytes, &error_);
         expect_told(status, error_);
         if (status < 0) return;
         Numbers x(n_, 7), y(n_, 7), reached(move_.size(), 7);

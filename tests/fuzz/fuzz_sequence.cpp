@@ -87,7 +87,7 @@ private:
                 return hm_admissible_step(basis, &mesh, nullptr, &in, nullptr, &report, &error_);
             }
             case 6: {
-                hm_status const status = hm_morph_safe_size(plan, &bytes, &error_);
+                hm_status const status = hm_morph_safe_size(plan, basis, &bytes, &error_);
                 if (status < 0) return status;
                 Block const work(bytes, 0, 0x7F);
                 hm_safe_options options{};

@@ -1,6 +1,7 @@
 // Functions by table: solved as hm_displace solves, used as any function.
 #include <doctest/doctest.h>
 
+#include <fixtures/derived.hpp>
 #include <fixtures/displaced.hpp>
 #include <fixtures/half_ring.hpp>
 #include <fixtures/single.hpp>
@@ -26,51 +27,6 @@ Case curve_and_table() {
     its.conditions.pop_back();
     its.conditions.push_back(given_marker(second_body));
     return its;
-}
-
-class Tabulated {
-public:
-    hm_basis* basis = nullptr;
-    hm_status status = HM_OK;
-    hm_error error{};
-
-    // modes: one field for each, at the given points in the library's order or in that of a list.
-    Tabulated(hm_plan* plan, const hm_basis* from, std::vector<Field> const& modes, std::int32_t numbers,
-              std::vector<std::int32_t> const* list = nullptr, std::size_t less = 0) {
-        std::size_t bytes = 0, work_bytes = 0;
-        auto const n_modes = static_cast<std::int32_t>(modes.size());
-        status = hm_tabulate_size(plan, from, n_modes, numbers, &bytes, &work_bytes, &error);
-        if (status < 0) return;
-        Numbers table;
-        for (Field const& mode : modes)
-            for (auto const& value : mode) {
-                table.push_back(value.real());
-                if (numbers == 2) table.push_back(value.imag());
-            }
-        block_ = std::make_unique<Guarded>(bytes - less);
-        Guarded work(work_bytes);
-        hm_solve_report report{};
-        report.struct_size = sizeof report;
-        status = hm_tabulate(&basis, block_->data(), bytes - less, plan, from,
-                             static_cast<std::int32_t>(modes[0].size()),
-                             list != nullptr ? list->data() : nullptr, n_modes, numbers, table.data(), work.data(),
-                                 work_bytes,
-                             &report, &error);
-        CHECK(block_->guards_intact());
-        CHECK(work.guards_intact());
-        if (status >= 0) CHECK(report.functions == n_modes);
-    }
-
-private:
-    std::unique_ptr<Guarded> block_;
-};
-
-std::vector<std::int32_t> given_points(const hm_plan* plan) {
-    std::int32_t n = 0;
-    hm_given_points(plan, nullptr, 0, &n, nullptr);
-    std::vector<std::int32_t> out(static_cast<std::size_t>(n));
-    REQUIRE(hm_given_points(plan, out.data(), n, &n, nullptr) == HM_OK);
-    return out;
 }
 
 }  // namespace
@@ -186,9 +142,101 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
                 Rows const rows(tabulated.basis, points);
                 REQUIRE(rows.status == HM_OK);
                 CHECK(displaced(rows.basis, move).x[0] == found.x[static_cast<std::size_t>(points[0])]);
-                hm_error refusal{};
-                CHECK(hm_plan_solve(solved.plan, tabulated.basis, nullptr, &refusal) == HM_UNSUPPORTED);
+
+                // Solved again on a moved mesh: as displaced there, and the wall as before.
+                Numbers part = move;
+                for (double& number : part) number *= 0.1;
+                Moved const elsewhere = morphed(tabulated.basis, its->mesh, part);
+                REQUIRE(hm_plan_factor(solved.plan, points_in(elsewhere.x, elsewhere.y), nullptr) == HM_OK);
+                hm_solve_report report{};
+                report.struct_size = sizeof report;
+                REQUIRE(hm_plan_solve(solved.plan, tabulated.basis, &report, nullptr) == HM_OK);
+                CHECK(report.functions == info.functions);
+                CHECK(report.residual < 1e-12);
+                CHECK(report.boundary_error_point == -1);
+                Moved const again = displaced(tabulated.basis, move);
+                REQUIRE(hm_displace(solved.plan, static_cast<std::int32_t>(points.size()), nullptr, 1, &from, nullptr,
+                                    &to, work.data(), bytes, nullptr, nullptr) == HM_OK);
+                for (std::size_t k = 0; k < again.x.size(); ++k) {
+                    CHECK(std::fabs(again.x[k] - expected.x[k]) < 1e-14);
+                    CHECK(std::fabs(again.y[k] - expected.y[k]) < 1e-14);
+                }
+                for (std::int32_t const point : points) {
+                    auto const at = static_cast<std::size_t>(point);
+                    CHECK(again.x[at] == found.x[at]);
+                    CHECK(again.y[at] == found.y[at]);
+                }
             }
+}
+
+TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
+    Case its = curve_and_table();
+    Solved const solved(its);
+    std::size_t const n = given_points(solved.plan).size();
+    Tabulated const tabulated(solved.plan, solved.basis, {some_field(n, 5, 0.02), some_field(n, 6, 0.02)}, 2);
+    REQUIRE(tabulated.status == HM_OK);
+    Numbers const move = some_move(info_of(tabulated.basis).functions, 0.1, 7);
+    Moved const before = displaced(tabulated.basis, move);
+    struct Stop {
+        std::int32_t phase;
+        static std::int32_t at(void* user, std::int32_t phase, double) { return phase == static_cast<Stop*>(user)->phase; }
+    } stop{HM_PHASE_SOLVE};
+    hm_options options = laplace();
+    options.progress = Stop::at;
+    options.progress_user = &stop;
+    Attempt second;
+    REQUIRE(second.analyse(its.problem(), &options));
+    REQUIRE(second.prepare());
+    REQUIRE(hm_plan_factor(second.plan, nullptr, nullptr) == HM_OK);
+    for (std::int32_t const phase : {HM_PHASE_SOLVE, HM_PHASE_RESIDUAL}) {
+        stop.phase = phase;
+        REQUIRE(hm_plan_solve(second.plan, tabulated.basis, nullptr, nullptr) == HM_CANCELLED);
+        CHECK(info_of(tabulated.basis).solved == 0);
+    }
+    stop.phase = -1;
+    REQUIRE(hm_plan_solve(second.plan, tabulated.basis, nullptr, nullptr) == HM_OK);
+    Moved const after = displaced(tabulated.basis, move);
+    for (std::size_t k = 0; k < before.x.size(); ++k) {
+        CHECK(std::fabs(after.x[k] - before.x[k]) < 1e-14);
+        CHECK(std::fabs(after.y[k] - before.y[k]) < 1e-14);
+    }
+}
+
+TEST_CASE("modes on top of combined functions and of other modes; too many are not solved again") {
+    Case its = curve_and_table();
+    Solved const solved(its);
+    std::size_t const n = given_points(solved.plan).size();
+    std::int32_t const controls = info_of(solved.basis).control_points;
+    Combination const matrix(controls, 2, 1, 2);
+    Combined const combined(solved.basis, matrix);
+    Tabulated const one(solved.plan, combined.basis, {some_field(n, 5, 0.02)}, 2);
+    REQUIRE_MESSAGE(one.status == HM_OK, one.error.text);
+    Tabulated const two(solved.plan, one.basis, {some_field(n, 6, 0.02)}, 2);
+    REQUIRE_MESSAGE(two.status == HM_OK, two.error.text);
+    CHECK(info_of(two.basis).combined == 2);
+    CHECK(info_of(two.basis).modes == 2);
+    Numbers const few = {0.1, -0.2, 0.05, 0.1, 0, 0, 0, 0};
+    Moved const found = displaced(two.basis, few), expected = displaced(combined.basis, {few.begin(), few.begin() + 4});
+    CHECK(found.x == expected.x);
+    CHECK(found.y == expected.y);
+    std::vector<double> control(2 * static_cast<std::size_t>(controls));   // the matrix is still there
+    std::vector<hm_curve> curve(2);
+    for (hm_curve& one_curve : curve) one_curve.struct_size = sizeof one_curve;
+    hm_curves curves{};
+    curves.struct_size = sizeof curves;
+    REQUIRE(hm_moved_curves(two.basis, few.data(), control.data(), &curves, curve.data(), 2, nullptr) == HM_OK);
+    Numbers const by = matrix.expanded({few.begin(), few.begin() + 4});
+    for (std::size_t i = 0; i < control.size(); ++i)
+        CHECK(control[i] - its.curves.control[i] == doctest::Approx(by[i]).epsilon(1e-12));
+
+    std::vector<Field> many;
+    for (unsigned k = 0; k < 600; ++k) many.push_back(some_field(n, k, 0.02));
+    Tabulated const large(solved.plan, solved.basis, many, 2);
+    REQUIRE(large.status == HM_OK);
+    hm_error error{};
+    CHECK(hm_plan_solve(solved.plan, large.basis, nullptr, &error) == HM_UNSUPPORTED);
+    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") != std::string::npos, error.text);
+    CHECK(info_of(large.basis).solved == 1);
 }
 
 TEST_CASE("modes stay behind combined functions") {

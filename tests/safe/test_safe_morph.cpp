@@ -417,7 +417,7 @@ TEST_CASE("functions on the way that miss the tolerance are a warning: the mesh 
     Attempt const attempt(its.problem(), &options);
     REQUIRE(attempt.status == HM_NOT_CONVERGED);
     std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(attempt.plan, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe_size(attempt.plan, attempt.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     hm_safe_report report{};
     report.struct_size = sizeof report;
@@ -635,7 +635,7 @@ TEST_CASE("the same bits for any number of threads, in place, and on another arr
     hm_problem const problem = own.problem(view);
     Solved const solved(problem, &options);
     std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(own.mesh.x, own.mesh.y), nullptr,
                           work.data(), bytes, nullptr, nullptr, nullptr) == HM_OK);
@@ -650,7 +650,7 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     auto const refused = [&](hm_plan* plan, const hm_basis* basis, std::vector<double> const& by,
                              hm_basis* derivative = nullptr) {
         std::size_t bytes = 0;
-        REQUIRE(hm_morph_safe_size(plan, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_morph_safe_size(plan, nullptr, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         std::vector<double> x = its.mesh.x, y = its.mesh.y;
         hm_status const status = hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,

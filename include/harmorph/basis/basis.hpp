@@ -23,6 +23,8 @@ struct BasisCounts {
     // These, two of each rigid body: its translation, and its turn; and modes.
     Index functions() const noexcept { return shapes() + 2 * bodies + modes; }
     bool complete() const noexcept { return stored == functions(); }
+    // Combined functions or modes are among them: the values on the wall are known from these values alone.
+    bool derived() const noexcept { return combination != 0 || modes != 0; }
     // The same basis, with n functions from the first one on.
     BasisCounts share(Index first, Index n) const noexcept {
         BasisCounts part = *this;
@@ -114,15 +116,16 @@ struct Basis {
     void column(Index number, Real* out) const noexcept;
     // Refuses single storage: for calls that write values or compute others from them.
     Status require_double(Fault& fault) const noexcept;
-    // Refuses combined functions and modes: for calls that solve.
+    // Refuses combined functions and modes: for calls that evaluate boundary functions anew.
     Status require_control_points(Fault& fault) const noexcept;
     Curve curve(Index number) const noexcept;
     bool is_on_curve(Index slot) const noexcept { return wall_curve[slot] < header->counts.curves; }
-    // Its displacement is given from call to call: no function moves it.
+    // Its displacement is given from call to call: only modes move it.
     bool is_given(Index slot) const noexcept { return wall_curve[slot] == header->counts.curves + header->counts.bodies; }
     // Complex; only where functions are combined.
     Vec2 combination_at(Index control_point, Index variable) const noexcept;
-    // Of movements of functions, [2 * functions] x,y pairs: of a control point, and of a point of the wall.
+    // Of movements of functions, [2 * functions] x,y pairs: of a control point, and of a point of the wall; in double
+    // precision only where modes move the point.
     Vec2 control_move(Index control_point, const Real* move) const noexcept;
     Vec2 wall_move(Index slot, const Real* move) const noexcept;
     // The boundary functions at a point of the wall: evaluated from the parameter, or the movements of the rigid body.

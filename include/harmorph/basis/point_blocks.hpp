@@ -9,6 +9,7 @@
 #pragma once
 
 #include "harmorph/base/executor.hpp"
+#include "harmorph/base/span.hpp"
 #include "harmorph/base/types.hpp"
 
 namespace harmorph {
@@ -43,12 +44,18 @@ struct RowsToBlocks {
     static constexpr Index most_tasks = 8;
     static constexpr Offset work_numbers(Offset numbers) noexcept { return most_tasks * block_points * numbers; }
 
-    Real* values;    // [whole_blocks(n_points) x numbers]
-    Index n_points;  // numbers behind the last point are overwritten with 0
-    Index numbers;   // of a point
-    Real* work;      // [work_numbers(numbers)]
+    Real* values;     // [whole_blocks(n_points) x numbers]
+    Index n_points;   // numbers behind the last point are overwritten with 0
+    Index numbers;    // of a point
+    Span<Real> work;  // [work_numbers(numbers)], or a part of that: at least block_points * numbers
 
     void run(Executor const& executor) const noexcept;
+    // Blocks become rows again. What lies behind the last row is not defined.
+    void undo(Executor const& executor) const noexcept;
+
+private:
+    template <class Move>
+    void for_each_block(Executor const& executor, Move const& move) const noexcept;
 };
 
 }  // namespace harmorph

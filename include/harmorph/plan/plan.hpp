@@ -9,6 +9,9 @@
 namespace harmorph {
 
 struct Plan {
+    // Numbers of modes at a point, beside those of the functions, that solve() has memory for.
+    static constexpr Index most_mode_numbers = 1024;
+
     Mesh mesh;
     Equations equations;
     AnyEngine engine;
@@ -31,10 +34,12 @@ struct Plan {
 
     // On Status::bad_mesh (an inverted cell of moved coordinates), not_positive or cancelled there is no factor.
     Status factor(Points points, Fault& fault) noexcept;
+    // Of combined functions and modes, which are solved already, the values on the wall stay, and those inside are solved
+    // for again.
     Status solve(Basis const& basis, SolveReport& report, Fault& fault) noexcept;
     // cell_of [n_points]: merged cell of each point on a level of agglomeration, or none where it has no unknown.
     Status level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault& fault) const noexcept;
-    // Refuses a basis that was made of a different analysis; an equal one is accepted.
+    // Refuses a basis that was made of a different analysis; an equal one is accepted, and what was derived from one.
     Status check_fit(Basis const& basis, Fault& fault) const noexcept;
 
     // The dof of a slipping point is a movement along the tangent. turn_slipping_points() makes of it movements along x and
@@ -43,8 +48,12 @@ struct Plan {
     void turn_slipping_points_back(DofValues const& values) const noexcept;
     // The point of the wall or of an unknown that has the values of this one, or none where they are 0.
     Index same_point(Index point) const noexcept;
+    // The place of a point among the given ones (GivenWall::point), or none.
+    Index given_index(Index point) const noexcept;
 
 private:
+    Status solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept;
+    void clear_all_but_wall(DofValues const& dofs) const noexcept;
     template <class Turn>
     void for_each_slipping(DofValues const& values, Turn const& turn) const noexcept;
 };

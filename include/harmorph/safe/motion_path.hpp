@@ -11,10 +11,16 @@ Vec2 complex_power(Vec2 r, Real t) noexcept;
 // Control points that curves connect turn and scale together: the similarity z -> c + d + r (z - c) that fits their movement
 // best is gone through along r^t, and what is left of the movement grows linearly in the turning frame:
 //     P_i(t) = c + t d + r^t (P_i - c + t D_i),   D_i = (P_i + dP_i - c - d) / r - (P_i - c).
-// A rotation is then a rotation all the way, where a straight line would shrink the body. Rigid bodies likewise. Two things
-// go straight, r = 1: whatever has functions with real values, which cannot turn anything; and walls that end on another
-// boundary, which stay on it, or where it holds them, only on a straight line. All curves round one body turn as one.
+// A rotation is then a rotation all the way, where a straight line would shrink the body. Rigid bodies likewise. Three things
+// go straight, r = 1: whatever has functions with real values, which cannot turn anything; walls that end on another
+// boundary, which stay on it, or where it holds them, only on a straight line; combined functions and modes, which do not
+// know how to turn, unless a mode has a ModeWay. All curves round one body turn as one.
 struct MovementPath {
+    // The amplitude of a mode is r^t (start + t drift) - start, with the drift that leads to its target.
+    struct ModeWay {
+        Vec2 start, ratio;
+    };
+
     struct Group {
         Vec2 centre, shift, ratio;  // c, d, r
         Index members = 0;
@@ -27,6 +33,7 @@ struct MovementPath {
     Span<Group> groups;       // [functions] at most
     Span<Vec2> start, drift;  // [functions] P_i - c and D_i; of a rigid body's turn 1 and 0; what goes straight: P_i and dP_i
     Span<Real> target;        // [2 * functions] dP
+    Span<const ModeWay> mode_ways;  // [modes], or empty: all modes go straight
 
     Span<Index> slot_of;      // [points] number of a point on a wall that functions move, or none
 
@@ -43,9 +50,10 @@ struct MovementPath {
     Vec2 weight(Index function, Real t) const noexcept;
     // The group whose similarity a point of the wall follows.
     Index group_of_slot(Basis const& basis, Index slot) const noexcept {
-        Index const number = basis.wall_curve[slot], n_curves = basis.header->counts.curves;
-        if (number < n_curves) return group_of[basis.curve(number).control_point(0)];
-        return basis.header->counts.control + 2 * (number - n_curves) + 1;
+        BasisCounts const& counts = basis.header->counts;
+        Index const number = basis.wall_curve[slot];
+        if (number >= counts.curves) return counts.shapes() + 2 * (number - counts.curves) + 1;
+        return counts.combination != 0 ? 0 : group_of[basis.curve(number).control_point(0)];
     }
     Vec2 turn(Index group, Real t) const noexcept { return complex_power(groups[group].ratio, t); }
 
@@ -54,7 +62,10 @@ private:
     void join(Index group, Index other) noexcept;
     void find_anchors(Basis const& basis) noexcept;
     void fit_all(Basis const& basis, bool straight) noexcept;
-    void fit_similarity(Basis const& basis, Index group, bool straight) noexcept;
+    void fit_curves(Basis const& basis, bool straight) noexcept;
+    // One function by itself, from `from` with the similarity z -> ratio z.
+    void set_alone(Index function, Vec2 from, Vec2 ratio, bool anchored) noexcept;
+    void fit_group(Basis const& basis, Index group, bool straight) noexcept;
 };
 
 }  // namespace harmorph

@@ -19,8 +19,14 @@ struct MovingMesh {
     Span<EndOf> ends;                       // [n_points] what is known of where points end
     Span<Index> representative;             // [n_points] of points that a cut joins: the one that stands for all
     Span<std::uint8_t> held;                // [n_points] 1: on the boundary, wherever the step takes it
+    Span<const Vec2> given;                 // [given points] their whole displacement, bit by bit; or empty: as modes say
 
     void lay_out(Arena& arena, BasisCounts const& counts) noexcept;
+    // Before init(): displacements of given points, and the ways of the modes that carry them.
+    void take_given(Span<const Vec2> displacements, Span<const MovementPath::ModeWay> ways) noexcept {
+        given = displacements;
+        path.mode_ways = ways;
+    }
     // The plan's mesh is the start.
     void init(Plan const& plan, Basis const& basis, const Real* move) noexcept;
     // Back to the start.
@@ -31,13 +37,14 @@ struct MovingMesh {
     MutablePoints to_ahead() const noexcept { return {ahead_x.data(), ahead_y.data(), 1}; }
 
     // Looks ahead to a time, by functions that were solved on the mesh as it is now. Returns how much of that displacement
-    // is admissible. Points of walls are where the B-spline, or the rigid body, and what is carried put them from the start,
-    // not from step to step: rounding does not add up.
+    // is admissible. Points of walls are where the B-spline, the rigid body, or the modes, and what is carried put them from
+    // the start, not from step to step: rounding does not add up.
     AdmissibleStep look_ahead(Plan& plan, Basis const& basis, Basis const& by, Real to) noexcept;
     // Goes where it looked.
     void advance() noexcept;
 
 private:
+    Vec2 wall_move(Plan const& plan, Basis const& basis, Index slot) const noexcept;
     // visit(point, start, displacement from there at the time it looks to)
     template <class Visit>
     void for_wall(Plan const& plan, Basis const& basis, Visit const& visit) const noexcept;

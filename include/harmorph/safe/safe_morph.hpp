@@ -17,6 +17,7 @@ struct SafeOptions {
     Index most_resolves = 10;
     std::uint32_t skipped = 0;     // bit k: strategy k is not tried
     Span<const Basis> others;      // solved with other operators or exponents
+    bool solves_others = false;    // instead of `others`: solve with other operators at the start, as far as they are needed
     UntangleOptions untangle;
     ImproveOptions improve;
     Real heights = 0;              // 0..1: how much of the heights near walls is brought back at the end
@@ -29,7 +30,7 @@ struct SafeOptions {
 // Where a strategy led.
 struct Outcome {
     Strategy strategy = Strategy::linear;  // the last one that moved the mesh
-    Index other = none;                    // which of `others`
+    Index other = none;                    // which of `others`; where they are solved for here, the operator
     Index steps = 0;
     Real fraction = 0;                     // of the way to the target
     Real min_quality = 0;                  // relative to the start
@@ -70,12 +71,14 @@ struct SafeMorph {
     WallHeights wall_heights;
     Span<PointKind> kinds;                       // [n_points] what wall_heights must know of them
 
-    void lay_out(Arena& arena, Plan const& plan) noexcept;
+    // For bases with these counts: those of the plan, or of what was derived from its basis.
+    void lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept;
 
     // The plan's mesh is the start; `basis` was solved on it. Points on the wall end where the B-spline, and what is carried of
     // their offsets, put them. Refused at once: a target that is impossible (Status::crossing, see check_target).
     // Status::short_of_target: not all of the way. Status::poor: all of it, but the quality asked for is missed.
-    // derivative: a basis like `basis`, or null; see hm_morph_safe. The plan is left with the factor of the last step.
+    // derivative: a basis like `basis`, or null; see hm_morph_safe. Where functions were solved again, the plan is left
+    // without a factor.
     Status run(Plan& plan, Basis const& basis, const Real* move, SafeOptions const& options, const Basis* derivative,
                SafeReport& report, Fault& fault) noexcept;
     Points result() const noexcept { return {best_x.data(), best_y.data(), 1}; }
@@ -99,6 +102,7 @@ private:
     // substeps.cpp
     struct OperatorChoice;
     struct Operators;
+    Status other_operators(Work& work) noexcept;
     Status substeps(Work& work) noexcept;
     Real find_step(Work& work, Basis const& by) noexcept;
     Basis const& choose_first(Work& work, Real& length) noexcept;
