@@ -160,7 +160,7 @@ demo: all
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph include/harmorph.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
+INSTALLED = bin/harmorph include/harmorph.h include/harmorph_distributed.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
 	include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \

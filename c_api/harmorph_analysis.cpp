@@ -1,82 +1,9 @@
 // The C interface: from a problem to its analysis, and what an analysis says about the mesh.
-#include "handles.hpp"
+#include "request.hpp"
 #include "harmorph/morph/quality.hpp"
 
 namespace harmorph {
 namespace {
-
-// A problem read from the caller's structs, before anything is laid out.
-struct Request {
-    Problem problem;
-    CurvesView curves;
-    Index n_curves = 0;
-    const hm_condition* condition = nullptr;
-    Index n_conditions = 0;
-
-    Status read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
-        HARMORPH_TRY(require({{"problem", given}}, fault));
-        hm_problem p;
-        if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
-        HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
-        HARMORPH_TRY(view_options(options, problem, fault));
-        if (p.curves != nullptr) {
-            HARMORPH_TRY(view_curves(p.curves, curves, fault));
-            n_curves = curves.count();
-        }
-        HARMORPH_TRY(read_conditions(p, fault));
-        if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
-            return fault.refuse(Status::bad_argument, "given parameters: negative number, or an array is NULL");
-        }
-        Size const n = static_cast<Size>(p.n_given);
-        problem.given = {problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
-        return Status::ok;
-    }
-
-    // Without anything that moves nothing is to be solved, and conditions do not count.
-    Status read_conditions(hm_problem const& p, Fault& fault) noexcept {
-        if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
-            return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
-        }
-        for (Index i = 0; i < p.n_conditions; ++i) {
-            Condition added;
-            HARMORPH_TRY(view_condition(p.conditions, i, added, fault));
-            problem.demands.add(added);
-        }
-        if (!problem.demands.any_wall(n_curves)) return Status::ok;
-        if (p.n_conditions == 0) {
-            return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
-        }
-        condition = p.conditions;
-        n_conditions = p.n_conditions;
-        if (problem.demands.slip && problem.method.bounded()) {
-            return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
-        }
-        if (problem.demands.slip && problem.method.nodal_gradients()) {
-            return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
-        }
-        if (problem.demands.given && problem.method.nodal_gradients()) {
-            return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
-        }
-        if (problem.demands.slip && problem.method.engine != Engine::direct) {
-            return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
-        }
-        if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
-        return fault.refuse(Status::unsupported,
-                            "the conformal operator does not go with free boundaries; slipping ones do");
-    }
-
-    void lay_out(Arena& arena, InBlock<Analysis>& analysis) const noexcept {
-        analysis.lay_out(arena, problem, n_curves, n_conditions);
-    }
-
-    Status copy_to(Analysis& analysis, Fault& fault) const noexcept {
-        for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, analysis.curves[i], fault));
-        for (Index i = 0; i < n_conditions; ++i) {
-            HARMORPH_TRY(view_condition(condition, i, analysis.conditions[i], fault));
-        }
-        return Status::ok;
-    }
-};
 
 hm_mesh_report report_of(Analysis const& analysis) noexcept {
     Mesh const& mesh = analysis.problem.mesh;
@@ -137,7 +64,7 @@ hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
         Request request;
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); });
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, request.problem, request.n_curves, request.n_conditions); });
     });
 }
 
@@ -148,8 +75,8 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, co
         HARMORPH_TRY(require({{"analysis", analysis}}, fault));
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); }));
-        HARMORPH_TRY(request.copy_to(made.object, fault));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, request.problem, request.n_curves, request.n_conditions); }));
+        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.conditions, fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));
         made.give(analysis);
         return fault.status;

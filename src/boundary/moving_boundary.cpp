@@ -1,5 +1,7 @@
 #include "harmorph/boundary/moving_boundary.hpp"
 
+#include "harmorph/base/hash.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -258,6 +260,19 @@ void find_offsets(Points points, Span<const Condition> conditions, Span<const Cu
             if (its) wall.offset[slot] = point - condition.centre;
         }
     }
+}
+
+std::uint64_t fingerprint_of(Span<const PointKind> kinds, Wall const& wall) noexcept {
+    Hash hash;
+    for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
+    for (Index slot = 0; slot < wall.count; ++slot) {
+        hash.add(static_cast<std::uint64_t>(wall.point[slot]));
+        hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
+        hash.add(bits_of(wall.u[slot]));
+        hash.add(bits_of(wall.offset[slot].x));
+        hash.add(bits_of(wall.offset[slot].y));
+    }
+    return hash.value();
 }
 
 }  // namespace harmorph

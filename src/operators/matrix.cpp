@@ -48,6 +48,27 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(frame, kind == MatrixKind::coupled_xy ? n_points : 0);
 }
 
+void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
+    auto const shorten = [](auto& array, Offset count) {
+        if (!array.empty()) array = array.first(count);
+    };
+    n = unknowns;
+    shorten(diagonal, n);
+    shorten(row_sum, n);
+    shorten(row_sum_imaginary, n);
+    shorten(start, Offset{n} + 1);
+    shorten(column, sizes.entries + short_row);
+    shorten(value, sizes.entries);
+    shorten(imaginary, sizes.entries);
+    shorten(coupling_start, Offset{components()} * wall_points + 1);
+    shorten(coupling_row, sizes.couplings);
+    shorten(coupling_value, sizes.couplings);
+    shorten(coupling_imaginary, sizes.couplings);
+    shorten(fixed_row, sizes.fixed);
+    shorten(fixed_value, sizes.fixed);
+    shorten(fixed_imaginary, sizes.fixed);
+}
+
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                    Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent) noexcept {
     for (Index point = 0; point < representative.count(); ++point) {

@@ -1,7 +1,6 @@
 #include "harmorph/plan/analysis.hpp"
 
 #include "harmorph/mesh/cell_shape.hpp"
-#include "harmorph/base/hash.hpp"
 
 namespace harmorph {
 
@@ -102,7 +101,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind());
-    conditions_fingerprint = hash_of_conditions();
+    conditions_fingerprint = fingerprint_of(kinds, wall);
     return Status::ok;
 }
 
@@ -165,20 +164,6 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
         for (Index k = 0; k < graph.n; ++k) border.position[order[k]] = k;
     }
     return progress.report(Phase::symbolic, 1, fault);
-}
-
-// Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
-std::uint64_t Analysis::hash_of_conditions() const noexcept {
-    Hash hash;
-    for (PointKind const kind : kinds) hash.add(static_cast<std::uint64_t>(kind));
-    for (Index slot = 0; slot < wall.count; ++slot) {
-        hash.add(static_cast<std::uint64_t>(wall.point[slot]));
-        hash.add(static_cast<std::uint64_t>(wall.curve[slot]));
-        hash.add(bits_of(wall.u[slot]));
-        hash.add(bits_of(wall.offset[slot].x));
-        hash.add(bits_of(wall.offset[slot].y));
-    }
-    return hash.value();
 }
 
 BasisSource Analysis::basis_source() const noexcept {

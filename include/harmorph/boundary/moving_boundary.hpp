@@ -52,4 +52,7 @@ Status parametrise(Topology const& topology, Boundary const& boundary, Span<cons
 void find_offsets(Points points, Span<const Condition> conditions, Span<const Curve> curves, bool offset_correction,
                  Wall& wall) noexcept;
 
+// Kinds of all points, and the parameters of those on curves: what right-hand sides and matrix are made of.
+std::uint64_t fingerprint_of(Span<const PointKind> kinds, Wall const& wall) noexcept;
+
 }  // namespace harmorph

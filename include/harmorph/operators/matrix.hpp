@@ -78,6 +78,8 @@ struct Matrix {
         return {graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind};
     }
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
+    // Shortens arrays that have been laid out for more than these counts.
+    void fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at each position of
     // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,

@@ -73,7 +73,6 @@ struct Analysis {
 
 private:
     MatrixKind matrix_kind() const noexcept;
-    std::uint64_t hash_of_conditions() const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
     Status check_heights(Fault& fault) const noexcept;

@@ -1,0 +1,74 @@
+#include "request.hpp"
+
+namespace harmorph {
+
+Status Request::read(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"problem", given}}, fault));
+    hm_problem p;
+    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
+    HARMORPH_TRY(view_mesh(p.mesh, problem.mesh, fault));
+    return read_rest(p, options, fault);
+}
+
+Status Request::read_without_mesh(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept {
+    HARMORPH_TRY(require({{"problem", given}}, fault));
+    hm_problem p;
+    if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "problem.struct_size is not set");
+    return read_rest(p, options, fault);
+}
+
+Status Request::read_rest(hm_problem const& p, const hm_options* options, CallFault& fault) noexcept {
+    HARMORPH_TRY(view_options(options, problem, fault));
+    if (p.curves != nullptr) {
+        HARMORPH_TRY(view_curves(p.curves, curves, fault));
+        n_curves = curves.count();
+    }
+    HARMORPH_TRY(read_conditions(p, fault));
+    if (p.n_given < 0 || (p.n_given > 0 && (!p.given_points || !p.given_curves || !p.given_u))) {
+        return fault.refuse(Status::bad_argument, "given parameters: negative number, or an array is NULL");
+    }
+    Size const n = static_cast<Size>(p.n_given);
+    problem.given = {problem.mesh.index_base, {p.given_points, n}, {p.given_curves, n}, {p.given_u, n}};
+    return Status::ok;
+}
+
+Status Request::copy_to(Span<Curve> to_curves, Span<Condition> to_conditions, Fault& fault) const noexcept {
+    for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, to_curves[i], fault));
+    for (Index i = 0; i < n_conditions; ++i) HARMORPH_TRY(view_condition(condition, i, to_conditions[i], fault));
+    return Status::ok;
+}
+
+// Without anything that moves nothing is to be solved, and conditions do not count.
+Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
+    if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
+        return fault.refuse(Status::bad_argument, "n_conditions is negative, or conditions is NULL");
+    }
+    for (Index i = 0; i < p.n_conditions; ++i) {
+        Condition added;
+        HARMORPH_TRY(view_condition(p.conditions, i, added, fault));
+        problem.demands.add(added);
+    }
+    if (!problem.demands.any_wall(n_curves)) return Status::ok;
+    if (p.n_conditions == 0) {
+        return fault.refuse(Status::bad_condition, "there are curves, but no condition that puts a marker on one");
+    }
+    condition = p.conditions;
+    n_conditions = p.n_conditions;
+    if (problem.demands.slip && problem.method.bounded()) {
+        return fault.refuse(Status::unsupported, "the bounded scheme does not go with slipping boundaries");
+    }
+    if (problem.demands.slip && problem.method.nodal_gradients()) {
+        return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with slipping boundaries");
+    }
+    if (problem.demands.given && problem.method.nodal_gradients()) {
+        return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
+    }
+    if (problem.demands.slip && problem.method.engine != Engine::direct) {
+        return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
+    }
+    if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
+    return fault.refuse(Status::unsupported,
+                        "the conformal operator does not go with free boundaries; slipping ones do");
+}
+
+}  // namespace harmorph

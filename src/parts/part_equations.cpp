@@ -1,0 +1,200 @@
+#include "harmorph/parts/part_equations.hpp"
+
+#include "harmorph/operators/right_hand_sides.hpp"
+#include "harmorph/operators/stiffness.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index residual_columns = 1;
+
+MatrixKind kind_of(PartProblem const& problem) noexcept {
+    if (problem.demands.slip) return MatrixKind::coupled_xy;
+    return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
+}
+
+}  // namespace
+
+void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& asked, Index n_edges, Index n_curves,
+                            Index n_conditions, Index n_control) noexcept {
+    part = of;
+    problem = asked;
+    Mesh const& own = of.own();
+    Index const n_points = own.n_points, n_shared = 2 * n_edges, components = asked.method.components(asked.demands);
+    Index const most_wall = smaller(n_points, n_shared), most_unknowns = components * n_points;
+    Index const squared = components * components;
+    Matrix::Sizes most;
+    most.entries = of.pairs * squared;
+    most.couplings = most.fixed = static_cast<Index>(of.border_pairs * squared);
+    most.kind = kind_of(asked);
+
+    shared.lay_out(arena, n_edges, asked, n_curves, n_conditions);
+    arena.take(topology.representative, n_points);
+    arena.take(no_loops.loop_start, 1);
+    arena.take(kinds, n_points);
+    arena.take(tangent, components == 2 ? n_points : 0);
+    arena.take(wall.point, most_wall);
+    arena.take(wall.curve, most_wall);
+    arena.take(wall.u, most_wall);
+    arena.take(wall.offset, most_wall);
+    arena.take(slot, n_points);
+    arena.take(local, n_shared);
+    faces.lay_out(arena, static_cast<Size>(n_edges));
+    arena.take(conductivity, asked.method.quarters > 0 ? own.n_cells : 0);
+    arena.take(name, most_unknowns);
+    arena.take(is_own, most_unknowns);
+    arena.take(dof_of, most_unknowns);
+    matrix.lay_out(arena, n_points, most_unknowns, most_wall, most);
+    Size const mark = arena.mark();
+    graph.lay_out(arena, own, components);
+    arena.take(order, most_unknowns);
+    arena.release(mark);
+    residual.lay_out(arena, most_unknowns, components * most_wall, most.kind, residual_columns);
+    Offset const values = numbers_of(asked.method.value_kind(asked.demands));
+    arena.take(rows_in_work, RowsToBlocks::work_numbers(values * (n_control + 2 * asked.demands.bodies)));
+}
+
+Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
+    if (problem.method.kernel == Kernel::automatic) problem.method.kernel = best_kernel();
+    residual.kernel = problem.method.kernel;
+    HARMORPH_TRY(shared.run(edges, problem, fault));
+    topology.mesh = part.own();
+    topology.edges = part.topology.edges;
+    topology.reversed = part.topology.reversed;
+    no_loops.loop_start[0] = 0;
+    join_points();
+    find_wall();
+    find_unknowns();
+    coordinates = coordinates_fingerprint(part.own().points, part.own().n_points);
+    Fault later;
+    if (failed(assemble(later))) fault = later;
+    return fault.status;
+}
+
+// Kinds of the part's points, and which of them have a common unknown.
+void PartEquations::join_points() noexcept {
+    local = local.first(shared.n_points);
+    fill(local, none);
+    for (Index point = 0; point < part.own().n_points; ++point) {
+        Index const at = shared.find(part.number(point));
+        topology.representative[point] = point;
+        if (at == none) {
+            kinds[point] = part.in_cell[point] != 0 ? PointKind::inside : PointKind::unused;
+            if (!tangent.empty()) tangent[point] = {1, 0};
+            continue;
+        }
+        Index const same = shared.topology.representative[at];
+        bool const is_first = local[same] == none;
+        if (is_first) local[same] = point;
+        topology.representative[point] = local[same];
+        kinds[point] = is_first ? shared.kinds[same] : PointKind::unused;
+        if (!tangent.empty()) tangent[point] = shared.tangent[same];
+    }
+}
+
+// The slots of the shared boundary whose points the part has, in the order of the boundary.
+void PartEquations::find_wall() noexcept {
+    fill(slot, none);
+    wall.count = 0;
+    for (Index k = 0; k < shared.wall.count; ++k) {
+        Index const point = local[shared.topology.representative[shared.wall.point[k]]];
+        if (point == none) continue;
+        slot[point] = wall.count;
+        wall.point[wall.count] = point;
+        wall.curve[wall.count] = shared.wall.curve[k];
+        wall.u[wall.count] = shared.wall.u[k];
+        wall.offset[wall.count++] = shared.wall.offset[k];
+    }
+}
+
+void PartEquations::find_unknowns() noexcept {
+    graph.build(topology, kinds);
+    Index const n = graph.n, components = graph.components;
+    for (Index k = 0; k < n; ++k) order[k] = k;
+    matrix.fit(n, wall.count, Matrix::count(graph, kind_of(problem)));
+    matrix.build(topology.representative, graph, order, order, slot, tangent);
+    name = name.first(n);
+    is_own = is_own.first(n);
+    dof_of = dof_of.first(n);
+    for (Index k = 0; k < n; ++k) {
+        Index const dof = graph.line[k], point = dof / components, at = shared.find(part.number(point));
+        Offset const number = at == none ? part.number(point) : shared.number[shared.topology.representative[at]];
+        dof_of[k] = dof;
+        name[k] = components * number + dof % components;
+        is_own[k] = 0;
+    }
+    for (Index point = 0; point < part.own().n_points; ++point) {
+        if (part.in_cell[point] != 2) continue;
+        for (Index c = 0; c < components; ++c) {
+            Index const row = matrix.row_of[components * point + c];
+            if (row >= 0) is_own[row] = 1;
+        }
+    }
+}
+
+Status PartEquations::assemble(Fault& fault) noexcept {
+    Executor const& executor = problem.executor;
+    Points const points = part.own().points;
+    if (!conductivity.empty()) {
+        faces.kernel = problem.method.kernel;
+        faces.translations = shared.translations;
+        faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
+        faces.build(shared.points());
+        weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);
+    }
+    Index const bad = assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix, executor);
+    if (bad == none) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty", Counts::mesh, bad);
+}
+
+BasisSource PartEquations::basis_source() const noexcept {
+    MeshFingerprint const mesh = fingerprint_of(part.own());
+    return {topology, mesh, fingerprint_of(kinds, wall), problem.method, problem.demands, shared.curves,
+            shared.conditions, no_loops, wall, slot};
+}
+
+void PartEquations::get(DofValues const& values, Index column, Real* numbers) const noexcept {
+    Index const planes = matrix.planes(), plane = values.columns(matrix);
+    for (Index k = 0; k < matrix.n; ++k) {
+        for (Index p = 0; p < planes; ++p) *numbers++ = values.at(k)[p * plane + column];
+    }
+}
+
+void PartEquations::set(DofValues const& values, Index column, const Real* numbers) const noexcept {
+    Index const planes = matrix.planes(), plane = values.columns(matrix);
+    for (Index k = 0; k < matrix.n; ++k) {
+        for (Index p = 0; p < planes; ++p) values.at(k)[p * plane + column] = *numbers++;
+    }
+}
+
+void PartEquations::find_residual(DofValues const& values, Index column, Real* numbers) const noexcept {
+    residual.compute(matrix, values, column, 1);
+    const Real* row = residual.value.data();
+    for (Index k = 0; k < matrix.n * matrix.planes(); ++k, row += residual.width) *numbers++ = *row;
+}
+
+void PartEquations::finish(DofValues const& values) const noexcept {
+    Index const components = matrix.components();
+    for (Index point = 0; components == 2 && point < part.own().n_points; ++point) {
+        bool const slips = matrix.row_of[2 * point] >= 0 && matrix.row_of[2 * point + 1] == none;
+        if (!slips || topology.representative[point] != point) continue;
+        Vec2 const along = matrix.frame[point];
+        Real* const x = values.of_dof(2 * point);
+        Real* const y = values.of_dof(2 * point + 1);
+        for (Index k = 0; k < values.length(); ++k) {
+            y[k] = along.y * x[k];
+            x[k] = along.x * x[k];
+        }
+    }
+    for (Index point = 0; point < part.own().n_points; ++point) values.copy_row(topology.representative[point], point);
+}
+
+void PartEquations::finish(Basis const& basis, Real largest) const noexcept {
+    finish(dofs(basis));
+    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work.data()}.run(problem.executor);
+    basis.header->coordinates = coordinates;
+    basis.header->filled = basis.n_functions();
+    basis.seal(largest);
+}
+
+}  // namespace harmorph

@@ -1,0 +1,288 @@
+// Parts of meshes, cut in any way, together have the equations of the whole mesh and its functions.
+#include "fixtures/parted.hpp"
+
+using namespace fixtures;
+
+namespace {
+
+hm_options with(std::int32_t operator_kind) {
+    hm_options out{};
+    out.struct_size = sizeof out;
+    out.operator_kind = operator_kind;
+    return out;
+}
+
+void check_agreement(Case& its, hm_options const& options, Partition const& partition, bool ghosts,
+                     double within = 1e-11) {
+    Solved const whole(its, &options);
+    Parted parted(cut(its.mesh, partition, ghosts));
+    REQUIRE(parted.match());
+    bool const equated = parted.equate(its.problem(), options);
+    INFO(parted.error.text);
+    REQUIRE(equated);
+    CHECK(parted.size() == static_cast<std::size_t>(whole.report.unknowns * parted.parts[0].info().numbers));
+    parted.solve();
+    CHECK(parted.difference(whole) < within);
+    for (PartOfMesh const& part : parted.parts) CHECK(info_of(part.rows).solved == 1);
+}
+
+// Two ellipses, projected parameters.
+Case airfoils() { return two_body_case(Cells::hybrid, 8, 5); }
+
+} // namespace
+
+TEST_CASE("functions of parts are those of the whole mesh, for each operator and any partition") {
+    Case its = airfoils();
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
+        hm_options const options = with(operator_kind);
+        CAPTURE(operator_kind);
+        check_agreement(its, options, stripes(its.mesh, 1), false);
+        check_agreement(its, options, stripes(its.mesh, 3), false);
+        check_agreement(its, options, at_random(its.mesh, 4), false);
+        check_agreement(its, options, stripes(its.mesh, 2), true);
+    }
+}
+
+TEST_CASE("rigid bodies, sliding and free boundaries, offset correction in parts") {
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        hm_options options = with(operator_kind);
+        CAPTURE(operator_kind);
+        Case rigid = airfoils();
+        rigid.conditions.clear();
+        rigid.put_on_curves(body, 0);
+        rigid.set_rigid(second_body, 0.4, 0.6);
+        check_agreement(rigid, options, stripes(rigid.mesh, 3), true);
+        Case slip = airfoils();
+        slip.set_slip(far_field);
+        check_agreement(slip, options, at_random(slip.mesh, 3), false);
+        check_agreement(slip, options, stripes(slip.mesh, 2), true);
+        if (operator_kind == HM_CONFORMAL) {
+            options.offset_correction = 1;
+            Case its = airfoils();
+            check_agreement(its, options, stripes(its.mesh, 2), false);
+        } else {
+            Case free = airfoils();
+            free.set_free(far_field);
+            check_agreement(free, options, at_random(free.mesh, 3), false);
+        }
+    }
+}
+
+TEST_CASE("periodic pairs whose sides lie in different parts") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+            Case its = cascade(kind);
+            check_agreement(its, with(operator_kind), at_random(its.mesh, 3), false);
+            check_agreement(its, with(operator_kind), stripes(its.mesh, 4), true);
+        }
+    }
+}
+
+TEST_CASE("cuts between and inside parts") {
+    Case its = ring_case(6, 24, 1, 3);
+    its.given_points.clear();
+    its.given_curves.clear();
+    its.given_u.clear();
+    // The points at angle 0 a second time, for the cells behind them: a seam.
+    Mesh& mesh = its.mesh;
+    std::vector<std::int32_t> twin(mesh.x.size(), -1);
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        double y = 0;
+        for (std::int32_t k = mesh.cell_start[cell]; k < mesh.cell_start[cell + 1]; ++k)
+            y += mesh.y[static_cast<std::size_t>(mesh.cells[static_cast<std::size_t>(k)])];
+        for (std::int32_t k = mesh.cell_start[cell]; y < 0 && k < mesh.cell_start[cell + 1]; ++k) {
+            std::int32_t& point = mesh.cells[static_cast<std::size_t>(k)];
+            std::size_t const at = static_cast<std::size_t>(point);
+            if (mesh.x[at] < 0 || std::fabs(mesh.y[at]) > 1e-9) continue;
+            if (twin[at] < 0) {
+                twin[at] = mesh.add_point(mesh.point(point));
+                twin.resize(mesh.x.size(), -1);
+            }
+            point = twin[at];
+        }
+    }
+    for (std::size_t face = 0; face < mesh.face_markers.size(); ++face) {
+        std::size_t const a = static_cast<std::size_t>(mesh.faces[2 * face]),
+                          b = static_cast<std::size_t>(mesh.faces[2 * face + 1]);
+        if (mesh.y[a] + mesh.y[b] >= 0) continue;
+        for (std::size_t const k : {2 * face, 2 * face + 1})
+            if (twin[static_cast<std::size_t>(mesh.faces[k])] >= 0)
+                mesh.faces[k] = twin[static_cast<std::size_t>(mesh.faces[k])];
+    }
+    REQUIRE(mesh.n_points() == ring_case(6, 24, 1, 3).mesh.n_points() + 7);
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        check_agreement(its, with(operator_kind), stripes(mesh, 1), false);
+        check_agreement(its, with(operator_kind), stripes(mesh, 3), true);
+        check_agreement(its, with(operator_kind), at_random(mesh, 4), false);
+    }
+}
+
+TEST_CASE("given displacements in parts") {
+    for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        for (bool const slides : {false, true}) {
+            Case its = given_instead(airfoils());
+            if (slides) its.set_slip(far_field);
+            hm_options const options = with(operator_kind);
+            Displaced whole(its, &options);
+            Field wanted(its.mesh.x.size());
+            for (std::int32_t const point : whole.points)
+                wanted[static_cast<std::size_t>(point)] = {0.01 * std::sin(3.0 * point), 0.02 * std::cos(5.0 * point)};
+            Field const expected = whole.displace(whole.on_wall(wanted));
+            Parted parted(cut(its.mesh, at_random(its.mesh, 3), true));
+            REQUIRE(parted.match());
+            REQUIRE(parted.equate(its.problem(), options));
+            std::vector<Field> const found = parted.displace(wanted);
+            double worst = 0;
+            for (std::size_t p = 0; p < found.size(); ++p)
+                for (std::size_t k = 0; k < found[p].size(); ++k)
+                    worst =
+                        std::max(worst, std::abs(found[p][k] -
+                                                 expected[static_cast<std::size_t>(parted.parts[p].global_point[k])]));
+            CHECK(worst < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("morph, adjoint, step and quality of parts are those of the whole mesh") {
+    Case its = airfoils();
+    hm_options const options = with(HM_CONFORMAL);
+    Solved const whole(its, &options);
+    Parted parted(cut(its.mesh, stripes(its.mesh, 3), true));
+    REQUIRE(parted.match());
+    REQUIRE(parted.equate(its.problem(), options));
+    parted.solve();
+    std::vector<double> const move = some_move(whole.info().control_points, 0.02, 3);
+    std::size_t const n = its.mesh.x.size();
+    std::vector<double> x(n), y(n), gradient(move.size(), 0.0);
+    hm_points_out const all{x.data(), y.data(), 1};
+    REQUIRE(hm_morph(whole.basis, move.data(), nullptr, &all, nullptr, nullptr) == HM_OK);
+    hm_step_report step{};
+    hm_quality_report quality{};
+    step.struct_size = sizeof step;
+    quality.struct_size = sizeof quality;
+    hm_points const moved{x.data(), y.data(), 1};
+    REQUIRE(hm_assess(whole.basis, &its.mesh_view(), nullptr, &moved, nullptr, &step, &quality, nullptr) == HM_OK);
+    double admissible = 1e300, least = 1;
+    std::int32_t cells = 0;
+    for (PartOfMesh& part : parted.parts) {
+        std::size_t const own = part.mesh.x.size();
+        std::vector<double> dx(own), dy(own);
+        hm_points_out const to{dx.data(), dy.data(), 1};
+        REQUIRE(hm_morph(part.rows, move.data(), nullptr, &to, nullptr, nullptr) == HM_OK);
+        double worst = 0;
+        for (std::size_t k = 0; k < own; ++k) {
+            std::size_t const at = static_cast<std::size_t>(part.global_point[k]);
+            worst = std::max({worst, std::fabs(dx[k] - x[at]), std::fabs(dy[k] - y[at])});
+        }
+        CHECK(worst < 1e-13);
+        hm_mesh mesh{};
+        mesh.struct_size = sizeof mesh;
+        const std::int32_t* cell = nullptr;
+        REQUIRE(hm_part_cells(part.part, &mesh, &cell, nullptr) == HM_OK);
+        cells += mesh.n_cells;
+        hm_step_report its_step{};
+        hm_quality_report its_quality{};
+        its_step.struct_size = sizeof its_step;
+        its_quality.struct_size = sizeof its_quality;
+        hm_points const displacement{dx.data(), dy.data(), 1};
+        REQUIRE(hm_assess(part.rows, &mesh, nullptr, &displacement, nullptr, &its_step, &its_quality, nullptr) ==
+                HM_OK);
+        admissible = std::min(admissible, its_step.admissible);
+        least = std::min(least, its_quality.min_quality);
+        CHECK(its_quality.inverted == 0);
+    }
+    CHECK(cells == its.mesh.n_cells());
+    CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-9));
+    CHECK(least == doctest::Approx(quality.min_quality).epsilon(1e-9));
+}
+
+TEST_CASE("parts that do not fit together are refused with the place") {
+    Case its = airfoils();
+    Partition const partition = stripes(its.mesh, 2);
+    auto const refusal = [&](std::function<void(std::vector<PartOfMesh>&)> const& spoil) {
+        std::vector<PartOfMesh> parts = cut(its.mesh, partition, false);
+        spoil(parts);
+        Parted parted(std::move(parts));
+        bool const accepted = parted.match() && parted.equate(its.problem(), with(HM_LAPLACE));
+        CHECK(!accepted);
+        CHECK(parted.status == HM_BAD_MESH);
+        CHECK(parted.error.text[0] != 0);
+        return std::string(parted.error.text);
+    };
+    auto const has = [](std::string const& text, const char* words) {
+        CAPTURE(text);
+        CAPTURE(std::string(words));
+        CHECK(text.find(words) != std::string::npos);
+    };
+    auto const shared_point = [&](std::vector<PartOfMesh> const& parts) {
+        std::set<std::int64_t> const first(parts[0].numbers.begin(), parts[0].numbers.end());
+        for (std::size_t k = 0; k < parts[1].numbers.size(); ++k)
+            if (first.count(parts[1].numbers[k]) > 0) return k;
+        return std::size_t{0};
+    };
+    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
+        "different coordinates");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // two numbers in each other's place
+            std::size_t const at = shared_point(parts);
+            std::swap(parts[1].numbers[at], parts[1].numbers[at == 0 ? 1 : 0]);
+        }),
+        "");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].numbers[0] = parts[1].numbers[1]; }),
+        "same global number");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { parts[0].numbers[3] = -1; }), "not between 0 and 2^61");
+    has(refusal([&](std::vector<PartOfMesh>& parts) {
+            parts[0].mesh.faces.resize(parts[0].mesh.faces.size() - 2);
+            parts[0].mesh.face_markers.pop_back();
+        }),
+        "no marker");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // a cell less: a gap
+            Mesh& mesh = parts[1].mesh;
+            mesh.cells.resize(static_cast<std::size_t>(mesh.cell_start[mesh.cell_start.size() - 2]));
+            mesh.cell_start.pop_back();
+        }),
+        "edge");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // a marker on an edge that has cells on both sides
+            std::set<std::int64_t> const first(parts[0].numbers.begin(), parts[0].numbers.end());
+            Mesh& mesh = parts[1].mesh;
+            for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell)
+                for (std::int32_t k = mesh.cell_start[cell]; k + 1 < mesh.cell_start[cell + 1]; ++k) {
+                    std::int32_t const a = mesh.cells[static_cast<std::size_t>(k)],
+                                       b = mesh.cells[static_cast<std::size_t>(k) + 1];
+                    if (first.count(parts[1].numbers[static_cast<std::size_t>(a)]) == 0) continue;
+                    if (first.count(parts[1].numbers[static_cast<std::size_t>(b)]) == 0) continue;
+                    mesh.add_face(a, b, far_field);
+                    return;
+                }
+        }),
+        "marked");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // a part twice
+            PartOfMesh copy;
+            copy.mesh = parts[0].mesh;
+            copy.numbers = parts[0].numbers;
+            copy.global_point = parts[0].global_point;
+            parts.push_back(std::move(copy));
+        }),
+        "overlap");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // an inverted cell
+            parts[0].mesh.x[static_cast<std::size_t>(parts[0].mesh.cells[0])] += 0.7;
+        }),
+        "cell");
+}
+
+TEST_CASE("the conditions of a whole mesh are refused in parts as well") {
+    Case its = airfoils();
+    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false));
+    REQUIRE(parted.match());
+    its.conditions[0].marker = 77;
+    CHECK(!parted.equate(its.problem(), with(HM_LAPLACE)));
+    CHECK(parted.status == HM_BAD_CONDITION);
+    its.conditions[0].marker = body;
+    hm_options options = with(HM_LAPLACE);
+    options.engine = HM_MULTIGRID;
+    CHECK(!parted.equate(its.problem(), options));
+    CHECK(parted.status == HM_UNSUPPORTED);
+    options = with(HM_LAPLACE);
+    its.give(0, 0.5);
+    CHECK(!parted.equate(its.problem(), options));
+    CHECK(parted.status == HM_UNSUPPORTED);
+}
