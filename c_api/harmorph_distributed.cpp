@@ -176,6 +176,16 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
     });
 }
 
+hm_status hm_part_points(const hm_part* part, uint8_t* role, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Part* of = nullptr;
+        HARMORPH_TRY(open_part(part, of, fault));
+        HARMORPH_TRY(require({{"role", role}}, fault));
+        std::memcpy(role, of->in_cell.data(), of->in_cell.size());
+        return Status::ok;
+    });
+}
+
 hm_status hm_part_edges(const hm_part* part, hm_edge* edges, int32_t capacity, int32_t* n, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Part* of = nullptr;

@@ -52,6 +52,9 @@ HM_API hm_status hm_part_init(hm_part **part, void *block, size_t bytes, const h
  * caller's mesh, or NULL: the same. own->struct_size is set by the caller. */
 HM_API hm_status hm_part_cells(const hm_part *part, hm_mesh *own, const int32_t **cell, hm_error *err);
 
+/* role [n_points]: 2 for points of own cells, 1 for those of ghost cells alone, 0 for points of no cell. */
+HM_API hm_status hm_part_points(const hm_part *part, uint8_t *role, hm_error *err);
+
 typedef struct hm_edge {           /* 56 bytes for ever: no pointers, to be sent as they are */
     int64_t  begin, end;           /* global numbers; the cell is on the left of the way from begin to end */
     double   begin_x, begin_y, end_x, end_y;

@@ -12,7 +12,7 @@
 namespace harmorph {
 
 // Points, unknowns and slots of the wall are those of the part. A point of the boundary that is not in the part is on
-// no wall here. Points that are joined (cuts, periodic pairs) have one unknown, with the name of one point in all parts.
+// no wall here. Points that are joined (cuts, periodic pairs) have one unknown, named after one of them in all parts.
 struct PartEquations {
     Part part;                    // a copy of the views: the caller keeps the part
     PartProblem problem;
