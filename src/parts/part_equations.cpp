@@ -191,7 +191,7 @@ void PartEquations::finish(DofValues const& values) const noexcept {
 
 void PartEquations::finish(Basis const& basis, Real largest) const noexcept {
     finish(dofs(basis));
-    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work.data()}.run(problem.executor);
+    RowsToBlocks{basis.value.data(), basis.n_points(), basis.row_length(), rows_in_work}.run(problem.executor);
     basis.header->coordinates = coordinates;
     basis.header->filled = basis.n_functions();
     basis.seal(largest);
