@@ -7,14 +7,22 @@
 #                         SECONDS=600; see tests/fuzz/run.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make check-link       the library needs nothing but mem*: it links into C programs
-#   make amalgamation     the library as two files that any build system takes: build/amalgamation/harmorph.cpp, harmorph.h
+#   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
+#   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
+#                         the last tagged release, or RELEASE=tarball
+#   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
+#                         TARGETS="s390x musl"; see tests/cross/run.sh
+#   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
 #                         see tests/bench/run.sh
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
-#   make install          headers, library, program, Fortran source, harmorph.pc, CMake config
+#   make manual           build/harmorph.1, the manual page of the program
+#   make dist             build/harmorph-VERSION.tar.gz, the same bytes wherever it is made
+#   make install          headers, library, program, manual page, Fortran source, harmorph.pc, CMake config
+#   make install-shared   the shared library and its symbolic link
 #   make uninstall        takes the same files away
 #   make clean
 #
@@ -23,7 +31,7 @@
 .POSIX:
 .SUFFIXES:
 .PHONY: all rules deform-driver unit fuzzer fuzz test mpi check-link bench bench-mpi deform paper demo install uninstall clean \
-	amalgamation
+	amalgamation cross shared install-shared abi manual dist
 
 BUILD = build
 PREFIX = /usr/local
@@ -45,6 +53,8 @@ LDFLAGS =
 AR = ar
 JOBS = 2
 UNITS = tests/*/test_*.cpp
+TARGETS =
+RELEASE =
 SECONDS = 60
 MPICC = mpicc
 
@@ -126,6 +136,30 @@ mpi: all
 	rm -f $(BUILD)/libharmorph_mpi.a
 	$(AR) rcs $(BUILD)/libharmorph_mpi.a $(BUILD)/objects/harmorph_mpi.o
 
+# The soname changes with HM_ABI only; symbols have the version HARMORPH_ABI.
+ABI = `sed -n 's/^\#define HM_ABI \([0-9]*\).*/\1/p' c_api/harmorph.h`
+VERSION = `sed -n 's/^\#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`
+shared: all
+	@mkdir -p $(BUILD)/shared
+	@printf 'HARMORPH_%s { global: hm_*; local: *; };\n' $(ABI) >$(BUILD)/shared/symbols.map
+	@$(CC) -shared -o $(BUILD)/shared/libharmorph.so.$(ABI) -Wl,-soname,libharmorph.so.$(ABI) -Wl,-z,defs \
+	    -Wl,--version-script=$(BUILD)/shared/symbols.map -Wl,--whole-archive $(LIBRARY) -Wl,--no-whole-archive $(LDFLAGS)
+	@ln -sf libharmorph.so.$(ABI) $(BUILD)/shared/libharmorph.so
+
+abi: all
+	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' sh tests/abi/run.sh $(BUILD)
+
+manual: all
+	@sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $(BUILD)/harmorph.1
+
+dist:
+	@mkdir -p $(BUILD)
+	@sh c_api/dist.sh harmorph-$(VERSION) >$(BUILD)/harmorph-$(VERSION).tar.gz
+	@echo $(BUILD)/harmorph-$(VERSION).tar.gz
+
+cross: all
+	@CC='$(CC)' JOBS='$(JOBS)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
+
 amalgamation:
 	@rm -rf $(BUILD)/amalgamation
 	@mkdir -p $(BUILD)/amalgamation
@@ -160,17 +194,20 @@ demo: all
 	@ls $(BUILD)/demo/*.svg $(BUILD)/demo/*.html
 
 # What lies where after an installation; uninstall takes the same list away.
-INSTALLED = bin/harmorph include/harmorph.h include/harmorph_distributed.h include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
+INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_distributed.h \
+	include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
 	include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
 	share/harmorph/harmorph_mpi.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
 	share/harmorph/naca0012.su2
 
-install: all
+install: manual
 	@to='$(DESTDIR)$(PREFIX)'; set -e; \
 	mkdir -p "$$to/bin" "$$to/include" "$$to/lib/pkgconfig" "$$to/lib/cmake/harmorph"; \
 	cp $(PROGRAM) "$$to/bin/"; \
+	mkdir -p "$$to/share/man/man1"; \
+	cp $(BUILD)/harmorph.1 "$$to/share/man/man1/"; \
 	cp c_api/harmorph*.h "$$to/include/"; \
 	cp $(LIBRARY) "$$to/lib/"; \
 	version=`sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h`; \
@@ -180,6 +217,10 @@ install: all
 	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/examples/read_su2.c c_api/examples/read_su2.h \
 	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
+
+install-shared: shared
+	@mkdir -p '$(DESTDIR)$(PREFIX)/lib'
+	@cp -P $(BUILD)/shared/libharmorph.so* '$(DESTDIR)$(PREFIX)/lib/'
 
 uninstall:
 	@to='$(DESTDIR)$(PREFIX)'; \

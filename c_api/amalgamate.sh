@@ -43,10 +43,14 @@ BEGIN {
     while ((getline line <"c_api/harmorph.h") > 0) if (line ~ /^#define HM_VERSION "/) version = line
     gsub(/^[^"]*"|"[^"]*$/, "", version)
     print "// harmorph " version ", the library in one file: C++17, needs only harmorph.h beside this file. See harmorph.h."
-    print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -ffp-contract=off -fno-math-errno; a program that is"
-    print "// linked by a C compiler also needs -fno-exceptions -fno-rtti."
+    print "// Made by `make amalgamation`. MIT licence. Compile with -O2 -fno-math-errno; where a C"
+    print "// compiler links the program, also with -fno-exceptions -fno-rtti."
     print "#include \"harmorph.h\""
-    print "#if defined(__GNUC__)"
+    print "#if defined(__clang__)"
+    print "#pragma clang fp contract(off)  // compilers agree on bits"
+    print "#pragma clang diagnostic ignored \"-Wshadow\""
+    print "#elif defined(__GNUC__)"
+    print "#pragma GCC optimize (\"fp-contract=off\")"
     print "#pragma GCC diagnostic ignored \"-Wshadow\"  // names of files that know nothing of each other"
     print "#endif"
 }

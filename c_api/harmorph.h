@@ -60,8 +60,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define HM_VERSION "0.1.0"
-#define HM_ABI 3 /* hm_abi_version() returns this value if header and library belong together */
+#define HM_VERSION "0.2.0"
+#define HM_VERSION_MAJOR 0 /* semantic version; before 1.0.0 any minor version may change the interface */
+#define HM_VERSION_MINOR 2
+#define HM_VERSION_PATCH 0
+#define HM_ABI 3 /* hm_abi_version() returns this value if header and library belong together; the number of the shared
+                    library, libharmorph.so.HM_ABI */
 
 #ifdef __cplusplus
 extern "C" {

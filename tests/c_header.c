@@ -32,6 +32,7 @@ static int32_t never_cancel(void *user, int32_t phase, double fraction) {
 }
 
 int main(void) {
+    char version[64];
     hm_error error;
     hm_options options = {sizeof options};
     hm_status status = HM_OK;
@@ -97,7 +98,9 @@ int main(void) {
               && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN, "order of conditions");
     check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS
               && HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED, "order of strategies");
-    check(strlen(HM_VERSION) >= 5 && HM_ABI >= 1, "version");
+    check(HM_ABI >= 1, "number of the binary interface");
+    sprintf(version, "%d.%d.%d", HM_VERSION_MAJOR, HM_VERSION_MINOR, HM_VERSION_PATCH);
+    check(strcmp(version, HM_VERSION) == 0, "version in words and in numbers");
 
     options.progress = never_cancel;
     check(options.progress(options.progress_user, HM_PHASE_SOLVE, 0.5) == 0, "progress callback");

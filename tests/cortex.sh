@@ -1,24 +1,60 @@
 #!/bin/sh
-# The core and the C interface compile for a bare Cortex-M7, where int32_t is long and pointers have 32 bits: without
-# a warning. ARM_CXX says by which compiler.
-: "${ARM_CXX:=arm-none-eabi-g++}"
+# usage: cortex.sh BUILD   (CC from the environment: the compiler of this machine)
+# A bare Cortex-M7, where int32_t is long and pointers have 32 bits: the library compiles without a warning, and a program
+# in 256 KiB of RAM attaches a basis that was solved here, morphs, takes the admissible step and the adjoint, with the
+# same bits as here. ARM_CXX and ARM_EMULATOR say by which compiler and emulator.
+: "${ARM_CXX:=arm-none-eabi-g++}" "${ARM_EMULATOR:=qemu-system-arm}" "${CC:=cc}"
+build=$(cd "$1" && pwd)
+dir=$build/cortex
 passed=0 failed=0
 probe='#include <cstring>
 #include <cstdint>'
 if ! echo "$probe" | $ARM_CXX -x c++ -fsyntax-only - 2>/dev/null; then
     echo "skipped: bare Cortex-M7, as $ARM_CXX is not installed"
-    echo "    (Debian: gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev)"
+    echo "    (Debian: gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev, libnewlib-arm-none-eabi, qemu-system-arm)"
     exit 0
 fi
-for source in src/*/*.cpp c_api/*.cpp; do
-    if said=$($ARM_CXX -std=c++17 -mcpu=cortex-m7 -mthumb -fno-exceptions -fno-rtti -fno-threadsafe-statics \
-        -fsyntax-only -Wall -Wextra -Wconversion -Wshadow -Werror -Iinclude -Isrc -Ic_api "$source" 2>&1); then
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
         passed=$((passed + 1))
     else
         failed=$((failed + 1))
-        echo "$source does not compile for Cortex-M7:"
-        echo "$said" | head -n 5
+        echo "Cortex-M7: $what failed:"
+        head -n 20 "$dir/log" | sed 's/^/    /'
     fi
-done
+}
+processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off -ffunction-sections
+    -fdata-sections"
+strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Ic_api"
+rm -rf "$dir"
+mkdir -p "$dir"
+sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
+check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall \
+    -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
+check "a basis solved here" $CC $strict -O2 -o "$dir/here" tests/cross/morphs.c "$build/libharmorph.a" -lm
+check "saved" "$dir/here" save "$dir/basis"
+check "attached here" "$dir/here" attach "$dir/basis"
+cp "$dir/log" "$dir/expected"
+printf '.section .basis, "a"\n.balign 64\n.global basis_begin, basis_end\nbasis_begin: .incbin "%s"\nbasis_end:\n' "$dir/basis" \
+    >"$dir/basis.S"
+check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api \
+    -c -o "$dir/cortex.o" tests/cross/cortex.c
+check "link" $ARM_CXX $processor -nostdlib -nostartfiles -T tests/cross/cortex.ld -Wl,--gc-sections \
+    -o "$dir/cortex" "$dir/cortex.o" "$dir/basis.S" "$dir/harmorph.o" -lc -lgcc
+if command -v "${ARM_EMULATOR%% *}" >/dev/null; then
+    check "the program runs" timeout 120 $ARM_EMULATOR -M mps2-an500 -display none -monitor none -serial none \
+        -semihosting-config enable=on,target=native -kernel "$dir/cortex"
+    cp "$dir/log" "$dir/said"
+    check "the same bits as here" sh -c 'head -n 1 "$0/said" | cmp - "$0/expected"' "$dir"
+    sed -n 2p "$dir/said"
+else
+    echo "skipped: running on a Cortex-M7, as ${ARM_EMULATOR%% *} is not installed (Debian: qemu-system-arm)"
+fi
+size=${ARM_CXX%g++}size
+if command -v $size >/dev/null; then
+    $size -A "$dir/cortex" | awk '$1 == ".text" { print $2 " bytes of code and constants" } $1 == ".basis" { print $2 " bytes of basis" }'
+fi
 echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
 [ $failed = 0 ]

@@ -41,6 +41,7 @@ END
 for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
+echo ./share/man/man1/harmorph.1 >>"$dir/expected"
 
 cat >"$dir/project/CMakeLists.txt" <<END
 cmake_minimum_required(VERSION 3.16)

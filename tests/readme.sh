@@ -61,6 +61,16 @@ check "from nothing to a running morph in Fortran" path 2 "^0 inverted cells; th
 check "from the command line" path 3 "^inverted cells   0"
 check "from the command line: morphed meshes are valid" sh -c \
     'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
+from_python() {
+    command $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" shared && block python 1 >"$dir/morph.py" &&
+        (cd "$dir/case" && LD_LIBRARY_PATH=$build/shared python3 "$dir/morph.py") >"$dir/out" && cat "$dir/out" &&
+        [ "$(grep -c . "$dir/morph.py")" = 15 ] && awk '/^largest displacement/ { d = $3 } END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
+}
+if command -v python3 >/dev/null && [ "$(uname -s)" = Linux ]; then
+    check "from Python" from_python
+else
+    echo "skipped: the call from Python, which is not installed"
+fi
 check "design variables from the command line" path 4 "^inverted cells   0"
 # The first block, where it lies: packages are there, and the tests are those that run.
 first_lines() {

@@ -50,9 +50,11 @@ strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
 
 step "C++ tests" $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" unit
 step "random problems" sh tests/fuzz/quick.sh "$BUILD"
-stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh; }
+stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh "$BUILD"; }
 step "the library stands alone" stands_alone
 step "one file" sh tests/amalgamation.sh "$BUILD"
+step "binary interface" sh tests/abi/run.sh "$BUILD" quick
+step "distribution" sh tests/dist.sh "$BUILD"
 step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
 step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
 step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c "$BUILD/libharmorph.a" -lm

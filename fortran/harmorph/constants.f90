@@ -2,7 +2,7 @@
 ! ---- The constants of harmorph.h, by the same names ------------------------------------------------------------------
 
 
-    character(len=*), parameter, public :: hm_header_version = "0.1.0"
+    character(len=*), parameter, public :: hm_header_version = "0.2.0"
     integer, parameter, public :: hm_abi = 3
 
     integer, parameter, public :: hm_ok = 0, hm_not_converged = 1, hm_moved = 2, hm_short = 3, &

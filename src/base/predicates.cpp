@@ -1,6 +1,10 @@
 #include "harmorph/base/predicates.hpp"
 
+#include <cfloat>
 #include <climits>
+
+// Errors are bounded for numbers that are rounded once, to 53 bits. The registers of the 8087 hold 64.
+static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1, "on 32-bit x86 compile with -msse2 -mfpmath=sse");
 
 namespace harmorph {
 namespace {

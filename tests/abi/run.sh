@@ -1,0 +1,91 @@
+#!/bin/sh
+# usage: run.sh BUILD [quick]   (MAKE, CC, CXX from the environment; RELEASE: a tarball of `make dist`)
+# The interface that programs are compiled against: calls, structs, constants as tests/abi/interface.txt has them; the
+# shared library exports these calls, all of the version HARMORPH_ABI, and a C program runs with it. Without `quick` also
+# abidiff against the last release: RELEASE, or the last tag v*, of which the tarball is made from git's history.
+: "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${CFLAGS:=-O2}" "${RELEASE=}"
+build=$(cd "$1" && pwd)
+dir=$build/abi
+passed=0 failed=0 skipped=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "binary interface: $what failed:"
+        head -n 40 "$dir/log" | sed 's/^/    /'
+    fi
+}
+rm -rf "$dir"
+mkdir -p "$dir"
+abi=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' c_api/harmorph.h)
+
+same_interface() {
+    sh tests/abi/describe.sh "$build/libharmorph.a" "$dir" >"$dir/interface.txt" &&
+        diff tests/abi/interface.txt "$dir/interface.txt" && return
+    echo "If this change is meant: where a program compiled with the old header would break, raise HM_ABI; then"
+    echo "    sh tests/abi/describe.sh build/libharmorph.a build >tests/abi/interface.txt"
+    return 1
+}
+# Sizes and places are those of 64-bit pointers.
+if [ "$(getconf LONG_BIT)" = 64 ]; then check "calls, structs and constants" same_interface; fi
+
+shared=$build/shared/libharmorph.so.$abi
+exports() { objdump -T "$shared" | awk '$NF ~ /^_?hm_/ { print $(NF - 1), $NF }' | sort; }
+all_versioned() { sed -n "s/^symbol /HARMORPH_$abi /p" tests/abi/interface.txt | sort >"$dir/wanted"; exports | diff "$dir/wanted" -; }
+only_libc() { ! objdump -p "$shared" | awk '$1 == "NEEDED" { print $2 }' | grep -v '^libc\.'; }
+runs_with_it() {
+    $CC -std=c99 $CFLAGS -Ic_api -o "$dir/use" tests/use.c -L"$build/shared" -lharmorph &&
+        objdump -p "$dir/use" | grep "NEEDED.*libharmorph.so.$abi" && LD_LIBRARY_PATH=$build/shared "$dir/use"
+}
+case $(uname -s) in
+Linux)
+    check "make shared" $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" CC="$CC" shared
+    check "the shared library's name" sh -c 'objdump -p "$0" | grep -q "SONAME *libharmorph.so.$1\$"' "$shared" "$abi"
+    check "exported calls and their version" all_versioned
+    check "no library but C's is needed" only_libc
+    check "a C program with the shared library" runs_with_it ;;
+*) skipped=$((skipped + 1)); echo "skipped: the shared library, which is for ELF systems" ;;
+esac
+
+# From the amalgamation with debugging information, of which abidiff reads the types.
+describe() {   # where, which
+    (cd "$1" && $MAKE -s BUILD="$dir/$2" amalgamation) &&
+        $CXX -std=c++17 -O0 -g -fPIC -fvisibility=hidden -fno-exceptions -fno-rtti -shared -o "$dir/$2.so" \
+            "$dir/$2/amalgamation/harmorph.cpp"
+}
+unpack() { mkdir -p "$dir/release" && tar xzf "$1" -C "$dir/release" --strip-components=1; }
+if [ "${2-}" != quick ]; then
+    if [ -z "$RELEASE" ]; then
+        tag=$(git tag --list 'v[0-9]*' --sort=-version:refname 2>/dev/null | head -n 1)
+        if [ -n "$tag" ] && git archive --format=tar.gz --prefix=release/ -o "$dir/release.tar.gz" "$tag"; then
+            RELEASE=$dir/release.tar.gz
+        fi
+    fi
+    if [ -z "$RELEASE" ]; then
+        skipped=$((skipped + 1))
+        echo "skipped: abidiff, as git has no tag v* here, and RELEASE= names no tarball"
+    elif ! command -v abidiff >/dev/null; then
+        skipped=$((skipped + 1))
+        echo "skipped: abidiff, which is not installed (Debian: abigail-tools)"
+    else
+        check "unpacking $RELEASE" unpack "$RELEASE"
+        check "the release" describe "$dir/release" old
+        check "these sources" describe . new
+        old=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' "$dir/release/c_api/harmorph.h")
+        if [ "$old" = "$abi" ]; then
+            # Bit 4 (value 8) of abidiff's exit code: changes that break programs. Added calls are none.
+            check "abidiff: nothing that breaks programs" sh -c '"$@"; [ $(($? & 8)) = 0 ]' sh \
+                abidiff "$dir/old.so" "$dir/new.so"
+        else
+            echo "HM_ABI is $old in the release and $abi here: the interface may change. What has changed:"
+            abidiff "$dir/old.so" "$dir/new.so" | sed -n '1,3p'
+            passed=$((passed + 1))
+        fi
+    fi
+    echo "$skipped skipped"
+fi
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]

@@ -1,0 +1,54 @@
+#!/bin/sh
+# usage: dist.sh BUILD   (MAKE from the environment)
+# The tarball of the sources is the same, byte for byte, when it is made twice and when it is made from itself. The manual
+# page has every command and every option, and groff takes it without a warning.
+: "${MAKE:=make}"
+build=$(cd "$1" && pwd)
+dir=$build/dist-test
+passed=0 failed=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "distribution: $what failed:"
+        head -n 20 "$dir/log" | sed 's/^/    /'
+    fi
+}
+rm -rf "$dir"
+mkdir -p "$dir/first" "$dir/second"
+name=harmorph-$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h)
+if tar --version 2>/dev/null | grep -q GNU; then
+    check "make dist" $MAKE -s BUILD="$dir/first" dist
+    check "make dist, at another time and by another mask of permissions" sh -c 'umask 077; sleep 1; exec "$@"' sh \
+        $MAKE -s BUILD="$dir/second" dist
+    check "the same bytes" cmp "$dir/first/$name.tar.gz" "$dir/second/$name.tar.gz"
+    check "unpacking" tar xzf "$dir/first/$name.tar.gz" -C "$dir"
+    check "make dist in the unpacked tarball" sh -c 'cd "$1" && $2 -s BUILD="$1/build" dist' sh "$dir/$name" "$MAKE"
+    check "the same bytes again" cmp "$dir/first/$name.tar.gz" "$dir/$name/build/$name.tar.gz"
+    check "the rules of the unpacked Makefile" sh -c 'cd "$1" && $2 -s BUILD="$1/build" rules' sh "$dir/$name" "$MAKE"
+else
+    echo "skipped: the tarball, as tar is not GNU's"
+fi
+
+check "make manual" $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" manual
+options_missing() {   # every word that begins an option's line in the help of a command
+    "$build/harmorph" --help | sed -n '/^Commands:/,/^$/s/^  \([a-z]*\) .*/\1/p' | while read -r command; do
+        grep -qx ".SS harmorph $command" "$build/harmorph.1" || echo "$command"
+        "$build/harmorph" "$command" --help | sed -n 's/^  \(-[-a-z]*\).*/\1/p' | while read -r option; do
+            sed 's/\\-/-/g' "$build/harmorph.1" | grep -q "^\.B $option\b" || echo "$command $option"
+        done
+    done
+}
+nothing_missing() { ! options_missing | grep .; }
+check "commands and options in the manual page" nothing_missing
+quietly() { ! "$@" 2>&1 | grep .; }
+if command -v groff >/dev/null; then
+    check "groff's judgement of the manual page" quietly groff -man -ww -z "$build/harmorph.1"
+else
+    echo "skipped: the setting of the manual page, as groff is not installed"
+fi
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]
