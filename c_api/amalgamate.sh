@@ -29,6 +29,7 @@ function put(path,    line, name) {
     while ((getline line <path) > 0) {
         if (line ~ /^#pragma once/) { once[path] = 1; continue }
         if (line ~ /^#define HARMORPH_KERNELS /) { kernels = line; gsub(/^[^"]*"|"[^"]*$/, "", kernels) }
+        if (line ~ /^#include <harmorph\.h>/) continue
         if (line ~ /^#include "/) {
             name = line
             gsub(/^[^"]*"|"[^"]*$/, "", name)

@@ -22,7 +22,7 @@ Index for_block_ranges(Index n_points, Executor const& executor, Body const& bod
 }
 
 // Some numbers of the values: first .. first+width-1.
-struct Part {
+struct FunctionPart {
     Index first, width;
 };
 
@@ -42,7 +42,7 @@ struct Adder {
     Basis const& basis;
     Points by_points;
     BinaryScale::Factor unit;
-    Part part;
+    FunctionPart part;
 
     template <class Number>
     void add(Span<Number> values, Index first_block, Index n_blocks, PerPoint<const Real> by,
@@ -95,7 +95,7 @@ struct Adder {
 struct PartSums {
     FixedSum x[Movements::most], y[Movements::most];
 
-    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, Part numbers,
+    PartSums(ProductKernels const& kernels, Basis const& basis, Points by_points, BinaryScale scale, FunctionPart numbers,
              Executor const& executor) noexcept {
         FixedSums part[most_ranges];
         Adder const adder{kernels, basis, by_points, scale.units().downwards(), numbers};
@@ -138,7 +138,7 @@ ProductKernels const& kernels_for(Basis const& basis, Executor const& executor) 
 template <class Body>
 void for_each_part(Index row_length, Body const& body) noexcept {
     for (Index first = 0; first < row_length; first += Movements::most) {
-        body(Part{first, smaller(Movements::most, row_length - first)});
+        body(FunctionPart{first, smaller(Movements::most, row_length - first)});
     }
 }
 
@@ -170,7 +170,7 @@ void adjoint_sums(Basis const& basis, Points gradient_by_points, BinaryScale sca
     for (Offset k = 0; k < adjoint_sums_count(basis.row_length()); ++k) sums[k] = 0;
     if (!scale.finite()) return;
     ProductKernels const& kernels = kernels_for(basis, executor);
-    for_each_part(basis.row_length(), [&](Part part) {
+    for_each_part(basis.row_length(), [&](FunctionPart part) {
         PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
         for (Index k = 0; k < part.width; ++k) {
             std::int64_t* const to = sums + part.first + k;
@@ -197,7 +197,7 @@ void adjoint_morph(Basis const& basis, Points gradient_by_points, Real* gradient
     if (!scale.finite()) return set_gradient(basis, not_a_number, gradient);
     set_gradient(basis, 0, gradient);
     ProductKernels const& kernels = kernels_for(basis, executor);
-    for_each_part(basis.row_length(), [&](Part part) {
+    for_each_part(basis.row_length(), [&](FunctionPart part) {
         PartSums const of(kernels, basis, gradient_by_points, scale, part, executor);
         for (Index k = 0; k < part.width; ++k) {
             add_to_gradient(basis, part.first + k, scale, of.x[k], of.y[k], gradient);

@@ -7,14 +7,14 @@ namespace {
 
 constexpr Index shown(Offset number) noexcept { return number <= INT32_MAX ? static_cast<Index>(number) : none; }
 
-bool comes_before(OpenEdge const& a, OpenEdge const& b) noexcept {
+bool edge_comes_before(OpenEdge const& a, OpenEdge const& b) noexcept {
     if (a.low() != b.low()) return a.low() < b.low();
     if (a.high() != b.high()) return a.high() < b.high();
     if (a.begin != b.begin) return a.begin < b.begin;
     return a.marker != b.marker ? a.marker < b.marker : a.marked < b.marked;
 }
 
-bool equal(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
+bool same_place(Vec2 a, Vec2 b) noexcept { return a.x == b.x && a.y == b.y; }
 
 Status refuse_position(Offset number, Fault& fault) noexcept {
     return fault.refuse(Status::bad_mesh, "point # (global number) has different coordinates in two parts",
@@ -25,8 +25,8 @@ Status refuse_position(Offset number, Fault& fault) noexcept {
 Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
     bool const opposite = a.begin == b.end;
     Vec2 const begin = opposite ? b.at_end : b.at_begin, end = opposite ? b.at_begin : b.at_end;
-    if (!equal(a.at_begin, begin)) return refuse_position(a.begin, fault);
-    if (!equal(a.at_end, end)) return refuse_position(a.end, fault);
+    if (!same_place(a.at_begin, begin)) return refuse_position(a.begin, fault);
+    if (!same_place(a.at_end, end)) return refuse_position(a.end, fault);
     const char* wrong = nullptr;
     if (!opposite) {
         wrong = "cells of two parts overlap at the edge between points # and @ (global numbers)";
@@ -40,7 +40,7 @@ Status check_pair(OpenEdge const& a, OpenEdge const& b, Fault& fault) noexcept {
 }  // namespace
 
 Status match_edges(Span<OpenEdge> edges, Offset& n, Fault& fault) noexcept {
-    sort(edges, comes_before);
+    sort(edges, edge_comes_before);
     Offset const count = static_cast<Offset>(edges.size());
     n = 0;
     for (Offset k = 0, next; k < count; k = next) {
@@ -95,7 +95,7 @@ void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& pro
 
 Status SharedBoundary::run(Span<const OpenEdge> given, PartProblem const& problem, Fault& fault) noexcept {
     copy(edges, given);
-    sort(edges, comes_before);
+    sort(edges, edge_comes_before);
     HARMORPH_TRY(find_points(fault));
     analyse(problem, fault);
     bool const of_mesh = fault.counts == Counts::mesh, of_both = fault.counts == Counts::mesh_and_marker;
@@ -130,7 +130,7 @@ Status SharedBoundary::find_points(Fault& fault) noexcept {
     fill(seen, Index{0});
     auto const place = [&](Offset named, Vec2 at) {
         Index const point = find(named);
-        if (seen[point] != 0 && !equal(at, {x[point], y[point]})) return refuse_position(named, fault);
+        if (seen[point] != 0 && !same_place(at, {x[point], y[point]})) return refuse_position(named, fault);
         seen[point] = 1;
         x[point] = at.x;
         y[point] = at.y;
@@ -161,7 +161,7 @@ void SharedBoundary::take_edges(Fault& fault) noexcept {
         Ends const p = ends_of(a), q = ends_of(b);
         if (p.low() != q.low()) return p.low() < q.low();
         if (p.high() != q.high()) return p.high() < q.high();
-        return a.marked != b.marked ? a.marked < b.marked : comes_before(a, b);
+        return a.marked != b.marked ? a.marked < b.marked : edge_comes_before(a, b);
     });
     fill(sides.start, Index{0});
     boundary.count = 0;

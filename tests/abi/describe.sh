@@ -1,17 +1,18 @@
 #!/bin/sh
 # usage: describe.sh LIBRARY DIR   (CC from the environment; in the top directory)
-# The binary interface of the C header and the library, as text: exported calls with their declarations, structs with the
-# places and sizes of all fields, constants. The header itself is taken apart: nothing of it can be forgotten here.
+# The binary interface of the C headers and the library, as text: exported calls with their declarations, structs with the
+# places and sizes of all fields, constants. The headers themselves are taken apart: nothing of them can be forgotten here.
 : "${CC:=cc}"
 library=$1 dir=$2
-without_comments() { tr '\n' '~' <c_api/harmorph.h | sed 's|/\*[^*]*\**\([^/*][^*]*\**\)*\*/||g' | tr '~' '\n'; }
-without_comments >"$dir/header"
+headers=$(grep -l '^HM_API' c_api/*.h)
+without_comments() { cat $headers | tr '\n' '~' | sed 's|/\*[^*]*\**\([^/*][^*]*\**\)*\*/||g' | tr '~' '\n'; }
+mkdir -p "$dir" && without_comments >"$dir/header" || exit 1
 nm -g --defined-only "$library" | awk 'NF == 3 && $3 ~ /^_?hm_/ { print "symbol " $3 }' | LC_ALL=C sort
 # One declaration a line, names of arguments as they are.
 sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
     sed -n 's/  */ /g; s/^ *HM_API \(.*\);$/call \1/p' | LC_ALL=C sort
 {
-    echo '#include <harmorph.h>'
+    for header in $headers; do echo "#include <${header#c_api/}>"; done
     echo '#include <stdio.h>'
     echo 'int main(void) {'
     awk '
