@@ -157,7 +157,7 @@ contains
         r = -r * (1 - wall_or_far)
         p = r
         rho = inner(r, r, mine)
-        goal = 1e-24_dp * rho
+        goal = 1e-20_dp * rho
         do step = 1, 20 * 1000
             if (rho <= goal) exit
             call apply(p, q)
