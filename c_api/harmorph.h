@@ -460,16 +460,8 @@ typedef struct hm_condition {
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
     double   x, y;                 /* rigid: the centre of rotation [length] */
-    int32_t  piece;                /* 0: all faces of the marker that no other condition chooses as a piece.
-                                      1: one piece of the marker, the one nearest to (near_x, near_y). Pieces are runs
-                                      of faces of one marker, one after the other along the boundary: each of several
-                                      bodies, or each side of a channel. Not for HM_PERIODIC_PAIR */
-    int32_t  reserved;             /* 0 */
-    double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
 } hm_condition;
-/* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
- * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a piece
- * that two conditions choose, and a condition that other ones leave no piece for. */
+/* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. */
 
 typedef struct hm_problem {
     uint64_t struct_size;
@@ -856,6 +848,8 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
  * together. On a point of several markers the first of these conditions holds: on curve, rigid, given; only in the last
  * case the point belongs to the list. */
 
+/* Of the mesh that the plan was made from. */
+HM_API hm_status hm_plan_points(const hm_plan *plan, int32_t *n_points, int32_t *index_base, hm_error *err);
 /* The wall points with given displacements, in order along the boundary with the mesh on the left. points [capacity];
  * *n: number of points, also if the capacity is too small (HM_BAD_ARGUMENT). */
 HM_API hm_status hm_given_points(const hm_plan *plan, int32_t *points, int32_t capacity, int32_t *n, hm_error *err);

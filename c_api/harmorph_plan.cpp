@@ -99,6 +99,17 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
     });
 }
 
+hm_status hm_plan_points(const hm_plan* plan, int32_t* n_points, int32_t* index_base, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Plan* p = nullptr;
+        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(require({{"n_points", n_points}, {"index_base", index_base}}, fault));
+        *n_points = p->mesh.n_points;
+        *index_base = p->mesh.index_base;
+        return Status::ok;
+    });
+}
+
 hm_status hm_plan_level(const hm_plan* plan, int32_t level, int32_t* cells, int32_t* n_cells, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;

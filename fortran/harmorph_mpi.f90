@@ -8,6 +8,13 @@
 !     call basis%morph(move, x, y)                    the process's points, in the order of the list; no messages
 !     call hm_mpi_adjoint(basis, dj_dx, dj_dy, gradient, comm)
 !
+! Displacements given at wall points; only the process `root` (rank, 0 without) has the mesh and a factored plan, the plans
+! of the others are empty:
+!
+!     call hm_mpi_displacement(plan, wall_points, wall, points, dx, dy, comm)        wall(2,:) of the process's wall points
+!     call hm_mpi_displace(plan, wall_points, wall, points, x, y, comm)              its points, in place
+!     call hm_mpi_displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, comm)   gradient(2,:)
+!
 ! All calls with comm are collective; comm is a type(MPI_Comm), or an integer of `use mpi` and mpif.h. points counts
 ! from 1, in the whole mesh; ghosts are allowed, and have dj_dx = dj_dy = 0. The bits are those of one process.
 module harmorph_mpi
@@ -17,7 +24,8 @@ module harmorph_mpi
     use harmorph
     implicit none
     private
-    public :: hm_mpi_solve, hm_mpi_exchange, hm_mpi_adjoint
+    public :: hm_mpi_solve, hm_mpi_exchange, hm_mpi_adjoint, hm_mpi_displacement, hm_mpi_displace, &
+        hm_mpi_displace_adjoint
 
     interface hm_mpi_solve
         procedure :: solve, solve_i
@@ -27,6 +35,16 @@ module harmorph_mpi
     end interface
     interface hm_mpi_adjoint
         procedure :: adjoint, adjoint_i
+    end interface
+
+    interface hm_mpi_displacement
+        procedure :: displacement, displacement_i
+    end interface
+    interface hm_mpi_displace
+        procedure :: displace, displace_i
+    end interface
+    interface hm_mpi_displace_adjoint
+        procedure :: displace_adjoint, displace_adjoint_i
     end interface
 
     interface
@@ -45,6 +63,30 @@ module harmorph_mpi
             implicit none
             type(c_ptr), value, intent(in) :: rows, gradient, executor
             type(hm_c_points), intent(in) :: dj
+            integer(c_int), value, intent(in) :: comm
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function c_displace(plan, n_wall, wall_points, n_fields, wall, n, points, from, to, root, comm, err) &
+            result(status) bind(c, name="hm_mpi_displace_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error, hm_c_points
+            implicit none
+            type(c_ptr), value, intent(in) :: plan, from                    ! from: null for displacements
+            integer(c_int32_t), value, intent(in) :: n_wall, n_fields, n, root
+            integer(c_int32_t), intent(in) :: wall_points(*), points(*)
+            type(hm_c_points), intent(in) :: wall, to
+            integer(c_int), value, intent(in) :: comm
+            type(hm_c_error), intent(inout) :: err
+            integer(c_int32_t) :: status
+        end function
+        function c_displace_adjoint(plan, n_wall, wall_points, n_fields, dj, n, points, gradient, root, comm, err) &
+            result(status) bind(c, name="hm_mpi_displace_adjoint_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error, hm_c_points
+            implicit none
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), value, intent(in) :: n_wall, n_fields, n, root
+            integer(c_int32_t), intent(in) :: wall_points(*), points(*)
+            type(hm_c_points), intent(in) :: dj, gradient
             integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
@@ -131,6 +173,96 @@ contains
         call hm_finish("hm_mpi_adjoint", status, e, stat, err)
     end subroutine
 
+    ! Displacements, or velocities, dx, dy of the process's points.
+    subroutine displacement(plan, wall_points, wall, points, dx, dy, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :)
+        real(c_double), intent(inout), contiguous, target :: dx(:), dy(:)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call move(plan, wall_points, wall, points, dx, dy, .false., comm, root, "hm_mpi_displacement", stat, err)
+    end subroutine
+
+    ! Moves x, y in place.
+    subroutine displace(plan, wall_points, wall, points, x, y, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :)
+        real(c_double), intent(inout), contiguous, target :: x(:), y(:)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call move(plan, wall_points, wall, points, x, y, .true., comm, root, "hm_mpi_displace", stat, err)
+    end subroutine
+
+    ! What one process has wrong, its wrong lengths too, is refused by all: then n_wall is -1.
+    subroutine move(plan, wall_points, wall, points, x, y, in_place, comm, root, name, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :)
+        real(c_double), intent(inout), contiguous, target :: x(:), y(:)
+        logical, intent(in) :: in_place
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        character(len=*), intent(in) :: name
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(hm_c_points), target :: all
+        type(c_ptr) :: from
+        integer(c_int32_t) :: status, n_wall
+        n_wall = int(size(wall_points), c_int32_t)
+        if (size(wall, 1) /= 2 .or. size(wall, 2) /= n_wall .or. size(x) /= size(points) .or. &
+            size(y) /= size(points)) n_wall = -1
+        all = hm_c_points(c_null_ptr, c_null_ptr, 1_c_int64_t)
+        if (size(x) > 0 .and. size(y) > 0) all = hm_c_points(c_loc(x), c_loc(y), 1_c_int64_t)
+        from = c_null_ptr
+        if (in_place) from = c_loc(all)
+        status = c_displace(plan%address(), n_wall, wall_points, 1_c_int32_t, pairs(wall), int(size(points), c_int32_t), &
+            points, from, all, rank_of(root), int(comm%mpi_val, c_int), e)
+        call hm_finish(name, status, e, stat, err)
+    end subroutine
+
+    subroutine displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: dj_dx(:), dj_dy(:)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(hm_c_error) :: e
+        type(hm_c_points) :: dj
+        integer(c_int32_t) :: status, n_wall
+        n_wall = int(size(wall_points), c_int32_t)
+        if (size(gradient, 1) /= 2 .or. size(gradient, 2) /= n_wall .or. size(dj_dx) /= size(points) .or. &
+            size(dj_dy) /= size(points)) n_wall = -1
+        dj = hm_c_points(c_null_ptr, c_null_ptr, 1_c_int64_t)
+        if (size(dj_dx) > 0 .and. size(dj_dy) > 0) dj = hm_c_points(c_loc(dj_dx), c_loc(dj_dy), 1_c_int64_t)
+        status = c_displace_adjoint(plan%address(), n_wall, wall_points, 1_c_int32_t, dj, int(size(points), c_int32_t), &
+            points, pairs(gradient), rank_of(root), int(comm%mpi_val, c_int), e)
+        call hm_finish("hm_mpi_displace_adjoint", status, e, stat, err)
+    end subroutine
+
+    type(hm_c_points) function pairs(of)
+        real(c_double), intent(in), contiguous, target :: of(:, :)
+        pairs = hm_c_points(c_null_ptr, c_null_ptr, 2_c_int64_t)
+        if (size(of, 1) < 2 .or. size(of, 2) < 1) return
+        pairs%x = c_loc(of(1, 1))
+        pairs%y = c_loc(of(2, 1))
+    end function
+
+    integer(c_int32_t) function rank_of(root)
+        integer, intent(in), optional :: root
+        rank_of = 0
+        if (present(root)) rank_of = int(root, c_int32_t)
+    end function
+
     ! ---- The same with the integers of older interfaces
 
     subroutine solve_i(plan, points, basis, comm, report, stat, err)
@@ -162,5 +294,41 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         call adjoint(basis, dj_dx, dj_dy, gradient, mpi_comm(comm), stat, err)
+    end subroutine
+
+    subroutine displacement_i(plan, wall_points, wall, points, dx, dy, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :)
+        real(c_double), intent(inout), contiguous, target :: dx(:), dy(:)
+        integer, intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call displacement(plan, wall_points, wall, points, dx, dy, mpi_comm(comm), root, stat, err)
+    end subroutine
+
+    subroutine displace_i(plan, wall_points, wall, points, x, y, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :)
+        real(c_double), intent(inout), contiguous, target :: x(:), y(:)
+        integer, intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call displace(plan, wall_points, wall, points, x, y, mpi_comm(comm), root, stat, err)
+    end subroutine
+
+    subroutine displace_adjoint_i(plan, wall_points, dj_dx, dj_dy, points, gradient, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: dj_dx(:), dj_dy(:)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :)
+        integer, intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, mpi_comm(comm), root, stat, err)
     end subroutine
 end module

@@ -181,6 +181,170 @@ static void check_mixture(void) {
     free(rows_block);
 }
 
+/* Displacements of wall points that each process knows a part of: the bits of one process, and the exact transpose. */
+static void check_displacements(int32_t operator_kind) {
+    enum { FIELDS = 3 };
+    problem_case its;
+    solver with;
+    part mine;
+    hm_error error;
+    hm_condition given = {sizeof given};
+    hm_points wall[FIELDS], on_wall[FIELDS], dj[FIELDS], own_dj[FIELDS];
+    hm_points_out to[FIELDS], own_to[FIELDS], all_gradient[FIELDS], gradient[FIELDS];
+    const int root = size - 1;
+    int32_t k, field, n_wall = 0, n_given = 0, wrong = 0;
+    int32_t *all_given, *own_wall;
+    double *own_x, *own_y;
+    size_t bytes;
+    void *work;
+
+    make_case(&its, 65, 25, 8, operator_kind);
+    given.marker = WALL;
+    given.kind = HM_GIVEN;
+    its.problem.curves = NULL;
+    its.problem.conditions = &given;
+    make_solver(&with, &its);   /* of one process: what is expected */
+    mine = make_part(its.n_points);
+    hm_given_points(with.plan, NULL, 0, &n_given, NULL);
+    all_given = room(sizeof *all_given * (size_t)n_given);
+    need(hm_given_points(with.plan, all_given, n_given, &n_given, &error), &error);
+    own_wall = room(sizeof *own_wall * (size_t)mine.n);
+    for (k = 0; k < mine.n; ++k) {   /* ghosts too: in several lists */
+        if (mine.points[k] < 65) own_wall[n_wall++] = mine.points[k];
+    }
+    own_x = room(2 * sizeof *own_x * (size_t)mine.n);
+    own_y = own_x + mine.n;
+    for (field = 0; field < FIELDS; ++field) {
+        double *a = room(2 * sizeof *a * (size_t)n_given), *b = room(2 * sizeof *b * (size_t)mine.n);
+        double *c = room(2 * sizeof *c * (size_t)its.n_points), *d = room(2 * sizeof *d * (size_t)its.n_points);
+        double *e = room(2 * sizeof *e * (size_t)mine.n), *f = room(2 * sizeof *f * (size_t)mine.n);
+        double *g = room(2 * sizeof *g * (size_t)mine.n), *h = room(2 * sizeof *h * (size_t)n_given);
+        for (k = 0; k < n_given; ++k) {
+            a[2 * k] = 0.01 * cos(its.x[all_given[k]] + field);
+            a[2 * k + 1] = 0.01 * sin(3 * its.y[all_given[k]]);
+        }
+        for (k = 0; k < n_wall; ++k) {
+            b[2 * k] = 0.01 * cos(its.x[own_wall[k]] + field);
+            b[2 * k + 1] = 0.01 * sin(3 * its.y[own_wall[k]]);
+        }
+        for (k = 0; k < its.n_points; ++k) {
+            c[2 * k] = sin(1.3 * k + field);
+            c[2 * k + 1] = cos(0.7 * k);
+        }
+        for (k = 0; k < mine.n; ++k) {
+            e[k] = k < mine.n_own ? c[2 * mine.points[k]] : 0;
+            e[mine.n + k] = k < mine.n_own ? c[2 * mine.points[k] + 1] : 0;
+        }
+        wall[field] = (hm_points){a, a + 1, 2};
+        on_wall[field] = (hm_points){b, b + 1, 2};
+        dj[field] = (hm_points){c, c + 1, 2};
+        to[field] = (hm_points_out){d, d + its.n_points, 1};
+        own_dj[field] = (hm_points){e, e + mine.n, 0};
+        own_to[field] = (hm_points_out){f, f + mine.n, 1};
+        gradient[field] = (hm_points_out){g, g + mine.n, 1};
+        all_gradient[field] = (hm_points_out){h, h + 1, 2};
+    }
+    need(hm_displace_size(with.plan, FIELDS, &bytes, &error), &error);
+    work = room(bytes);
+    need(hm_displace(with.plan, n_given, NULL, FIELDS, wall, NULL, to, work, bytes, NULL, &error), &error);
+    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, on_wall, mine.n, mine.points, NULL,
+                         own_to, root, MPI_COMM_WORLD, &error), &error);
+    for (field = 0; field < FIELDS; ++field) {
+        for (k = 0; k < mine.n; ++k) {
+            wrong += memcmp(&own_to[field].x[k], &to[field].x[mine.points[k]], sizeof(double)) != 0;
+            wrong += memcmp(&own_to[field].y[k], &to[field].y[mine.points[k]], sizeof(double)) != 0;
+        }
+    }
+    check(wrong == 0, "displacements as on one process");
+
+    need(hm_displace_adjoint(with.plan, n_given, NULL, FIELDS, dj, all_gradient, work, bytes, NULL, &error), &error);
+    need(hm_mpi_displace_adjoint(rank == root ? with.plan : NULL, n_wall, own_wall, FIELDS, own_dj, mine.n, mine.points,
+                                 gradient, root, MPI_COMM_WORLD, &error), &error);
+    for (field = 0; field < FIELDS; ++field) {
+        double sums[130] = {0}, of_all[130] = {0};
+        double size_of_it = 0;
+        for (k = 0; k < n_wall; ++k) {
+            const int32_t at = own_wall[k] == 64 ? 0 : own_wall[k];   /* the two sides of the cut move together */
+            sums[2 * at] += gradient[field].x[k];
+            sums[2 * at + 1] += gradient[field].y[k];
+        }
+        MPI_Allreduce(sums, of_all, 130, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+        for (k = 0; k < n_given; ++k) {
+            const int32_t at = all_given[k] == 64 ? 0 : all_given[k];
+            size_of_it = fmax(size_of_it, fabs(all_gradient[field].x[2 * k]));
+            of_all[2 * at] -= all_gradient[field].x[2 * k];
+            of_all[2 * at + 1] -= all_gradient[field].y[2 * k];
+        }
+        for (wrong = 0, k = 0; k < 130; ++k) wrong += fabs(of_all[k]) > 0;
+        check(size_of_it > 0.01, "there is a gradient");
+        check(wrong == 0, "gradients of all processes together are those of one process");
+    }
+
+    for (k = 0; k < mine.n; ++k) {   /* in place, with coordinates */
+        own_x[k] = its.x[mine.points[k]];
+        own_y[k] = its.y[mine.points[k]];
+    }
+    to[0] = (hm_points_out){to[0].x, to[0].y, 1};
+    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work, bytes, NULL, &error), &error);
+    need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n, mine.points,
+                         &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, &error),
+         &error);
+    for (wrong = 0, k = 0; k < mine.n; ++k) {
+        wrong += memcmp(&own_x[k], &to[0].x[mine.points[k]], sizeof(double)) != 0;
+        wrong += memcmp(&own_y[k], &to[0].y[mine.points[k]], sizeof(double)) != 0;
+    }
+    check(wrong == 0, "points move as on one process");
+
+    /* Each by name, and by all processes; nothing is written. */
+    {
+        double *const b = (double *)(size_t)on_wall[0].x, before = n_wall > 0 ? b[0] : 0;
+        double *const kept = room(2 * sizeof *kept * (size_t)mine.n);
+        hm_plan *const plan = rank == root ? with.plan : NULL;
+        memcpy(kept, own_x, 2 * sizeof *kept * (size_t)mine.n);
+        #define REFUSED(status, plan, n_wall, list, n_fields, n, points, root) \
+            check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL, &(hm_points_out){own_x, own_y, 1}, \
+                                  root, MPI_COMM_WORLD, &error) == status, "refused: " #status ", " #plan ", " #n_wall)
+        if (rank == 0 && n_wall > 0) b[0] = NAN;
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
+        if (n_wall > 0) b[0] = before;
+        REFUSED(HM_BAD_CONDITION, plan, rank == 0 ? n_wall / 2 : 0, own_wall, 1, mine.n, mine.points, root);
+        check(rank == root ? strstr(error.text, "not in the list") != NULL : strstr(error.text, "that has the plan") != NULL,
+              "a list that leaves points out, and why");
+        REFUSED(HM_BAD_ARGUMENT, NULL, n_wall, own_wall, 1, mine.n, mine.points, root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, rank == 0 ? NULL : own_wall, 1, mine.n, mine.points, root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, rank == 0 ? -1 : mine.n, mine.points, root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 0, mine.n, mine.points, root);
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, size);
+        if (size > 1) REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, rank == 0 ? 2 : 1, mine.n, mine.points, root);
+        own_wall[0] = rank == 0 ? 70 : own_wall[0];
+        REFUSED(HM_BAD_CONDITION, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
+        mine.points[0] = rank == 0 ? its.n_points : mine.points[0];
+        REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
+        check(hm_mpi_displace(plan, n_wall, own_wall, 1, on_wall, rank == 0 ? 0 : mine.n, mine.points,
+                              &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD,
+                              &error) == HM_BAD_ARGUMENT, "a point of the mesh that is in no list");
+        check(memcmp(kept, own_x, 2 * sizeof *kept * (size_t)mine.n) == 0, "nothing is written");
+        free(kept);
+        #undef REFUSED
+    }
+    for (field = 0; field < FIELDS; ++field) {
+        free((void *)(size_t)wall[field].x);
+        free((void *)(size_t)on_wall[field].x);
+        free((void *)(size_t)dj[field].x);
+        free((void *)(size_t)own_dj[field].x);
+        free(to[field].x);
+        free(own_to[field].x);
+        free(gradient[field].x);
+        free(all_gradient[field].x);
+    }
+    free(own_x);
+    free(work);
+    free(all_given);
+    free(own_wall);
+    free(mine.points);
+    free_solver(&with);
+}
+
 int main(int argc, char **argv) {
     int own[2], all[2];
     MPI_Init(&argc, &argv);
@@ -190,6 +354,8 @@ int main(int argc, char **argv) {
     check_operator(HM_CONFORMAL, 9);
     check_operator(HM_LAPLACE, 5); /* not many more than processes */
     check_mixture();
+    check_displacements(HM_LAPLACE);
+    check_displacements(HM_CONFORMAL);
     own[0] = passed;
     own[1] = failed;
     MPI_Reduce(own, all, 2, MPI_INT, MPI_SUM, 0, MPI_COMM_WORLD);

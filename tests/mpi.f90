@@ -45,6 +45,8 @@ program partitions
     call hm_mpi_solve(plan, no_points, mine, mpi_comm_world, stat=stat)
     call check(stat == hm_ok, "processes without points")
 
+    call check_displacements()
+
     counts = [passed, failed]
     call mpi_allreduce(mpi_in_place, counts, 2, mpi_integer, mpi_sum, mpi_comm_world)
     if (rank == 0) print "(i0, a, i0, a)", counts(1), " passed, ", counts(2), " failed"
@@ -87,6 +89,63 @@ contains
         call hm_mpi_adjoint(rows, gx(points), gy(points(2:)), found, mpi_comm_world, stat, err)
         call check(stat == hm_bad_argument, "arrays of the wrong length are refused")
     end subroutine
+
+    ! Only the last process has a plan.
+    subroutine check_displacements()
+        type(hm_plan) :: plan, whole
+        integer, allocatable :: all_wall(:), own_wall(:), own(:)
+        real(dp), allocatable :: wall(:, :), own_field(:, :), dx(:), dy(:), own_dx(:), own_dy(:), gradient(:, :), own_gradient(:, :)
+        real(dp), allocatable, target :: all_x(:), all_y(:)
+        real(dp) :: sums
+        integer :: root, k
+        root = n_processes - 1
+        call whole%analyse(mesh, conditions=[hm_condition(1, hm_given)])
+        call whole%factor()
+        if (rank == root) then
+            call plan%analyse(mesh, conditions=[hm_condition(1, hm_given)])
+            call plan%factor()
+        end if
+        call whole%given_points(all_wall)
+        own = own_points()
+        own_wall = pack(own, own < ni)
+        wall = field_at(all_wall)
+        own_field = field_at(own_wall)
+        allocate(dx(ni * nj), dy(ni * nj), own_dx(size(own)), own_dy(size(own)))
+        call whole%displacement(wall, dx, dy)
+        call hm_mpi_displacement(plan, own_wall, own_field, own, own_dx, own_dy, mpi_comm_world, root)
+        call check(same(own_dx, dx(own)) .and. same(own_dy, dy(own)), "displacements as on one process")
+        call hm_mpi_displacement(plan, own_wall, own_field, own, own_dx, own_dy, mpi_comm_world%mpi_val, root)
+        call check(same(own_dx, dx(own)), "and with a communicator of older interfaces")
+        all_x = reshape(x, [ni * nj])
+        all_y = reshape(y, [ni * nj])
+        own_dx = all_x(own)
+        own_dy = all_y(own)
+        call whole%displace(wall, all_x, all_y)
+        call hm_mpi_displace(plan, own_wall, own_field, own, own_dx, own_dy, mpi_comm_world, root)
+        call check(same(own_dx, all_x(own)) .and. same(own_dy, all_y(own)), "in place as on one process")
+        dx = [(sin(2._dp * k), k = 1, ni * nj)]
+        dy = cos(dx)
+        gradient = wall
+        own_gradient = own_field
+        call whole%displace_adjoint(dx, dy, gradient)
+        call hm_mpi_displace_adjoint(plan, own_wall, dx(own), dy(own), own, own_gradient, mpi_comm_world, root)
+        sums = sum(own_gradient * own_field)
+        call mpi_allreduce(mpi_in_place, sums, 1, mpi_double_precision, mpi_sum, mpi_comm_world)
+        call check(abs(sums - sum(gradient * wall)) < 1e-13_dp * sum(abs(gradient * wall)), "the same work on all processes")
+        call hm_mpi_displacement(plan, own_wall, own_field(:, 2:), own, own_dx, own_dy, mpi_comm_world, root, stat)
+        call check(stat == hm_bad_argument, "fields of the wrong length are refused")
+        call hm_mpi_displacement(whole, own_wall, own_field, own, own_dx, own_dy, mpi_comm_world, root, stat)
+        call check(stat == merge(hm_ok, hm_bad_argument, n_processes == 1), "plans on all processes are refused")
+    end subroutine
+
+    function field_at(list) result(field)
+        integer, intent(in) :: list(:)
+        real(dp) :: field(2, size(list)), all_x(ni * nj), all_y(ni * nj)
+        all_x = reshape(x, [ni * nj])
+        all_y = reshape(y, [ni * nj])
+        field(1, :) = 0.01_dp * sin(all_x(list))
+        field(2, :) = 0.02_dp * cos(2 * all_y(list))
+    end function
 
     pure logical function same(a, b)
         real(dp), intent(in) :: a(:), b(:)

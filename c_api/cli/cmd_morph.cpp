@@ -85,13 +85,9 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
         others.push_back(std::make_unique<Basis>(path, mesh));
         views.push_back(others.back()->get());
     }
-    auto options = sized<hm_safe_options>();
+    hm_safe_options options = safe_options_of(arguments);
     options.n_others = static_cast<std::int32_t>(views.size());
     options.others = views.data();
-    options.heights = arguments.has("--heights") ? 1 : 0;
-    const double quality = arguments.real("--min-quality", .05, 0, 1);
-    options.min_quality = quality > 0 ? quality : -1;
-    if (arguments.has("--max-height-change")) options.max_height_change = arguments.real("--max-height-change", 2, 1.0001, 1e9);
     return Morph(basis, mesh, moves, options, threads);
 }
 
@@ -141,7 +137,8 @@ const Command morph_command = {
     "The morphed mesh keeps the text of its file; only coordinates that changed are new. Beside it, in MESH.curve, is the\n"
     "moved B-spline. With --safe --force the mesh may have moved less than MOVES says, and then not by a fraction of it, as\n"
     "bodies turn on the way: MESH.reached is the file of moves that it has.\n",
-    {{"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
+    std::vector<Option>{
+     {"--move", "MOVES", "movement of the control points (this or --to-airfoil is required)"},
      {"--variables", "MAP", "MOVES has lines \"variable value\" (or \"variable x y\") of the design variables in MAP, a file of\n"
                             "`harmorph variables`; bodies stay"},
      {"--to-airfoil", "DAT", "make this airfoil of the mesh's (.dat in Selig's or Lednicer's order): control points by least\n"
@@ -159,16 +156,11 @@ const Command morph_command = {
      {"--csv", "FILE", "the curves of these pictures as a table: what (curve, control, mesh), curve, number (of the control\n"
                        "point, from 1, or of the mesh point), u (where it has one), x, y, moved_x, moved_y"},
      {"--report", "FILE", "HTML page for any browser: what moved, quality before and after, the worst cells, angles and heights\n"
-                          "along the wall; written even if the morphed mesh is not valid"},
-     {"--safe", nullptr, "reach the target with good cells whatever it takes: other bases, several steps on the mesh as it moves,\n"
-                         "untangling. A body that turns takes along the offsets of its points from the curve"},
-     {"--min-quality", "Q", "for --safe: smallest quality, in parts of the smallest before, 0 to 1 (default 0.05); where it cannot\n"
-                            "be had, the best mesh is written with a warning"},
-     {"--max-height-change", "F", "for --safe: first-layer heights may grow and shrink by this factor at most (default: any)"},
-     {"--strict", nullptr, "for --safe: a mesh poorer than asked for is not written, exit code 1"},
+                          "along the wall; written even if the morphed mesh is not valid"}} +
+    safe_options() +
+    std::vector<Option>{
      {"--other", "BASIS", "for --safe: a basis of the same problem, solved with another operator or exponent\n"
                          "(may be repeated)"},
-     {"--heights", nullptr, "for --safe: bring distances from the wall back to what they were, near it"},
      {"--improve", nullptr, "make the morphed mesh better where it is valid: inner points move to where cells are more like those of\n"
                             "MESH, and the worst ones are raised; the first layer at walls gets its heights and angles back"},
      {"--reached", "MOVES", "for --safe: where to write the movement that the mesh has (default where it falls short of the\n"

@@ -1,7 +1,6 @@
 // What the library finds out about a mesh by itself, without curves.
 #pragma once
 
-#include "geometry.hpp"
 #include "library.hpp"
 
 #include <vector>
@@ -19,8 +18,7 @@ public:
     MeshAnalysis(const MeshAnalysis&) = delete;
 
     hm_mesh_report report() const;
-    // Refuses more than one piece, unless the one nearest to a point is asked for.
-    BoundaryPiece boundary(const std::vector<std::int32_t>& markers, const Point* near = nullptr) const;
+    BoundaryPiece boundary(const std::vector<std::int32_t>& markers) const; // refuses more than one piece
 
 private:
     const Mesh& mesh_;

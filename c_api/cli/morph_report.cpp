@@ -7,15 +7,6 @@
 
 namespace cli {
 
-namespace {
-
-const char* strategy_name(std::int32_t strategy) {
-    static const char* const names[] = {"linear", "other", "substeps", "untangled", "improved"};
-    return names[strategy];
-}
-
-} // namespace
-
 void print_json(const Morph& morph, bool safe, const Companions& written, const std::optional<ToAirfoil>& airfoil) {
     JsonObject object;
     object.add("inverted", morph.quality.inverted);
@@ -24,18 +15,7 @@ void print_json(const Morph& morph, bool safe, const Companions& written, const 
     object.add("min_quality", morph.quality.min_quality).add("mean_quality", morph.quality.mean_quality);
     object.add("morph_seconds", morph.seconds);
     if (safe) {
-        object.add("step_fraction", morph.safe.step_fraction).add("steps", morph.safe.steps);
-        object.add("resolves", morph.safe.resolves).add("strategy", std::string(strategy_name(morph.safe.strategy)));
-        object.add("last_step_admissible", morph.safe.admissible).add("reached_moves", written.reached);
-        object.add("turned_offset", morph.safe.turned_offset).add("start_quality", morph.safe.start_quality);
-        object.add("warning", morph.warning);
-        std::vector<JsonObject> worst(static_cast<std::size_t>(morph.safe.n_worst));
-        for (std::size_t i = 0; i < worst.size(); ++i) {
-            const hm_worst_cell& cell = morph.safe.worst[i];
-            worst[i].add("cell", cell.cell).add("quality", cell.quality).add("start_quality", cell.start_quality);
-            worst[i].add("x", cell.x).add("y", cell.y);
-        }
-        object.add("worst_cells", worst);
+        add_safe(object, morph.safe, morph.warning, &written.reached);
     }
     object.add("moved_curve", written.curve);
     if (airfoil) object.add("airfoil_max_error", airfoil->max_error).add("airfoil_rms_error", airfoil->rms_error);
@@ -50,11 +30,7 @@ void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
 
 void print_for_people(const Morph& morph, bool safe, const Companions& written) {
     const double admissible = safe ? morph.safe.admissible : morph.step.admissible;
-    if (safe) {
-        std::printf("target           %s %% of the way in %s, solved again %d times; strategy: %s\n",
-                    brief(100 * morph.safe.step_fraction).c_str(), plural(morph.safe.steps, "step").c_str(),
-                    morph.safe.resolves, strategy_name(morph.safe.strategy));
-    }
+    if (safe) print_target(morph.safe);
     std::printf("inverted cells   %d\n", morph.quality.inverted);
     const std::string step = std::isinf(admissible) ? "unlimited"
                              : brief(admissible) + (safe ? " of the last step that was tried" : " of this one");
@@ -64,11 +40,7 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
                 brief(morph.boundary_error).c_str());
     std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
                 brief(morph.quality.min_quality).c_str(), brief(morph.quality.mean_quality).c_str());
-    for (std::int32_t i = 0; safe && i < morph.safe.n_worst; ++i) {
-        const hm_worst_cell& cell = morph.safe.worst[i];
-        std::printf("%-16s cell %d at (%s, %s): %s, before %s\n", i == 0 ? "worst cells" : "", cell.cell, brief(cell.x).c_str(),
-                    brief(cell.y).c_str(), brief(cell.quality).c_str(), brief(cell.start_quality).c_str());
-    }
+    if (safe) print_worst_cells(morph.safe);
     std::printf("seconds          %s\n", brief(morph.seconds).c_str());
     if (!written.curve.empty()) std::printf("moved curve      %s\n", written.curve.c_str());
     if (written.reached.empty()) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "morph.hpp"
+#include "safe_way.hpp"
 #include "to_airfoil.hpp"
 
 #include <optional>

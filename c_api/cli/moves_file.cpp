@@ -15,9 +15,9 @@ constexpr double pi = 3.14159265358979323846;
 
 class MovesReader {
 public:
-    MovesReader(const TextFile& file, const Basis& basis, const Mesh& mesh)
-        : basis_(basis), mesh_(mesh), lines_(file, '#'), moves_(2 * static_cast<std::size_t>(basis.functions())),
-          moved_(static_cast<std::size_t>(basis.functions())) {}
+    MovesReader(const TextFile& file, const Movable& movable, const Mesh& mesh)
+        : movable_(movable), mesh_(mesh), lines_(file, '#'), moves_(2 * static_cast<std::size_t>(movable.functions())),
+          moved_(static_cast<std::size_t>(movable.functions())) {}
 
     std::vector<double> read() {
         while (lines_.next()) {
@@ -35,7 +35,7 @@ public:
 private:
     void read_control_point() {
         const auto& words = lines_.words();
-        const std::int32_t n_control = basis_.curves().n_control;
+        const std::int32_t n_control = movable_.n_control;
         std::int32_t index = 0;
         if (words.size() != 3) lines_.expected("index dx dy");
         if (!parse(words[0], index) || index < 1 || index > n_control) {
@@ -63,13 +63,13 @@ private:
 
     void read_mode() {
         const auto& words = lines_.words();
-        const std::int32_t n_modes = basis_.info().modes;
+        const std::int32_t n_modes = movable_.n_modes;
         std::int32_t mode = 0;
         if (words.size() < 3 || words.size() > 4) lines_.expected("mode K amplitude, or mode K amplitude amplitude-y");
         if (!parse(words[1], mode) || mode < 1 || mode > n_modes) {
             lines_.expected("a mode between 1 and " + std::to_string(n_modes), words[1]);
         }
-        const auto function = static_cast<std::size_t>(basis_.functions() - n_modes + mode - 1);
+        const auto function = static_cast<std::size_t>(movable_.functions() - n_modes + mode - 1);
         if (moved_[function]) lines_.fail("mode " + std::to_string(mode) + " is moved a second time");
         moved_[function] = true;
         moves_[2 * function] = number(words[2]);
@@ -77,9 +77,9 @@ private:
     }
 
     std::int32_t function_of(const std::string& tag) const {
-        for (const hm_condition& condition : basis_.conditions()) {
+        for (const hm_condition& condition : movable_.conditions) {
             if (condition.kind == HM_RIGID && mesh_.markers[static_cast<std::size_t>(condition.marker)] == tag) {
-                return basis_.curves().n_control + 2 * condition.body;
+                return movable_.n_control + 2 * condition.body;
             }
         }
         lines_.expected("a marker of a rigid body", tag);
@@ -91,7 +91,7 @@ private:
         return value;
     }
 
-    const Basis& basis_;
+    const Movable& movable_;
     const Mesh& mesh_;
     LineReader lines_;
     std::vector<double> moves_;
@@ -100,10 +100,15 @@ private:
 
 } // namespace
 
-std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
+std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
     const TextFile file(path);
     if (trimmed(file.text()).empty()) file.fail(0, "the file is empty: a file of moves without any says so by a comment, as in `# nothing moves`");
-    return MovesReader(file, basis, mesh).read();
+    return MovesReader(file, movable, mesh).read();
+}
+
+std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh) {
+    const Movable movable = {basis.curves().n_control, basis.info().bodies, basis.info().modes, basis.conditions()};
+    return read_moves(path, movable, mesh);
 }
 
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh) {

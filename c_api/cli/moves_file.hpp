@@ -1,6 +1,5 @@
 // Files of movements: lines "index dx dy", the control point counted from 1, "rigid MARKER dx dy degrees [scale]", and
-// "mode K amplitude [amplitude-y]" for functions by table; points
-// and bodies that are not named stay.
+// "mode K amplitude [amplitude-y]" for functions by table; points and bodies that are not named stay.
 #pragma once
 
 #include "basis_file.hpp"
@@ -12,7 +11,16 @@
 
 namespace cli {
 
-std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh); // pairs [2*functions]
+// What a file may move: control points, bodies of these conditions, modes.
+struct Movable {
+    std::int32_t n_control = 0, n_bodies = 0, n_modes = 0;
+    std::vector<hm_condition> conditions;
+
+    std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
+};
+
+std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh); // pairs [2*functions]
+std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh);
 
 } // namespace cli

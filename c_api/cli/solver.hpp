@@ -27,6 +27,7 @@ public:
 
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }
+    hm_basis* unsolved() { return basis_; } // after prepare()
     const hm_solve_report& report() const { return report_; }
     double found() const { return found_; } // where the last solution has not converged: hm_error.value
     const SolveTimes& times() const { return times_; }

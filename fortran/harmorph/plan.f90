@@ -39,6 +39,7 @@
         generic :: morph_safe => morph_safe_@FORM@
         generic :: improve => improve_@FORM@
 !@end
+        procedure :: address => plan_address
         ! Given displacements
         procedure :: given_points => plan_given_points
         procedure :: displacements => plan_displacements
@@ -66,6 +67,12 @@
     end type
 
 contains
+    ! For C, null before prepare or factor.
+    type(c_ptr) function plan_address(self)
+        class(hm_plan), intent(in) :: self
+        plan_address = self%plan
+    end function
+
     ! ---- Plan: memory
 
     ! Saves memory: after prepare or factor, and basis%init, nobody needs the analysis.

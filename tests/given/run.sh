@@ -1,0 +1,27 @@
+#!/bin/sh
+# usage: run.sh BUILD   Displacements given point by point on the shipped meshes; MESHES: on those too, words FILE:MARKER,
+# or a folder: each SU2 file there, by its first marker that the program can fit a curve to. SEEDS random fields of each kind.
+build=${1:?usage: run.sh BUILD}
+: "${CXX:=c++}" "${CXXFLAGS:=-O2}" "${SEEDS:=2}"
+dir=$build/given
+mkdir -p "$dir"
+words="tests/meshes/naca0012.su2:airfoil tests/meshes/two_bodies.su2:left"
+for word in $MESHES; do
+    if [ ! -d "$word" ]; then words="$words $word"; continue; fi
+    for file in "$word"/*.su2; do
+        for marker in $(tr -d '\r' <"$file" | sed -n 's/^MARKER_TAG= *\([^ ]*\).*/\1/p'); do
+            "$build/harmorph" fit "$file" --marker "$marker" -o "$dir/trial.curve" >/dev/null 2>&1 || continue
+            case $marker in *[Ff]ar*|*[Ii]nlet*|*[Oo]utlet*|*[Ss]ym*) continue ;; esac
+            words="$words $file:$marker"
+            break
+        done
+    done
+done
+for word in $words; do
+    name=$(basename "${word%:*}")
+    "$build/harmorph" fit "${word%:*}" --marker "${word##*:}" -o "$dir/${name%.*}.${word##*:}.curve" >/dev/null || exit
+done
+objects=$(ls "$build"/objects/cli/*.o | grep -v -e cli-main.o -e deform-)
+$CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Ic_api -Ic_api/cli -o "$dir/fields" tests/given/fields.cpp $objects \
+    "$build/libharmorph.a" $LDFLAGS || { echo "0 passed, 1 failed"; exit 1; }
+exec "$dir/fields" "$dir" "$SEEDS" $words
