@@ -6,6 +6,7 @@
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
+#   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2 files
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
 #   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
@@ -16,6 +17,7 @@
 #   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
 #                         see tests/bench/run.sh
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
+#   make bench-petsc      functions by PETSc on parts of the mesh: time, iterations, memory, beside harmorph_mpi
 #   make bench-mpi        solve and morph on 1 and 2 processes
 #   make demo             fits, solves and morphs the shipped airfoil mesh; leaves pictures and a page
 #   make paper            the paper's cases: figures and a table of engines on a page; MESHES=directory: of its SU2 files, too
@@ -30,7 +32,8 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit fuzzer fuzz test mpi check-link bench bench-mpi deform paper demo install uninstall clean \
+.PHONY: all rules deform-driver unit fuzzer fuzz test test-petsc mpi check-link bench bench-mpi \
+	bench-petsc deform paper demo install uninstall clean \
 	amalgamation cross shared install-shared abi manual dist
 
 BUILD = build
@@ -173,6 +176,12 @@ test: all
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
 	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
 
+test-petsc: all
+	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)
+
+bench-petsc: all
+	@BUILD='$(BUILD)' MPICC='$(MPICC)' CFLAGS='$(CFLAGS)' sh tests/bench/petsc.sh
+
 bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
@@ -195,11 +204,11 @@ demo: all
 
 # What lies where after an installation; uninstall takes the same list away.
 INSTALLED = bin/harmorph share/man/man1/harmorph.1 lib/libharmorph.so* include/harmorph.h include/harmorph_distributed.h \
-	include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h \
+	include/harmorph_openmp.h include/harmorph_pthreads.h include/harmorph_mpi.h include/harmorph_petsc.h \
 	include/harmorph_pages.h \
 	lib/libharmorph.a lib/pkgconfig/harmorph.pc \
 	lib/cmake/harmorph/harmorphConfig.cmake lib/cmake/harmorph/harmorphConfigVersion.cmake share/harmorph/*.f90 \
-	share/harmorph/harmorph_mpi.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
+	share/harmorph/harmorph_mpi.c share/harmorph/harmorph_petsc.c share/harmorph/read_su2.c share/harmorph/read_su2.h \
 	share/harmorph/naca0012.su2
 
 install: manual
@@ -214,7 +223,7 @@ install: manual
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/examples/read_su2.c c_api/examples/read_su2.h \
+	cp $(BUILD)/harmorph.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/harmorph_petsc.c c_api/examples/read_su2.c c_api/examples/read_su2.h \
 	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 

@@ -460,8 +460,16 @@ typedef struct hm_condition {
                                       body */
     int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
     double   x, y;                 /* rigid: the centre of rotation [length] */
+    int32_t  piece;                /* 0: all faces of the marker that no other condition chooses as a piece.
+                                      1: one piece of the marker, the one nearest to (near_x, near_y). Pieces are runs
+                                      of faces of one marker, one after the other along the boundary: each of several
+                                      bodies, or each side of a channel. Not for HM_PERIODIC_PAIR */
+    int32_t  reserved;             /* 0 */
+    double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
 } hm_condition;
-/* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. */
+/* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
+ * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a piece
+ * that two conditions choose, and a condition that other ones leave no piece for. */
 
 typedef struct hm_problem {
     uint64_t struct_size;

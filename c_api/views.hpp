@@ -77,7 +77,8 @@ inline hm_curve struct_of(Curve const& curve) noexcept {
 }
 inline hm_condition struct_of(Condition const& condition) noexcept {
     return {sizeof(hm_condition), condition.marker, static_cast<std::int32_t>(condition.kind), condition.first_curve,
-            condition.n_curves, condition.body, condition.partner, condition.centre.x, condition.centre.y};
+            condition.n_curves, condition.body, condition.partner, condition.centre.x, condition.centre.y,
+            condition.piece, 0, condition.near.x, condition.near.y};
 }
 
 constexpr std::ptrdiff_t stride_of(std::int64_t given) noexcept {

@@ -220,6 +220,12 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
         wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
     } else if (c.kind != HM_RIGID && !(c.x == 0 && c.y == 0)) {
         wrong = "condition # (from 0) has x or y, which are of HM_RIGID only, but its kind is @";
+    } else if (c.piece < 0 || c.piece > 1 || c.reserved != 0) {
+        wrong = "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its kind is @";
+    } else if (c.kind == HM_PERIODIC_PAIR && c.piece != 0) {
+        wrong = "condition # (from 0) chooses a piece, which a periodic pair cannot; its kind is @";
+    } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
+        wrong = "condition # (from 0) has near_x or near_y, but chooses no piece; its kind is @";
     } else if (c.kind != HM_PERIODIC_PAIR && c.partner != 0) {
         wrong = "condition # (from 0) has partner, which is of HM_PERIODIC_PAIR only, but its kind is @";
     }
@@ -246,7 +252,13 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
                             Counts::from_zero, number, c.body);
     }
     HARMORPH_TRY(check_fields(c, number, fault));
-    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves, c.body, c.partner, {c.x, c.y}};
+    if (!is_in_range({c.near_x, c.near_y})) {
+        return fault.refuse(Status::bad_condition,
+                            "near_x or near_y of condition # (from 0) is not finite, or larger than 1e100",
+                            Counts::from_zero, number);
+    }
+    out = {c.marker, static_cast<ConditionKind>(c.kind), c.first_curve, c.n_curves, c.body, c.partner, {c.x, c.y},
+           c.piece, 0, {c.near_x, c.near_y}};
     return Status::ok;
 }
 

@@ -20,6 +20,8 @@
 !                                                                by HMGIVE; ICURV and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)            belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                    these two are translates of each other and move alike
+!     CALL HMNEAR (W, X, Y, IERR, MSG)                           the last condition is only of the piece of its marker
+!                                                                that is nearest to X, Y: one of several bodies or sides
 !     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                     before HMSOLV; NAME and values of hm_options:
 !                                                                'OPERATOR' 0 conformal, 1 Laplace, 2 weighted;
 !                                                                'EXPONENT' 4 q of the weight 1/d**q, -1: no weight;
@@ -744,6 +746,22 @@ subroutine hmpair(w, mark, mark2, ierr, msg)
     call open_state(w, its, ierr, msg)
     if (ierr == hm_ok) call put_condition(its, hm_c_condition(marker=mark, kind=hm_periodic_pair, partner=mark2), &
         ierr, msg)
+end subroutine
+
+subroutine hmnear(w, x, y, ierr, msg)
+    use harmorph77_state
+    implicit none
+    real(c_double), intent(in) :: x, y
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(state), pointer :: its
+    call open_state(w, its, ierr, msg)
+    if (ierr == hm_ok .and. its%n_conditions == 0) call complain("HMNEAR: there is no condition yet", ierr, msg)
+    if (ierr /= hm_ok) return
+    its%condition(its%n_conditions)%piece = 1
+    its%condition(its%n_conditions)%near_x = x
+    its%condition(its%n_conditions)%near_y = y
 end subroutine
 
 ! Whether values go together, HMSOLV tells.

@@ -542,6 +542,15 @@ refuses "--periodic without a partner" 2 '--periodic' solve "$box" $on_block --p
 refuses "--periodic with an unknown partner" 2 "'low:nowhere'" solve "$box" $on_block --periodic low:nowhere -o "$tmp/x"
 refuses "--periodic: no translates" 2 'periodic' solve "$tmp/bent.su2" $on_block --periodic low:high -o "$tmp/x"
 
+# Pieces: the lower and the upper side are one marker; only the one near (6, 9) slides.
+sed -e 's/^MARKER_TAG= *high$/MARKER_TAG= low/' "$box" >"$tmp/sides.su2"
+runs "a piece of a marker" 0 solve "$tmp/sides.su2" $on_block --slip low@6:9 -o "$tmp/piece.basis"
+runs "a piece of a marker: morph" 0 morph "$tmp/sides.su2" "$tmp/piece.basis" --move "$tmp/turn40.txt" -o "$tmp/piece.su2"
+check "a piece of a marker: below is fixed" near $(place 5 0 "$tmp/piece.su2") 5 0
+refuses "a piece of a marker, twice" 2 'choose all of' solve "$tmp/sides.su2" $on_block --slip low@6:9,low@6:12 -o "$tmp/x"
+refuses "a piece of an unknown marker" 2 "'top'" solve "$box" $on_block --slip top@6:9 -o "$tmp/x"
+runs "--rigid, a piece" 0 solve "$box" --rigid block@6:4 -o "$tmp/piece.basis"
+
 runs "--rigid" 0 solve "$box" --rigid block -o "$tmp/rigid.basis" --json
 check "--rigid: functions" says '"functions": 2'
 printf '# a body\nrigid block .5 -.25 90 1.25\n' >"$tmp/rigid.txt"
@@ -627,7 +636,7 @@ runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/confo
 check "--safe: a boundary that crosses itself: nothing moved, nothing is off" says '"boundary_error": 0,'
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
 refuses "--safe: out of the domain" 1 'outside the boundary' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe
-turn 150 3.7676 >"$tmp/outside.txt" # so near to the side that no step of several, nor untangling, gets there
+turn 150 3.767949192 >"$tmp/outside.txt" # but for 4e-10 at the side: no step of several, nor untangling, gets there
 refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
     --safe -o "$tmp/outside.su2" --json
 has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality mean_quality \

@@ -32,13 +32,14 @@ cat >"$dir/expected" <<END
 ./include/harmorph_mpi.h
 ./include/harmorph_openmp.h
 ./include/harmorph_pages.h
+./include/harmorph_petsc.h
 ./include/harmorph_pthreads.h
 ./lib/cmake/harmorph/harmorphConfig.cmake
 ./lib/cmake/harmorph/harmorphConfigVersion.cmake
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c read_su2.c read_su2.h naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph_mpi.c harmorph_petsc.c read_su2.c read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 echo ./share/man/man1/harmorph.1 >>"$dir/expected"

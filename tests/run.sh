@@ -61,6 +61,11 @@ step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tes
 step "Fortran" sh tests/fortran.sh "$BUILD"
 step "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
 step "MPI" sh tests/mpi.sh "$BUILD"
+if pkg-config --exists petsc; then
+    step "PETSc" sh tests/petsc.sh "$BUILD"
+else
+    echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"
+fi
 step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
 step "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
 step "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh "$BUILD"

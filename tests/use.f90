@@ -235,6 +235,14 @@ contains
         call check(stat == hm_bad_argument, "a basis needs the analysis: " // err%text)
         call plan%free()
 
+        ! A piece of a marker: here all of it, of two conditions on it one is left without a piece.
+        call plan%analyse(mesh, curves, [hm_condition(body, piece=1, near_x=1._dp, near_y=0._dp)])
+        call plan%factor()
+        call plan%solve(basis)
+        call check(maxval(abs(total - values_of(1))) < 1e-4_dp, "a piece of a marker")
+        call plan%analyse(mesh, curves, [hm_condition(body, piece=1, near_x=1._dp), hm_condition(body)], stat=stat, err=err)
+        call check(stat == hm_bad_condition, "no piece is left: " // err%text)
+
         ! Where the points of a curve are given, they are used.
         call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_fixed)], &
             given_points=info%curve_point, given_curves=info%point_curve, given_u=info%point_u)

@@ -127,7 +127,13 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
     if (!is_section && !is_curve) {
         const std::string tags = arguments.text("--marker");
         const Mesh mesh = read_mesh(arguments, 0);
-        return Outline(mesh, MeshAnalysis(mesh).boundary(mesh.find_markers(tags)));
+        std::vector<std::int32_t> markers;
+        const std::vector<MarkerPiece> pieces = mesh.find_pieces(tags);
+        for (const MarkerPiece& piece : pieces) markers.push_back(piece.marker);
+        if (!pieces[0].is_piece) return Outline(mesh, MeshAnalysis(mesh).boundary(markers));
+        if (pieces.size() > 1) arguments.refuse("--marker takes one piece MARKER@X:Y, or whole markers");
+        const Point near = {pieces[0].x, pieces[0].y};
+        return Outline(mesh, MeshAnalysis(mesh).boundary(markers, &near));
     }
     if (arguments.has("--marker")) arguments.refuse("--marker goes with a mesh, and " + path + " is none");
     return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
@@ -164,7 +170,7 @@ const Command fit_command = {
     "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's unit with --json.\n"
     "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or Lednicer's order, or a file .curve, as fit and\n"
     "morph write them, of which points are taken.\n",
-    {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh)"},
+    {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
      {"--points", "N", "number of control points (default 20)"},
      {"--closed", "HOW", "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"

@@ -1,6 +1,7 @@
 #include "mesh.hpp"
 
 #include "failure.hpp"
+#include "numbers.hpp"
 
 #include <algorithm>
 
@@ -29,6 +30,31 @@ std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
     return marker;
 }
 
+// "A@X:Y", where that is no marker itself.
+MarkerPiece piece_of(const Mesh& mesh, std::string_view text) {
+    const std::size_t at = text.rfind('@');
+    MarkerPiece piece;
+    if (find_marker(mesh, text) < 0 && at != std::string_view::npos) {
+        const std::string_view point = text.substr(at + 1);
+        const std::size_t colon = point.find(':');
+        piece.is_piece = colon != std::string_view::npos && parse(point.substr(0, colon), piece.x) &&
+                         parse(point.substr(colon + 1), piece.y);
+    }
+    piece.marker = usable_marker(mesh, piece.is_piece ? trimmed(text.substr(0, at)) : text);
+    return piece;
+}
+
+// visit(tag) for each of a list; a tag may hold commas if it stands alone.
+template <class Visit>
+void for_each_tag(const Mesh& mesh, const std::string& list, const Visit& visit) {
+    if (find_marker(mesh, list) >= 0) return visit(std::string_view(list));
+    for (std::size_t begin = 0; begin <= list.size();) {
+        const std::size_t end = std::min(list.find(',', begin), list.size());
+        visit(trimmed(std::string_view(list).substr(begin, end - begin)));
+        begin = end + 1;
+    }
+}
+
 } // namespace
 
 std::int32_t Mesh::faces(std::int32_t marker) const {
@@ -51,13 +77,14 @@ hm_mesh Mesh::view() const {
 }
 
 std::vector<std::int32_t> Mesh::find_markers(const std::string& list) const {
-    if (find_marker(*this, list) >= 0) return {usable_marker(*this, list)};
     std::vector<std::int32_t> found;
-    for (std::size_t begin = 0; begin <= list.size();) {
-        const std::size_t end = std::min(list.find(',', begin), list.size());
-        found.push_back(usable_marker(*this, trimmed(std::string_view(list).substr(begin, end - begin))));
-        begin = end + 1;
-    }
+    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(usable_marker(*this, tag)); });
+    return found;
+}
+
+std::vector<MarkerPiece> Mesh::find_pieces(const std::string& list) const {
+    std::vector<MarkerPiece> found;
+    for_each_tag(*this, list, [&](std::string_view tag) { found.push_back(piece_of(*this, tag)); });
     return found;
 }
 

@@ -12,6 +12,13 @@
 
 namespace cli {
 
+// A marker, or the piece of it that is nearest to a point.
+struct MarkerPiece {
+    std::int32_t marker = 0;
+    bool is_piece = false;
+    double x = 0, y = 0;
+};
+
 struct Mesh {
     TextFile file;
     std::vector<double> x, y;
@@ -34,6 +41,8 @@ struct Mesh {
 
     // The numbers of the markers in a list "A,B"; a tag the file does not have is wrong usage. A tag may hold commas.
     std::vector<std::int32_t> find_markers(const std::string& list) const;
+    // The same where an entry may be "A@X:Y", a piece of a marker: the one nearest to a point.
+    std::vector<MarkerPiece> find_pieces(const std::string& list) const;
 
     // For readers. A marker of this tag, new or there already; a remark, once; what stands in the file at these
     // offsets.

@@ -2,6 +2,8 @@
 
 #include "failure.hpp"
 
+#include <cmath>
+
 namespace cli {
 
 MeshAnalysis::MeshAnalysis(const Mesh& mesh) : mesh_(mesh), view_(mesh.view()) {
@@ -19,7 +21,7 @@ hm_mesh_report MeshAnalysis::report() const {
     return report;
 }
 
-BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers) const {
+BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers, const Point* near) const {
     const auto n_markers = static_cast<std::int32_t>(markers.size());
     std::vector<std::int32_t> points(mesh_.x.size());
     std::int32_t n = 0, is_loop = 0;
@@ -27,11 +29,22 @@ BoundaryPiece MeshAnalysis::boundary(const std::vector<std::int32_t>& markers) c
         return hm_analysis_boundary(analysis_, n_markers, markers.data(), index, points.data(), mesh_.points(), &n,
                                     &is_loop, error);
     };
-    if (piece(1, nullptr) == HM_OK) {
-        throw Failure(exit_usage, "these markers are several separate pieces of boundary, and a curve is fitted to one: "
-                                  "name the markers of one body");
+    std::int32_t chosen = 0;
+    double least = HUGE_VAL;
+    for (std::int32_t index = 0; near != nullptr && piece(index, nullptr) == HM_OK; ++index) {
+        for (std::int32_t k = 0; k < n; ++k) {
+            const auto point = static_cast<std::size_t>(points[static_cast<std::size_t>(k)]);
+            const double distance = std::hypot(mesh_.x[point] - near->x, mesh_.y[point] - near->y);
+            if (distance >= least) continue;
+            least = distance;
+            chosen = index;
+        }
     }
-    call(mesh_, piece, 0);
+    if (near == nullptr && piece(1, nullptr) == HM_OK) {
+        throw Failure(exit_usage, "these markers are several separate pieces of boundary, and a curve is fitted to one: "
+                                  "name the markers of one body, or a piece as MARKER@X:Y");
+    }
+    call(mesh_, piece, chosen);
     points.resize(static_cast<std::size_t>(n));
     return {points, is_loop != 0};
 }

@@ -1,6 +1,7 @@
 // What the library finds out about a mesh by itself, without curves.
 #pragma once
 
+#include "geometry.hpp"
 #include "library.hpp"
 
 #include <vector>
@@ -18,7 +19,8 @@ public:
     MeshAnalysis(const MeshAnalysis&) = delete;
 
     hm_mesh_report report() const;
-    BoundaryPiece boundary(const std::vector<std::int32_t>& markers) const; // refuses more than one piece
+    // Refuses more than one piece, unless the one nearest to a point is asked for.
+    BoundaryPiece boundary(const std::vector<std::int32_t>& markers, const Point* near = nullptr) const;
 
 private:
     const Mesh& mesh_;

@@ -18,9 +18,17 @@ hm_condition condition_on(std::int32_t marker, std::int32_t kind) {
     return condition;
 }
 
+hm_condition condition_on(const MarkerPiece& on, std::int32_t kind) {
+    hm_condition condition = condition_on(on.marker, kind);
+    condition.piece = on.is_piece ? 1 : 0;
+    condition.near_x = on.x;
+    condition.near_y = on.y;
+    return condition;
+}
+
 void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, const hm_condition& condition) {
     for (const hm_condition& other : task.conditions) {
-        if (other.marker == condition.marker) {
+        if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0) {
             arguments.refuse("marker " + quoted(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
                              " has two conditions: name it once");
         }
@@ -34,16 +42,24 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, con
     if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + quoted(binding));
     const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
     task.curves.append(read_curves(binding.substr(equals + 1)));
-    for (const std::int32_t marker : mesh.find_markers(binding.substr(0, equals))) {
-        hm_condition condition = condition_on(marker, HM_ON_CURVE);
+    for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
+        hm_condition condition = condition_on(piece, HM_ON_CURVE);
         condition.first_curve = first_curve;
         condition.n_curves = static_cast<std::int32_t>(task.curves.curves.size()) - first_curve;
         add_condition(arguments, mesh, task, condition);
     }
 }
 
-// The middle of the box round the markers' points.
-void centre_of(const Mesh& mesh, const std::vector<std::int32_t>& markers, double& x, double& y) {
+// The middle of the box round the markers' points; of pieces, the point that the first is near to.
+void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double& x, double& y) {
+    std::vector<std::int32_t> markers;
+    for (const MarkerPiece& piece : pieces) {
+        markers.push_back(piece.marker);
+        if (!piece.is_piece) continue;
+        x = piece.x;
+        y = piece.y;
+        return;
+    }
     double low[2] = {0, 0}, high[2] = {0, 0};
     bool first = true;
     for (std::int32_t face = 0; face < mesh.faces(); ++face) {
@@ -66,9 +82,9 @@ void centre_of(const Mesh& mesh, const std::vector<std::int32_t>& markers, doubl
 // binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and what it turns about.
 void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding, std::int32_t body) {
     const std::size_t equals = binding.find('=');
-    const std::vector<std::int32_t> markers = mesh.find_markers(binding.substr(0, equals));
+    const std::vector<MarkerPiece> pieces = mesh.find_pieces(binding.substr(0, equals));
     double x = 0, y = 0;
-    centre_of(mesh, markers, x, y);
+    centre_of(mesh, pieces, x, y);
     if (equals != std::string::npos) {
         const std::string centre = binding.substr(equals + 1);
         const std::size_t comma = centre.find(',');
@@ -76,8 +92,8 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const 
             arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + quoted(binding));
         }
     }
-    for (const std::int32_t marker : markers) {
-        hm_condition condition = condition_on(marker, HM_RIGID);
+    for (const MarkerPiece& piece : pieces) {
+        hm_condition condition = condition_on(piece, HM_RIGID);
         condition.body = body;
         condition.x = x;
         condition.y = y;
@@ -136,9 +152,10 @@ Task::Task() : options(sized<hm_options>()) {}
 
 std::vector<Option> task_options() {
     return {
-    {"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (may be repeated)"},
-    {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle) and scales\n"
-                                 "(may be repeated)"},
+    {"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
+                                 "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
+    {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
+                                 "point that it is near to) and scales (may be repeated)"},
     {"--slip", "C[,D..]", "markers on straight lines, along which points slide (may be repeated)"},
     {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike (may be repeated)"},
     {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
@@ -166,8 +183,8 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
     for (const std::string& binding : arguments.all("--periodic")) make_periodic(arguments, mesh, task, binding);
     const auto add = [&](const char* option, std::int32_t kind) {
         for (const std::string& tags : arguments.all(option)) {
-            for (const std::int32_t marker : mesh.find_markers(tags)) {
-                add_condition(arguments, mesh, task, condition_on(marker, kind));
+            for (const MarkerPiece& piece : mesh.find_pieces(tags)) {
+                add_condition(arguments, mesh, task, condition_on(piece, kind));
             }
         }
     };

@@ -60,6 +60,8 @@
         procedure :: pack => basis_pack
         procedure :: unpack => basis_unpack
         procedure :: parcel_words => basis_parcel_words
+        procedure :: room => basis_room
+        procedure :: take => basis_take
 !@each real
         procedure, private :: adjoint_finish_@FORM@
         generic :: adjoint_finish => adjoint_finish_@FORM@

@@ -126,8 +126,8 @@ contains
         end do
         if (done%status >= 0) then
             conditions = [(hm_condition(int(list(k)%marker), int(list(k)%kind), int(list(k)%first_curve) + 1, &
-                int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y), k = 1, &
-                int(n))]
+                int(list(k)%n_curves), int(list(k)%body) + 1, int(list(k)%partner), list(k)%x, list(k)%y, &
+                int(list(k)%piece), list(k)%near_x, list(k)%near_y), k = 1, int(n))]
         end if
         call done%finish("basis%conditions", stat, err)
     end subroutine

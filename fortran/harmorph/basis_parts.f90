@@ -2,6 +2,29 @@
 ! ---- Functions in parts, for codes on several processes: harmorph.h says how they go together
 
 contains
+    ! Memory for a basis that other bindings fill (harmorph_petsc.f90): room, then take with the object that they made
+    ! there.
+    subroutine basis_room(self, bytes, address, stat, err)
+        class(hm_basis), intent(inout) :: self
+        integer(c_size_t), intent(in) :: bytes
+        type(c_ptr), intent(out) :: address
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        call self%free()
+        call self%memory%take(bytes, done=done)
+        address = self%memory%start
+        call done%finish("basis%room", stat, err)
+    end subroutine
+
+    subroutine basis_take(self, handle)
+        class(hm_basis), intent(inout) :: self
+        type(c_ptr), intent(in) :: handle
+        type(outcome) :: done
+        self%handle = handle
+        call count_points(self, done)
+    end subroutine
+
     ! Length of a parcel of n points; 0 of a basis that is not solved.
     integer(c_int64_t) function basis_parcel_words(self, n)
         class(hm_basis), intent(in) :: self

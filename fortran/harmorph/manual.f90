@@ -93,7 +93,8 @@
 !               hm_fixed; hm_slip, along straight lines; hm_free, with the Laplace and weighted operators; hm_rigid
 !               with body=, x=, y=; hm_periodic_pair with partner=; hm_given, points that move by displacements that
 !               are given from call to call. Of several markers of a point the first of these holds: on curve, rigid,
-!               given, fixed, slip, free.
+!               given, fixed, slip, free. piece=1, near_x=, near_y=: only the piece of the marker that is nearest to a
+!               point, as one of several bodies, or one side of a channel.
 ! hm_options    0 or null is the default of each: operator_kind hm_conformal (keeps angles; complex functions) or
 !               hm_laplace (the paper's harmonic ones), scheme, engine, precision, tolerance, executor, progress, ...
 !               see harmorph.h.
@@ -153,7 +154,8 @@
 !               results have the same bits for any number of threads. hm_openmp(1), made once and given to morph and
 !               adjoint, saves their question to the processor, up to 15 microseconds a call on a virtual machine.
 ! Parts         Codes on several processes: share_of, init_share, extract, pack, unpack, adjoint_scale, _sums, _finish,
-!               see harmorph.h; harmorph_mpi.f90 does it with MPI.
+!               see harmorph.h; harmorph_mpi.f90 does it with MPI. Meshes that no process
+!               has as a whole: type(hm_part), which harmorph_petsc.f90 uses.
 module harmorph
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_float, &
         c_funloc, c_funptr, c_int8_t, c_int32_t, c_int64_t, c_intptr_t, c_loc, c_null_char, c_null_funptr, c_null_ptr, &

@@ -24,6 +24,8 @@
         integer :: body = 1                                     ! rigid: which one; markers may share one
         integer :: partner = 0                                  ! periodic: the other marker, which has no condition
         real(c_double) :: x = 0, y = 0                          ! rigid: the point that the body turns about
+        integer :: piece = 0                                    ! 1: the piece of the marker nearest to near_x, near_y
+        real(c_double) :: near_x = 0, near_y = 0
     end type
 
     type :: problem                   ! all that analysis and plan point to, beside the mesh's arrays
@@ -128,5 +130,8 @@ contains
             list(k)%partner = int(conditions(k)%partner, c_int32_t)
             list(k)%x = conditions(k)%x
             list(k)%y = conditions(k)%y
+            list(k)%piece = int(conditions(k)%piece, c_int32_t)
+            list(k)%near_x = conditions(k)%near_x
+            list(k)%near_y = conditions(k)%near_y
         end do
     end function

@@ -110,6 +110,8 @@
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: marker = 0, kind = 0, first_curve = 0, n_curves = 0, body = 0, partner = 0
         real(c_double) :: x = 0, y = 0
+        integer(c_int32_t) :: piece = 0, reserved = 0
+        real(c_double) :: near_x = 0, near_y = 0
     end type
 
     type, bind(c), public :: hm_c_problem

@@ -11,17 +11,54 @@ bool has_faces(Boundary const& boundary, Index marker) noexcept {
     return false;
 }
 
+Real square_of_distance(Vec2 p, Vec2 begin, Vec2 end) noexcept {
+    Vec2 const side = end - begin;
+    Real const along = square(side) > 0 ? clamp(dot(p - begin, side) / square(side), 0.0, 1.0) : 0;
+    return square(p - (begin + along * side));
+}
+
+// visit(face) for the faces of the piece of the condition's marker that is nearest to its point.
+template <class Visit>
+void for_piece(Condition const& condition, Points points, Boundary const& boundary, Visit const& visit) noexcept {
+    Index nearest = none, its_loop = none;
+    Real least = infinity;
+    for (Index loop = 0; loop < boundary.n_loops; ++loop) {
+        for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
+            if (boundary.marker[face] != condition.marker) continue;
+            Real const distance = square_of_distance(condition.near, points[boundary.point[face]],
+                                                     points[boundary.point[boundary.after(face, loop)]]);
+            if (distance >= least && nearest != none) continue;
+            least = distance;
+            nearest = face;
+            its_loop = loop;
+        }
+    }
+    if (nearest == none) return;
+    Index const begin = boundary.loop_start[its_loop], n = boundary.loop_start[its_loop + 1] - begin;
+    auto const is_on = [&](Index k) { return boundary.marker[begin + k % n] == condition.marker; };
+    Index first = nearest - begin;
+    for (Index k = 1; k < n && is_on(first + n - 1); ++k) first = (first + n - 1) % n;
+    for (Index k = 0; k < n && is_on(first + k); ++k) visit(begin + (first + k) % n);
+}
+
 Status check_marker(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
     Index const marker = conditions[i].marker;
     for (Condition const& earlier : conditions.first(i)) {
-        if (earlier.marker == marker) {
+        bool const is_pair = conditions[i].kind == ConditionKind::periodic || earlier.kind == ConditionKind::periodic;
+        if (earlier.marker == marker && (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
             return fault.refuse(Status::bad_condition, "marker # has two conditions", Counts::from_zero, marker);
         }
     }
-    if (has_faces(boundary, marker)) return Status::ok;
-    return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face",
-                        Counts::from_zero,
-                        marker, i);
+    if (!has_faces(boundary, marker)) {
+        return fault.refuse(Status::bad_condition, "marker # of condition @ (from 0) is on no boundary face",
+                            Counts::from_zero, marker, i);
+    }
+    for (Index face = 0; face < boundary.count; ++face) {
+        if (boundary.condition[face] == i) return Status::ok;
+    }
+    return fault.refuse(Status::bad_condition,
+                        "other conditions choose all of marker # that condition @ (from 0) is for",
+                        Counts::from_zero, marker, i);
 }
 
 // Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
@@ -57,7 +94,8 @@ Status check_partner(Span<const Condition> conditions, Index i, Boundary const& 
         return fault.refuse(Status::bad_condition, "marker # is its own periodic partner", Counts::from_zero,
                             condition.marker);
     }
-    if (condition_of(conditions, condition.partner) != nullptr) {
+    for (Condition const& other : conditions) {
+        if (other.marker != condition.partner) continue;
         return fault.refuse(Status::bad_condition, "marker #, the periodic partner of @, has a condition of its own",
                             Counts::from_zero, condition.partner, condition.marker);
     }
@@ -99,11 +137,18 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
                         "no condition puts a marker on a curve, makes it a rigid body or gives its displacements: nothing moves");
 }
 
-const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept {
-    for (Condition const& condition : conditions) {
-        if (condition.marker == marker) return &condition;
+// Pieces last; of several conditions that choose one, the first.
+void assign_conditions(Points points, Span<const Condition> conditions, Boundary& boundary) noexcept {
+    for (Index face = 0; face < boundary.count; ++face) {
+        boundary.condition[face] = none;
+        for (Index i = conditions.count(); i-- > 0;) {
+            if (conditions[i].piece == 0 && conditions[i].marker == boundary.marker[face]) boundary.condition[face] = i;
+        }
     }
-    return nullptr;
+    for (Index i = conditions.count(); i-- > 0;) {
+        if (conditions[i].piece == 0) continue;
+        for_piece(conditions[i], points, boundary, [&](Index face) { boundary.condition[face] = i; });
+    }
 }
 
 void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,
@@ -113,10 +158,10 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
     auto const strengthen = [&](Index point, PointKind kind) {
         if (kind < kinds[point]) kinds[point] = kind;
     };
-    auto const kind_of = [&](Index marker) {
-        const Condition* const condition = condition_of(conditions, marker);
+    auto const kind_of = [&](Index face) {
+        const Condition* const condition = condition_of(conditions, boundary, face);
         for (Condition const& other : conditions) {
-            if (other.kind == ConditionKind::periodic && other.partner == marker) return PointKind::inside;
+            if (other.kind == ConditionKind::periodic && other.partner == boundary.marker[face]) return PointKind::inside;
         }
         switch (condition == nullptr ? ConditionKind::fixed : condition->kind) {
             case ConditionKind::on_curve:
@@ -131,8 +176,10 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
     for (Index loop = 0; loop < boundary.n_loops; ++loop) {
         PointKind kind = PointKind::fixed;
         for (Index face = boundary.loop_start[loop]; face < boundary.loop_start[loop + 1]; ++face) {
-            bool const new_marker = face == boundary.loop_start[loop] || boundary.marker[face] != boundary.marker[face - 1];
-            if (new_marker) kind = kind_of(boundary.marker[face]);
+            bool const is_first = face == boundary.loop_start[loop];
+            bool const is_new = is_first || boundary.marker[face] != boundary.marker[face - 1] ||
+                                boundary.condition[face] != boundary.condition[face - 1];
+            if (is_new) kind = kind_of(face);
             strengthen(boundary.point[face], kind);
             strengthen(boundary.point[boundary.after(face, loop)], kind);
         }

@@ -21,13 +21,13 @@ public:
     // The points of the marker that no wall before has, in order along the boundary.
     void add(Condition const& condition, Index number) noexcept {
         auto const visit = [&](Index, Index point) { put(point, number, 0); };
-        boundary_.for_each_piece([&](Index face) { return boundary_.marker[face] == condition.marker; }, visit,
+        boundary_.for_each_piece([&](Index face) { return condition_of(conditions_, boundary_, face) == &condition; }, visit,
                                  [](Index, bool) {});
     }
 
 private:
     bool belongs(Index face, Condition const& condition) const noexcept {
-        const Condition* const its = condition_of(conditions_, boundary_.marker[face]);
+        const Condition* const its = condition_of(conditions_, boundary_, face);
         return its != nullptr && its->kind == ConditionKind::on_curve && its->same_curves(condition);
     }
 

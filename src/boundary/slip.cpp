@@ -35,7 +35,7 @@ public:
 
 private:
     bool slips(Index face) const noexcept {
-        const Condition* const condition = condition_of(conditions_, boundary_.marker[face]);
+        const Condition* const condition = condition_of(conditions_, boundary_, face);
         return condition != nullptr && condition->kind == ConditionKind::slip;
     }
     Index before(Index loop, Index face) const noexcept {

@@ -48,6 +48,7 @@ void Boundary::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     Size const n = max_faces(mesh);
     arena.take(point, n);
     arena.take(marker, n);
+    arena.take(condition, n);
     arena.take(loop_start, n + 1);
     arena.take(given_begin, n);
     arena.take(given_end, n);

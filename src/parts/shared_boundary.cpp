@@ -208,6 +208,7 @@ Status SharedBoundary::find_boundary(Fault& fault) noexcept {
 
 Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcept {
     HARMORPH_TRY(find_boundary(fault));
+    assign_conditions(points(), conditions, boundary);
     classify(topology.edges, boundary, conditions, kinds);
     for (Index k = 0; k < n_points; ++k) {  // on a cut alone
         if (topology.representative[k] == k && kinds[k] == PointKind::unused) kinds[k] = PointKind::inside;
@@ -236,7 +237,7 @@ Index SharedBoundary::find(Offset wanted) const noexcept {
 }
 
 bool SharedBoundary::is_wall_face(Index face) const noexcept {
-    const Condition* const condition = condition_of(conditions, boundary.marker[face]);
+    const Condition* const condition = condition_of(conditions, boundary, face);
     return condition != nullptr && condition->is_wall();
 }
 

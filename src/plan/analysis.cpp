@@ -67,6 +67,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     }
     HARMORPH_TRY(orient(topology, sense, orientation_work, inverted, fault));
     HARMORPH_TRY(boundary.order(topology, fault));
+    assign_conditions(mesh.points, conditions, boundary);
     classify(edges, boundary, conditions, kinds);
     return Status::ok;
 }
@@ -177,7 +178,7 @@ MatrixKind Analysis::matrix_kind() const noexcept {
 }
 
 bool Analysis::is_wall_face(Index face) const noexcept {
-    const Condition* const condition = condition_of(conditions, boundary.marker[face]);
+    const Condition* const condition = condition_of(conditions, boundary, face);
     return condition != nullptr && condition->is_wall();
 }
 

@@ -96,7 +96,7 @@ static void print_safe_morph(const hm_mesh *mesh, const char *name, const char *
     void *work;
     size_t bytes;
     make_move(1, memory.move);
-    check(hm_morph_safe_size(plan, &bytes, &error), "hm_morph_safe_size");
+    check(hm_morph_safe_size(plan, basis, &bytes, &error), "hm_morph_safe_size");
     work = block_of(bytes);
     check(hm_morph_safe(plan, basis, memory.move, &to, NULL, work, bytes, NULL, NULL, &error), "hm_morph_safe");
     free(work);

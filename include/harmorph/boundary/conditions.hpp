@@ -23,6 +23,8 @@ struct Condition {
     Index body = 0;                       // rigid: number of the body
     Index partner = 0;                    // periodic: the marker that is this one, moved
     Vec2 centre;                          // rigid: what the body turns about
+    Index piece = 0, reserved = 0;        // 1: only the piece of the marker nearest to `near`
+    Vec2 near;
 
     // Are the points of the marker on the wall, that is, do they move as they are told?
     bool is_wall() const noexcept {
@@ -51,12 +53,17 @@ struct Demands {
     void add(Condition const& condition) noexcept;
 };
 
-// Kinds, curves, bodies, markers that no face has, markers named twice.
+// Which condition each face has, in boundary.condition. A piece is a run of faces of one marker along a loop.
+void assign_conditions(Points points, Span<const Condition> conditions, Boundary& boundary) noexcept;
+
+// Kinds, curves, bodies, markers that no face has, markers and pieces named twice. Conditions are assigned.
 Status check_conditions(Span<const Condition> conditions, Index n_curves, Boundary const& boundary,
                         Fault& fault) noexcept;
 
-// The condition of a marker; null means fixed.
-const Condition* condition_of(Span<const Condition> conditions, Index marker) noexcept;
+// The condition of a face; null means fixed.
+inline const Condition* condition_of(Span<const Condition> conditions, Boundary const& boundary, Index face) noexcept {
+    return boundary.condition[face] == none ? nullptr : &conditions[boundary.condition[face]];
+}
 
 // kinds [n_points]. Points that are joined to another one count as unused.
 void classify(Edges const& edges, Boundary const& boundary, Span<const Condition> conditions,

@@ -11,6 +11,7 @@ struct Boundary {
     Index n_loops = 0;
     Span<Index> point;        // [count] where each face begins; the end is the beginning of the next face of the loop
     Span<Index> marker;       // [count]
+    Span<Index> condition;    // [count] number of the condition that holds there, or none: see boundary/conditions
     Span<Index> loop_start;   // [n_loops + 1]
 
     Span<Index> given_begin, given_end, given_marker;  // [max_faces] as marked; order() directs them

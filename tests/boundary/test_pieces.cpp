@@ -1,0 +1,159 @@
+// Pieces of a marker that has several: each with a condition of its own, chosen by a point near it.
+#include <doctest/doctest.h>
+
+#include <fixtures/operators.hpp>
+#include <fixtures/parts.hpp>
+
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+void choose_piece(Case& its, double x, double y) {
+    hm_condition& last = its.conditions.back();
+    last.piece = 1;
+    last.near_x = x;
+    last.near_y = y;
+}
+
+// Two bodies under one marker.
+Case one_marker() {
+    Case its = two_body_case();
+    for (std::int32_t& marker : its.mesh.face_markers)
+        if (marker == second_body) marker = body;
+    its.conditions.clear();
+    return its;
+}
+
+std::vector<double> functions(Case& its) {
+    hm_options const options = laplace();
+    Solved const solved(its, &options);
+    return values_in_shares(solved, solved.info().functions);
+}
+
+std::string refusal(Case& its) {
+    Attempt attempt;
+    hm_options const options = laplace();
+    CHECK(!attempt.analyse(its.problem(), &options));
+    CHECK(attempt.status == HM_BAD_CONDITION);
+    return attempt.error.text;
+}
+
+}  // namespace
+
+TEST_CASE("two bodies under one marker, each chosen by a point: bit by bit the functions of two markers") {
+    Case apart = two_body_case();
+    std::vector<double> const expected = functions(apart);
+    for (bool const other_order : {false, true}) {
+        Case its = one_marker();
+        for (int k = 0; k < 2; ++k) {
+            int const number = other_order ? 1 - k : k;
+            its.put_on_curves(body, number);
+            choose_piece(its, 0.6 + number, 0.4);   // off the bodies' middles, nearer to one than to the other
+        }
+        CHECK(same_bits(functions(its), expected));
+    }
+    // The one that is not chosen is the rest of the marker.
+    Case its = one_marker();
+    its.put_on_curves(body, 0);
+    its.put_on_curves(body, 1);
+    choose_piece(its, 1.5, 0.5);
+    CHECK(same_bits(functions(its), expected));
+}
+
+TEST_CASE("a piece without a condition is fixed, and a piece may be rigid while the other one is on a curve") {
+    Case its = one_marker(), apart = two_body_case();
+    its.put_on_curves(body, 0);
+    choose_piece(its, 0.5, 0.5);
+    apart.conditions.pop_back();   // the second body is a marker without a condition
+    CHECK(same_bits(functions(its), functions(apart)));
+    its.set_rigid(body, 1.5, 0.5);
+    choose_piece(its, 1.5, 0.5);
+    apart.set_rigid(second_body, 1.5, 0.5);
+    CHECK(same_bits(functions(its), functions(apart)));
+}
+
+TEST_CASE("sides of a square under one marker: one side slides, the others are fixed") {
+    Case its;
+    its.mesh = square(9, Cells::quads, 3, 1);
+    for (std::int32_t& marker : its.mesh.face_markers)   // below and above: two runs of faces of one marker
+        if (marker == top) marker = bottom;
+    its.curves = polyline({{3 / 9., 4 / 9.}, {6 / 9., 4 / 9.}, {6 / 9., 5 / 9.}, {3 / 9., 5 / 9.}});
+    its.put_on_curves(body);
+    its.set_slip(bottom);
+    choose_piece(its, 0.5, 1.2);
+    Attempt of(its.problem());
+    REQUIRE(of.status == HM_OK);
+    std::vector<double> move = {0.02, 0.01, 0.02, 0.01, 0.02, 0.01, 0.02, 0.01};
+    Field const by = displacement(of.basis, move);
+    for (std::size_t k = 0; k < by.size(); ++k) {
+        bool const inside = its.mesh.x[k] > 0.01 && its.mesh.x[k] < 0.99;
+        if (its.mesh.y[k] == 0) CHECK(by[k] == 0.0);
+        if (its.mesh.y[k] != 1) continue;
+        CHECK(by[k].imag() == 0);
+        if (inside) CHECK(by[k].real() > 0);
+    }
+}
+
+TEST_CASE("pieces are kept in the basis") {
+    Case its = one_marker();
+    its.put_on_curves(body, 1);
+    choose_piece(its, 1.25, 0.75);
+    hm_options const options = laplace();
+    Solved const solved(its, &options);
+    hm_condition out[2] = {};
+    out[0].struct_size = sizeof out[0];
+    std::int32_t n = 0;
+    REQUIRE(hm_basis_conditions(solved.basis, out, 2, &n, nullptr) == HM_OK);
+    CHECK(n == 1);
+    CHECK(out[0].piece == 1);
+    CHECK(out[0].near_x == 1.25);
+    CHECK(out[0].near_y == 0.75);
+}
+
+TEST_CASE("pieces that contradict each other are refused by name") {
+    Case twice = one_marker();
+    twice.put_on_curves(body, 0);
+    choose_piece(twice, 0.5, 0.5);
+    twice.put_on_curves(body, 1);
+    choose_piece(twice, 0.4, 0.5);
+    CHECK(refusal(twice) == "other conditions choose all of marker 1 that condition 1 (from 0) is for");
+
+    Case none_left = one_marker();
+    none_left.put_on_curves(body, 0);
+    choose_piece(none_left, 0.5, 0.5);
+    none_left.put_on_curves(body, 1);
+    choose_piece(none_left, 1.5, 0.5);
+    none_left.add_condition(body, HM_FIXED);
+    CHECK(refusal(none_left) == "other conditions choose all of marker 1 that condition 2 (from 0) is for");
+
+    Case wholes = one_marker();
+    wholes.put_on_curves(body, 0);
+    wholes.put_on_curves(body, 1);
+    CHECK(refusal(wholes) == "marker 1 has two conditions");
+
+    Case pair = one_marker();
+    pair.put_on_curves(body, 0);
+    pair.set_periodic(far_field, 99);
+    choose_piece(pair, 0, 0);
+    CHECK(refusal(pair).find("a periodic pair cannot") != std::string::npos);
+
+    Case point_only = one_marker();
+    point_only.put_on_curves(body, 0);
+    choose_piece(point_only, 0.5, 0.5);
+    point_only.conditions.back().piece = 0;
+    CHECK(refusal(point_only).find("chooses no piece") != std::string::npos);
+
+    Case neither = one_marker();
+    neither.put_on_curves(body, 0);
+    neither.conditions.back().piece = 2;
+    CHECK(refusal(neither).find("neither 0 nor 1") != std::string::npos);
+
+    for (double const wild : {std::numeric_limits<double>::infinity(), 1e200}) {
+        Case far = one_marker();
+        far.put_on_curves(body, 0);
+        choose_piece(far, wild, 0.5);
+        CHECK(refusal(far).find("not finite, or larger") != std::string::npos);
+    }
+}
