@@ -31,6 +31,27 @@ void NewtonSystem::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     arena.take(image, n);
 }
 
+void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
+    fill(hessian.from(region.start[u], region.of(u).size()), Block{});
+    gradient[u] = {};
+}
+
+// To the row of the corner's point `own`.
+void NewtonSystem::add_to_row(Region const& region, Index own, const Index (&point)[3], const Vec2 (&by)[3],
+                              const CornerMode (&mode)[4]) const noexcept {
+    Index const u = region.unknown[point[own]];
+    Span<const Index> const neighbours = region.of(u);
+    Span<Block> const row = hessian.from(region.start[u], neighbours.size());
+    gradient[u] = gradient[u] + by[own];
+    for (Index other = 0; other < 3; ++other) {
+        Index const v = region.unknown[point[other]];
+        if (v == none) continue;
+        Size entry = 0;
+        while (neighbours[entry] != v) ++entry;
+        for (CornerMode const& its : mode) row[entry].add(its.curvature, its.at[own], its.at[other]);
+    }
+}
+
 // Of what moves the points of the row and its neighbours, only the parts along their lines are left. The diagonal block
 // stays regular; across the line nothing is ever put into it.
 void NewtonSystem::constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept {

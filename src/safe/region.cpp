@@ -86,19 +86,14 @@ Index Region::reach_points(Tangle const& tangle, Index layers) noexcept {
     return filled;
 }
 
-// Each cell is listed with its first unknown.
+// In order, as cells_of() has them.
 void Region::list_cells(Tangle const& tangle) noexcept {
     n_cells = 0;
-    for (Index u = 0; u < n; ++u) {
-        for (Index const i : cells_of(point[u])) {
-            Cell const shape = tangle.cell(i);
-            bool is_first = true;
-            for (Index k = 0; k < shape.n; ++k) {
-                Index const v = unknown[shape.point[k]];
-                is_first = is_first && (v == none || v >= u);
-            }
-            if (is_first) cell[n_cells++] = i;
-        }
+    for (Index i = 0; i < cell.count(); ++i) {
+        Cell const shape = tangle.cell(i);
+        bool has_unknown = false;
+        for (Index k = 0; k < shape.n; ++k) has_unknown = has_unknown || unknown[shape.point[k]] != none;
+        if (has_unknown) cell[n_cells++] = i;
     }
 }
 

@@ -2,8 +2,6 @@
 // it is a power of.
 #include <doctest/doctest.h>
 
-#include <fixtures/traps.hpp>
-
 #include <harmorph/morph/quality.hpp>
 #include <harmorph/safe/quality_energy.hpp>
 
@@ -44,12 +42,11 @@ struct Derivatives {
     }
 };
 
-constexpr double exact = -1e300;  // no curvature is raised
+constexpr double exact = -1e150;  // no curvature is raised; times any energy in the range of numbers
 
 }  // namespace
 
 TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian that of the gradient") {
-    Untrapped const untrapped;
     std::mt19937 random(1);
     for (int trial = 0; trial < 200; ++trial) {
         Triangle const target = random_triangle(random), now = random_triangle(random);

@@ -3,6 +3,7 @@
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
+#include <fixtures/fitted.hpp>
 #include <fixtures/safe.hpp>
 
 using namespace fixtures;
@@ -235,6 +236,46 @@ TEST_CASE("sliding points that would pass each other in one step are no crossing
     CHECK(safe.report.step_fraction == 1);
     CHECK(safe.report.strategy == HM_STRATEGY_SUBSTEPS);
     CHECK(safe.is_valid());
+}
+
+TEST_CASE("heights of the first layer: limited where that is asked for, a warning with the place where it cannot be had") {
+    Case its;
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
+    its.curves.add(fitted_loop(points_along(its.mesh, body), 16));
+    its.put_on_curves(body);
+    Safe safe(its);
+    std::vector<double> move(its.curves.control.size());
+    for (std::size_t k = 0; k < move.size(); k += 2) {
+        double const x = its.curves.control[k];
+        move[k + 1] = 0.4 * x * (1 - x);   // a camber of .1
+    }
+    REQUIRE(safe.run(move) == HM_OK);
+    double const low = safe.report.min_height_ratio, high = safe.report.max_height_ratio;
+    double const change = std::max(high, 1 / low);
+    CHECK(safe.report.heights == 0);
+    REQUIRE(change > 1.1);   // conformal functions stretch heights with the wall
+    // What is met anyway changes nothing.
+    std::vector<double> const x = safe.x, y = safe.y;
+    safe.safe_options.max_height_change = 1.01 * change;
+    REQUIRE(safe.run(move) == HM_OK);
+    CHECK(same_bits(safe.x, x));
+    CHECK(same_bits(safe.y, y));
+    // Half of the change: heights are brought back.
+    safe.safe_options.max_height_change = 1 + 0.5 * (change - 1);
+    REQUIRE(safe.run(move) == HM_OK);
+    CHECK(safe.is_valid());
+    CHECK(safe.report.max_height_ratio <= safe.safe_options.max_height_change);
+    CHECK(safe.report.min_height_ratio >= 1 / safe.safe_options.max_height_change);
+    // Heights come back but for rounding; less is too much to ask for, and said.
+    safe.safe_options.max_height_change = 1 + 1e-9;
+    CHECK(safe.run(move) == HM_OK);
+    safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
+    CHECK(safe.run(move) == HM_POOR);
+    CHECK(safe.is_valid());
+    CHECK(std::string(safe.error.text).find("the height of the first layer at point") != std::string::npos);
+    CHECK(safe.report.max_height_ratio < high);
+    std::vector<std::int32_t> const wall = points_on(its.mesh, body);
+    CHECK(std::find(wall.begin(), wall.end(), safe.error.item) != wall.end());
 }
 
 TEST_CASE("short of the target: the last valid mesh is that fraction of the way along") {
@@ -495,7 +536,7 @@ TEST_CASE("working space: exactly the stated size, and refused at every size bel
     }
 }
 
-TEST_CASE("the derivative: exact on the wall, the sum of the steps elsewhere, and hm_adjoint is its transpose") {
+TEST_CASE("the derivative: exact at wall points on their curve, the steps' sum elsewhere; hm_adjoint is its transpose") {
     for (bool const slip : {false, true})
         for (bool const untangled : {false, true}) {
             Case its = block(Cells::quads, 15);

@@ -52,43 +52,57 @@ private:
     static constexpr Index least_rows = 512;  // for a task of its own
 
     template <class Visit>
+    void assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept;
+    template <class Visit>
     void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
+    void clear_row(Region const& region, Index u) const noexcept;
+    void add_to_row(Region const& region, Index own, const Index (&point)[3], const Vec2 (&by)[3],
+                    const CornerMode (&mode)[4]) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
 
+// On one thread, cell after cell; on several, row by row, so that threads never meet: then a corner is looked at once for
+// each of its three points. Cells are in order in both, so that each row is the same sum, bit by bit.
 template <class Visit>
 void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                             Visit const& visit) const noexcept {
+    if (executor.is_serial()) return assemble_cells(tangle, region, visit);
     executor.for_ranges(region.n, least_rows, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) assemble_row(tangle, region, u, visit);
     });
 }
 
-// Each row by itself, so that threads never meet: a corner is looked at once for each of its three points.
+template <class Visit>
+void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
+    for (Index u = 0; u < region.n; ++u) clear_row(region, u);
+    for (Index const i : region.cell.first(region.n_cells)) {
+        CellTriangles const corners(tangle.cell(i));
+        for (Index k = 0; k < corners.n; ++k) {
+            const Index(&point)[3] = corners.point[k];
+            if (!region.can_move(point)) continue;
+            visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) {
+                for (Index own = 0; own < 3; ++own) {
+                    if (region.unknown[point[own]] != none) add_to_row(region, own, point, by, mode);
+                }
+            });
+        }
+    }
+    for (Index u = 0; u < region.n; ++u) constrain_row(tangle, region, u);
+}
+
 template <class Visit>
 void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Index u,
                                 Visit const& visit) const noexcept {
-    Span<const Index> const neighbours = region.of(u);
-    Span<Block> const row = hessian.from(region.start[u], neighbours.size());
-    fill(row, Block{});
-    gradient[u] = {};
+    clear_row(region, u);
     for (Index const i : region.cells_of(region.point[u])) {
         CellTriangles const corners(tangle.cell(i));
         for (Index k = 0; k < corners.n; ++k) {
             const Index(&point)[3] = corners.point[k];
-            auto const unknown = [&](Index corner) { return region.unknown[point[corner]]; };
-            if (unknown(0) != u && unknown(1) != u && unknown(2) != u) continue;
+            auto const is_row = [&](Index corner) { return region.unknown[point[corner]] == u; };
+            if (!is_row(0) && !is_row(1) && !is_row(2)) continue;
             visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) {
                 for (Index own = 0; own < 3; ++own) {
-                    if (unknown(own) != u) continue;
-                    gradient[u] = gradient[u] + by[own];
-                    for (Index other = 0; other < 3; ++other) {
-                        Index const v = unknown(other);
-                        if (v == none) continue;
-                        Size entry = 0;
-                        while (neighbours[entry] != v) ++entry;
-                        for (CornerMode const& its : mode) row[entry].add(its.curvature, its.at[own], its.at[other]);
-                    }
+                    if (is_row(own)) add_to_row(region, own, point, by, mode);
                 }
             });
         }

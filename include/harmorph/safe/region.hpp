@@ -49,7 +49,7 @@ struct Region {
     Index n_cells = 0;               // cells with an unknown point
     Span<Index> unknown;             // [n_points] number of a point, or none; points that move as one have the same
     Span<Index> point;               // [n] representative of each unknown
-    Span<Index> cell;                // [n_cells]
+    Span<Index> cell;                // [n_cells] in order
     Span<Offset> start;              // [n + 1]
     Span<Index> neighbour;           // unknowns that share a cell with each, itself first
     Span<Offset> cell_start;         // [n_points + 1]
