@@ -270,7 +270,7 @@ static void o_mesh(reference *its, int32_t ni, int32_t nj, double first, int32_t
         on_wall.kind = HM_RIGID;
         on_wall.x = 0.1;
     } else {
-        fit.n_control = 5;
+        fit.n_control = 4;
         fit.closed = HM_PERIODIC;
         on_wall.n_curves = 1;
         need(hm_fit_size(ni - 1, &fit, &bytes, &error), &error);
@@ -313,7 +313,7 @@ static void channel(reference *its, int32_t ni, int32_t nj, int32_t operator_kin
         add_face(&its->mesh, ni - 1 + ni * j, ni - 1 + ni * (j + 1), 3);
         add_face(&its->mesh, ni * (j + 1), ni * j, 4);
     }
-    fit.n_control = 5;
+    fit.n_control = 4;
     fit.closed = HM_OPEN;
     need(hm_fit_size(ni, &fit, &bytes, &error), &error);
     need(hm_fit(&problem.curves, room(bytes), bytes, &(hm_points){its->mesh.x, its->mesh.y, 1}, ni, 0, &fit, NULL,
@@ -410,11 +410,11 @@ static void from_file(reference *its, const char *file, int32_t operator_kind) {
 }
 
 static void check_case(reference *its, const char *name) {
-    /* On one process all partitions are the same; on more, some of them. */
+    /* On one process all partitions are the same; on each other number another one. */
     const int wanted = size == 1   ? 1 << STRIPES
-                       : size == 2 ? 1 << STRIPES | 1 << RANDOM
+                       : size == 2 ? 1 << STRIPES | 1 << GHOSTS
                        : size == 3 ? 1 << BISECTION
-                                   : 1 << RANDOM | 1 << GHOSTS;
+                                   : 1 << RANDOM;
     int kind;
     its->name = name;
     solve_whole(its);
@@ -615,16 +615,16 @@ int main(int argc, char **argv) {
         check_case(&of, argv[k]);
     }
     if (argc == 1) {
-        o_mesh(&of, 33, 13, 0, HM_LAPLACE, 0);
-        check_case(&of, "O-mesh, Laplace");
-        o_mesh(&of, 33, 13, 1e-4, HM_WEIGHTED, 0);
-        check_case(&of, "O-mesh with thin cells, weighted");
         o_mesh(&of, 33, 13, 1e-5, HM_CONFORMAL, 0);
         check_case(&of, "O-mesh with thin cells, conformal");
-        o_mesh(&of, 25, 9, 0, HM_LAPLACE, 1);
-        check_case(&of, "rigid body, Laplace");
-        channel(&of, 21, 9, HM_CONFORMAL);
-        check_case(&of, "channel with sliding sides, conformal");
+        channel(&of, 21, 9, HM_LAPLACE);
+        check_case(&of, "channel with sliding sides, Laplace");
+        if (size <= 2) { /* messages take their time where processes share a processor */
+            o_mesh(&of, 33, 13, 1e-4, HM_WEIGHTED, 0);
+            check_case(&of, "O-mesh with thin cells, weighted");
+            o_mesh(&of, 25, 9, 0, HM_LAPLACE, 1);
+            check_case(&of, "rigid body, Laplace");
+        }
         check_displace(HM_LAPLACE);
         check_displace(HM_CONFORMAL);
         check_refusals();
