@@ -85,7 +85,7 @@ enum {
                                  ended before the values were as accurate; error.value: the estimated error of the
                                  values */
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
-    HM_SHORT = 3,             /* hm_morph_safe: the mesh is valid, but only a part of the movement was possible */
+    HM_SHORT = 3,             /* hm_morph_safe, hm_displace_safe: the mesh is valid, but only a part of the movement was possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
     HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the
                                  curve; error.item: the point for which this part is largest, error.value: its
