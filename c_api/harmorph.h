@@ -85,7 +85,8 @@ enum {
                                  ended before the values were as accurate; error.value: the estimated error of the
                                  values */
     HM_MOVED = 2,             /* attached, but the coordinates of the mesh are not those the basis was solved on */
-    HM_SHORT = 3,             /* hm_morph_safe, hm_displace_safe: the mesh is valid, but only a part of the movement was possible */
+    HM_SHORT = 3,             /* hm_morph_safe, hm_displace_safe: the mesh is valid, but only a part of the movement was
+                                 possible */
     HM_BACKTRACKS = 4,        /* hm_fit: the curve runs backwards between two points; error.item: the first of them */
     HM_FAR_FROM_CURVE = 5,    /* hm_analysis_init: a point is farther from its curve than 5 % of the extent of the
                                  curve; error.item: the point for which this part is largest, error.value: its
@@ -782,9 +783,9 @@ HM_API hm_status hm_single_init(hm_basis **single, void *block, size_t bytes, co
  * not real, or a function that is not, turns with its movement: variables that are one number v move by (v, 0).
  * The new basis is used, solved again (hm_plan_solve, on moved coordinates too), extracted, sent in parcels, written,
  * attached, stored in single precision and combined like any basis. Only hm_transfer refuses it, with HM_UNSUPPORTED:
- * transfer the functions of the control points, and combine those. The first basis must be solved, complete and in double precision. Refused with HM_BAD_CONDITION, item:
- * the column, from 0: a column that is zero, or a combination of the columns before; with HM_BAD_ARGUMENT a matrix that
- * is not finite. */
+ * transfer the functions of the control points, and combine those. The first basis must be solved, complete and in
+ * double precision. Refused with HM_BAD_CONDITION, item: the column, from 0: a column that is zero, or a combination of
+ * the columns before; with HM_BAD_ARGUMENT a matrix that is not finite. */
 HM_API hm_status hm_combine_size(const hm_basis *basis, int32_t n, int32_t numbers, size_t *bytes, hm_error *err);
 HM_API hm_status hm_combine(hm_basis **combined, void *block, size_t bytes, const hm_basis *basis, int32_t n,
                             int32_t numbers, const double *matrix, hm_error *err);
