@@ -37,7 +37,8 @@
  *                  the orientation with the larger total area is taken as positive.
  * Inverted         A cell is inverted if one of its corners has an area <= 0 in the positive orientation. The area of a
  *                  corner is half the cross product of the two edges that meet there. A quadrilateral that is not
- *                  convex is therefore inverted even if its total area is positive.
+ *                  convex is therefore inverted even if its total area is positive. For polygons (HM_CELLS_POLYGONS)
+ *                  see hm_mesh.
  * Markers          A marker without a condition is fixed: the points on it do not move.
  * NULL             Allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative: the call was
@@ -178,9 +179,11 @@ enum {                        /* hm_mesh.cell_layout */
     HM_CELLS_MIXED = 4,       /* two arrays: the triangles in cell_points [3*(n_cells-n_quads)], the quadrilaterals in
                                  quad_points [4*n_quads]. The triangles are the first cells, the quadrilaterals the
                                  cells from index_base + n_cells - n_quads on */
-    HM_CELLS_BLOCKS = 5       /* no list: structured blocks one after the other, points and cells of each as in
+    HM_CELLS_BLOCKS = 5,      /* no list: structured blocks one after the other, points and cells of each as in
                                  HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts,
                                  see below: their points exist once in each block, with equal coordinates */
+    HM_CELLS_POLYGONS = 6     /* cell_start, cell_points: compressed rows of 3 to 1024 points, hanging nodes among them;
+                                 see below */
 };
 enum { HM_NO_MARKER = INT32_MIN }; /* hm_mesh.block_markers: the side is an interface or a cut, or has faces or lists */
 
@@ -192,8 +195,8 @@ typedef struct hm_mesh {
     int32_t  cell_layout;          /* HM_CELLS_... */
     int32_t  n_cells;              /* 1 .. 2^29; structured and blocks: 0 or the cells of the blocks, of each
                                       (ni-1)*(nj-1); mixed: both kinds together */
-    const int32_t *cell_start;     /* [n_cells+1] rows only: where the points of a cell begin, counted from
-                                      index_base */
+    const int32_t *cell_start;     /* [n_cells+1] rows and polygons only: where the points of a cell begin, counted from
+                                      index_base. Size queries read the cell_start of polygons */
     const int32_t *cell_points;    /* the points of each cell in order around the cell */
     int32_t  ni, nj;               /* structured only: points along i (fastest) and j; ni*nj = n_points */
     int32_t  n_faces;              /* boundary given as faces (0 if it is given as lists); both may be given */
@@ -215,7 +218,22 @@ typedef struct hm_mesh {
 } hm_mesh;
 /* Every boundary edge must be on a marker. The exception is a cut, such as the seam of an O-mesh or the wake line of a
  * C-mesh: two points of unmarked boundary edges with equal coordinates are one point for the library and move together.
- * Faces of one marker may belong to several bodies, and one body may have several markers. */
+ * Faces of one marker may belong to several bodies, and one body may have several markers.
+ *
+ * Polygons: a point that lies on a side of a cell (a hanging node) is a corner of that cell, so that any two neighbours
+ * have the points of their common sides in common. At the coordinates of hm_analysis_init, a corner is convex if the
+ * tangent of its exterior angle is above 1/8 (interior angle below 172.8 degrees), flat within this tolerance, or
+ * reflex. Triangles, and quadrilaterals with four convex corners, are treated as in the other layouts. Every other
+ * cell is divided into triangles without new points, such that the worst triangle is as good as possible; the operators
+ * act on these triangles, so linear fields are exact. The division belongs to the analysis, and to the bases made from
+ * it, and does not change when the points move. Such a cell is inverted if one of its triangles has an area <= 0, or a
+ * corner leaves its range of interior angles: 0 to 180 degrees if it was convex (no convex corner becomes reflex), 45 to
+ * 225 if it was flat (a hanging node may bend by 45 degrees towards the inside), 135 to 315 if it was reflex. So the area of
+ * a valid cell is positive. Admissible steps, which are exact for this definition, too, quality, the safe morph and
+ * hm_improve judge a cell by it; cells are reported in the caller's numbering.
+ * Quality of such a cell: with m convex corners of areas A_k between sides a_k and b_k,
+ * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a rectangle with hanging
+ * nodes; 0 if the cell is inverted. */
 
 /* ---- Curves ----------------------------------------------------------------------------------------------------- */
 
@@ -641,6 +659,8 @@ typedef struct hm_mesh_report {
     int32_t  first_inverted;       /* the first inverted cell; -1: none */
     double   min_area;             /* [length^2] smallest signed corner area */
     double   min_quality, mean_quality; /* [0..1] skew quality, see hm_quality */
+    int32_t  polygons, reserved;   /* cells that are divided into triangles, see hm_mesh; they are in neither `triangles`
+                                      nor `quads` */
 } hm_mesh_report;
 
 /* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */

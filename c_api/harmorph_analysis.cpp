@@ -11,9 +11,12 @@ hm_mesh_report report_of(Analysis const& analysis) noexcept {
     hm_mesh_report filled = {};
     filled.points = mesh.n_points;
     filled.used_points = analysis.count_used_points();
-    filled.cells = mesh.n_cells;
-    mesh.for_each_cell([&](Index, Cell const& cell) { ++(cell.n == 3 ? filled.triangles : filled.quads); });
-    filled.edges = analysis.topology.edges.count();
+    filled.cells = mesh.n_given_cells();
+    mesh.for_each_cell([&](Index i, Cell const& cell) {
+        if (!mesh.is_part(i)) ++(cell.n == 3 ? filled.triangles : filled.quads);
+    });
+    filled.polygons = filled.cells - filled.triangles - filled.quads;
+    filled.edges = analysis.topology.edges.count() - (mesh.n_cells - filled.cells);  // without diagonals
     filled.boundary_edges = analysis.boundary.count;
     filled.boundary_loops = analysis.boundary.n_loops;
     filled.inverted = quality.inverted;

@@ -8,7 +8,8 @@ namespace harmorph {
 namespace {
 
 // Basis and mesh that belong together, as far as counts and layout tell.
-Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh, CallFault& fault) noexcept {
+Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mesh& mesh, OrientedMesh& cells,
+                 CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(handle, basis, fault));
     HARMORPH_TRY(view_mesh(given, mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
@@ -16,6 +17,10 @@ Status open_pair(const hm_basis* handle, const hm_mesh* given, Basis& basis, Mes
         return fault.refuse(Status::bad_basis,
                             "the basis is of a list of points: it knows no cells and goes with no mesh");
     }
+    if (mesh.layout == CellLayout::polygons && !basis.pieces.given()) {
+        return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has no polygons");
+    }
+    cells = basis.cells(mesh);
     if (mesh.n_points == basis.n_points() && mesh.n_cells == basis.header->counts.cells) return Status::ok;
     return fault.refuse(Status::bad_basis, "the basis belongs to another mesh: it has # points and @ cells",
                         Counts::from_zero, basis.n_points(), basis.header->counts.cells);
@@ -28,11 +33,11 @@ Status view_coordinates(const hm_points* given, const char* name, Mesh const& me
     return given != nullptr ? view_points(given, name, points, fault) : view_points(&own, "mesh.points", points, fault);
 }
 
-hm_step_report report_of(AdmissibleStep const& limit, Mesh const& mesh, Basis const& basis) noexcept {
+hm_step_report report_of(AdmissibleStep const& limit, OrientedMesh const& cells, Index index_base) noexcept {
     hm_step_report filled = {};
     filled.admissible = limit.step;
-    filled.cell = numbered(limit.cell, mesh.index_base);
-    filled.point = numbered(limiting_point({mesh, basis.reversed}, limit), mesh.index_base);
+    filled.cell = numbered(cells.mesh.number(limit.cell), index_base);
+    filled.point = numbered(limiting_point(cells, limit), index_base);
     return filled;
 }
 
@@ -66,13 +71,14 @@ hm_status hm_admissible_step(const hm_basis* basis, const hm_mesh* mesh, const h
         Basis b;
         Executor threads;
         Mesh view;
+        OrientedMesh cells;
         Points start, change;
         HARMORPH_TRY(check_report(report, fault));
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        write_struct(report_of(admissible_step({view, b.reversed}, start, change, threads), view, b), report);
+        write_struct(report_of(admissible_step(cells, start, change, threads), cells, view.index_base), report);
         return Status::ok;
     });
 }
@@ -83,13 +89,14 @@ hm_status hm_quality(const hm_basis* basis, const hm_mesh* mesh, const hm_points
         Basis b;
         Executor threads;
         Mesh view;
+        OrientedMesh cells;
         Points points, undeformed;
         HARMORPH_TRY(check_report(report, fault));
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(at, "at", view, points, fault));
         HARMORPH_TRY(view_points_if(reference, "reference", undeformed, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        Quality const quality = measure_quality({view, b.reversed}, points, undeformed, threads);
+        Quality const quality = measure_quality(cells, points, undeformed, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, points);
         write_struct(report_of(quality, crossing, view), report);
         return Status::ok;
@@ -102,16 +109,17 @@ hm_status hm_assess(const hm_basis* basis, const hm_mesh* mesh, const hm_points*
         Basis b;
         Executor threads;
         Mesh view;
+        OrientedMesh cells;
         Points start, change;
         HARMORPH_TRY(check_report(step, fault));
         HARMORPH_TRY(check_report(quality, fault));
-        HARMORPH_TRY(open_pair(basis, mesh, b, view, fault));
+        HARMORPH_TRY(open_pair(basis, mesh, b, view, cells, fault));
         HARMORPH_TRY(view_coordinates(from, "from", view, start, fault));
         HARMORPH_TRY(view_points(displacement, "displacement", change, fault));
         HARMORPH_TRY(view_executor(executor, threads, fault));
-        Assessment const assessment = assess({view, b.reversed}, start, change, threads);
+        Assessment const assessment = assess(cells, start, change, threads);
         Crossing const crossing = find_crossing(b.boundary_point, b.loop_start, start, change);
-        write_struct(report_of(assessment.limit, view, b), step);
+        write_struct(report_of(assessment.limit, cells, view.index_base), step);
         write_struct(report_of(assessment.quality, crossing, view), quality);
         return Status::ok;
     });

@@ -65,7 +65,7 @@ hm_safe_report report_of(SafeReport const& safe, Plan const& plan, Points before
     filled.resolves = safe.resolves;
     filled.step_fraction = safe.outcome.fraction;
     filled.admissible = safe.limit.step;
-    filled.cell = numbered(safe.limit.cell, base);
+    filled.cell = numbered(plan.mesh.number(safe.limit.cell), base);
     filled.point = numbered(limiting_point(plan.equations.cells, safe.limit), base);
     filled.untangled = safe.untangle.inverted_before;
     filled.iterations = safe.untangle.iterations;

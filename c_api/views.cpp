@@ -21,7 +21,7 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"mesh", given}}, fault));
     hm_mesh m;
     if (!read_struct(given, m)) return fault.refuse(Status::bad_argument, "mesh.struct_size is not set");
-    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_BLOCKS) {
+    if (m.cell_layout < HM_CELLS_ROWS || m.cell_layout > HM_CELLS_POLYGONS) {
         return fault.refuse(Status::bad_argument, "mesh.cell_layout # is unknown", Counts::from_zero, m.cell_layout);
     }
     mesh = Mesh{};
@@ -52,7 +52,8 @@ Status view_mesh(const hm_mesh* given, Mesh& mesh, CallFault& fault) noexcept {
     mesh.list_start = m.list_start;
     mesh.list_points = m.list_points;
     mesh.list_markers = m.list_markers;
-    return check_counts(mesh, fault);
+    HARMORPH_TRY(check_counts(mesh, fault));
+    return check_polygons(mesh, fault);
 }
 
 Status view_executor(const hm_executor* given, Executor& executor, Fault& fault) noexcept {

@@ -17,6 +17,20 @@ Vec2 derivative_of(Curve const& curve, CurveBasis const& functions) noexcept {
     return sum;
 }
 
+// visit(i, part) for parts of four corners or fewer with all corners of a polygon: as one cell of so many if there are
+// no more.
+template <class Visit>
+void for_each_fan(Mesh const& mesh, Visit visit) noexcept {
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+        Index const n = mesh.cell_start[i + 1] - mesh.cell_start[i];
+        auto const at = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
+        for (Index k = 1; k + 1 < n; k += 2) {
+            visit(i, k + 2 < n ? Cell{4, {at(0), at(k), at(k + 1), at(k + 2)}} : Cell{3, {at(0), at(k), at(k + 1)}});
+        }
+    }
+}
+
 std::uint64_t pair(Index a, Index b) noexcept {
     return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
 }
@@ -48,7 +62,8 @@ void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(joined_slot, counts.joined);
     arena.take(boundary_point, counts.boundary);
     arena.take(loop_start, Offset{counts.loops} + 1);
-    arena.take(reversed, counts.cells);
+    arena.take(reversed, counts.pieces > 0 ? counts.pieces + counts.guards : counts.cells);
+    pieces.lay_out(arena, counts.cells, counts.pieces, counts.guards);
     bool const in_single = counts.storage == Precision::in_single;
     Offset const length = Offset{numbers_of(counts.kind)} * counts.stored;
     arena.take(value, whole_blocks(in_single ? counts.wall : counts.points) * length);
@@ -181,6 +196,14 @@ void Basis::column(Index number, Real* out) const noexcept {
     for (Index k = 0; k < joined_point.count(); ++k) out[joined_point[k]] = row(joined_slot[k])[number];
 }
 
+OrientedMesh Basis::cells(Mesh const& mesh) const noexcept {
+    if (!pieces.given()) return {mesh, reversed};
+    Mesh of_pieces = pieces.mesh(mesh);
+    of_pieces.n_given = header->counts.cells;
+    of_pieces.index_base = header->index_base;
+    return {of_pieces, reversed};
+}
+
 Status Basis::require_double(Fault& fault) const noexcept {
     if (!in_single()) return Status::ok;
     return fault.refuse(Status::unsupported,
@@ -213,10 +236,15 @@ void Basis::unseal() const noexcept {
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept {
     Hash front, back;
     front.add(pair(mesh.n_points, mesh.n_cells));
-    mesh.for_each_cell([&](Index, Cell const& cell) {
+    auto const add = [&](Index, Cell const& cell) {
         front.add(pair(cell.point[0], cell.point[1]));
         back.add(pair(cell.point[2], cell.n == 4 ? cell.point[3] : none));
-    });
+    };
+    if (mesh.layout == CellLayout::polygons) {
+        for_each_fan(mesh, add);
+    } else {
+        mesh.for_each_cell(add);
+    }
     front.add(back.value());
     std::uint64_t sum = 0;  // does not depend on the order of the faces
     mesh.for_each_face([&](BoundaryFace const& face, Index, Index) {

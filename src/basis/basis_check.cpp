@@ -15,13 +15,14 @@ bool counts_make_sense(BasisCounts const& counts) noexcept {
     Index const all[] = {counts.points,   counts.cells, counts.control,    counts.bodies,     counts.curves,
                          counts.indices,  counts.knots, counts.weights,    counts.wall,       counts.joined,
                          counts.boundary, counts.loops, counts.conditions, counts.first_stored, counts.stored, counts.combined,
-                         counts.modes};
+                         counts.modes,    counts.pieces, counts.guards};
     for (Index const count : all) {
         if (!is_within(count, 0, most + 1)) return false;
     }
     if (!is_within(counts.combination, 0, 3) || (counts.combination == 0 && counts.combined != 0)) return false;
     Offset const functions = counts.shapes() + 2 * Offset{counts.bodies} + counts.modes;
     if (functions > most || counts.stored > functions - counts.first_stored) return false;
+    if (counts.pieces == 0 ? counts.guards != 0 : counts.pieces > Mesh::max_cells || counts.guards > Mesh::max_cells) return false;
     if (counts.bodies > counts.conditions) return false;  // nothing else in the block grows with bodies
     if (counts.wall > counts.points || (counts.weights != 0 && counts.weights != counts.control)) return false;
     if (counts.storage != Precision::in_double && counts.storage != Precision::in_single) return false;
@@ -40,6 +41,7 @@ public:
         if (!conditions_fit()) return "the basis is damaged: its conditions contradict themselves";
         if (!wall_fits()) return "the basis is damaged: its points on curves contradict themselves";
         if (!boundary_fits()) return "the basis is damaged: its boundary contradicts itself";
+        if (!pieces_fit()) return "the basis is damaged: the pieces of its cells contradict themselves";
         return largest_fits() ? nullptr : "the basis is damaged: a value is larger than the largest";
     }
 
@@ -104,6 +106,24 @@ private:
             if (!is_within(basis_.loop_start[loop], 0, basis_.loop_start[loop + 1])) return false;
         }
         return basis_.loop_start[0] == 0 && basis_.loop_start[counts_.loops] == counts_.boundary;
+    }
+
+    bool pieces_fit() const noexcept {
+        Pieces const& pieces = basis_.pieces;
+        if (!pieces.given()) return true;
+        Index const n = counts_.cells, all = counts_.pieces + counts_.guards;
+        for (Index cell = 0; cell < n; ++cell) {
+            if (!is_within(pieces.start[cell], 0, pieces.start[cell + 1])) return false;  // at least one
+            if (!is_within(pieces.guard_start[cell], counts_.pieces, pieces.guard_start[cell + 1] + 1)) return false;
+        }
+        for (Index const point : pieces.point) {
+            if (!is_within(from_zero(point, basis_.header->index_base), 0, counts_.points)) return false;
+        }
+        for (CornerKind const kind : pieces.kind) {
+            if (static_cast<Index>(kind) > static_cast<Index>(CornerKind::reflex)) return false;
+        }
+        return pieces.start[0] == 0 && pieces.start[n] == counts_.pieces && pieces.guard_start[0] == counts_.pieces &&
+               pieces.guard_start[n] == all;
     }
 
     // Sums in fixed point overflow beyond it.

@@ -7,7 +7,11 @@ namespace harmorph {
 BasisCounts BasisSource::counts() const noexcept {
     BasisCounts counts;
     counts.points = topology.mesh.n_points;
-    counts.cells = topology.mesh.n_cells;
+    counts.cells = topology.mesh.n_given_cells();
+    if (topology.mesh.is_of_pieces()) {
+        counts.pieces = topology.mesh.n_cells;
+        counts.guards = topology.mesh.n_guards;
+    }
     counts.control = curves.empty() ? 0 : curves[0].n_control;
     counts.bodies = demands.bodies;
     counts.kind = method.value_kind(demands);
@@ -66,6 +70,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.boundary_point, Span<const Index>(source.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(source.boundary.loop_start.first(counts.loops + 1)));
     copy(basis.reversed, Span<const std::uint8_t>(source.topology.reversed));
+    if (basis.pieces.given()) basis.pieces.copy_from(source.pieces);
 }
 
 }  // namespace harmorph

@@ -9,7 +9,7 @@ BasisCounts counts_of(Basis const& whole, Index points, Index wall) noexcept {
     BasisCounts counts = whole.header->counts;
     counts.points = points;
     counts.wall = wall;
-    counts.cells = counts.boundary = counts.loops = 0;
+    counts.cells = counts.pieces = counts.guards = counts.boundary = counts.loops = 0;
     return counts.share(0, counts.functions());
 }
 

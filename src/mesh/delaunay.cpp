@@ -62,7 +62,8 @@ Status Triangulation::split(Topology const& of, Fault& fault) noexcept {
         }
         for (Index k = 0; k < (cell.n == 3 ? 1 : 4); ++k) {
             if (orientation_sign(at[k], at[(k + 1) % cell.n], at[(k + 2) % cell.n]) > 0) continue;
-            return fault.refuse(Status::bad_mesh, "cell # is inverted or empty", Counts::mesh, i);
+            return fault.refuse(Status::bad_mesh, "cell # is inverted or empty", Counts::mesh,
+                                of.mesh.number(i));
         }
         Index const* const p = cell.point;
         if (cell.n == 3) {

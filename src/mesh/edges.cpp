@@ -74,7 +74,7 @@ Status Edges::build(Mesh const& mesh, Span<const Index> representative, Fault& f
     Index const bad_cell = for_each_side(mesh, representative, [&](Index point, Side) { ++start[point]; });
     if (bad_cell != none) {
         return fault.refuse(Status::bad_mesh, "cell # has two corners that a cut makes one point", Counts::mesh,
-                            bad_cell);
+                            mesh.number(bad_cell));
     }
     counts_to_starts(start);
     for_each_side(mesh, representative, [&](Index point, Side side) { first[start[point]++] = side; });

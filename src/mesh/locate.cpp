@@ -51,6 +51,7 @@ void weigh(CellShape const& shape, Vec2 point, Real* weight) noexcept {
 
 void Locator::build(OrientedMesh const& mesh) noexcept {
     cells = mesh;
+    tree.set_count(mesh.mesh.n_cells);
     tree.build([&](Index cell) {
         CellShape const corners = shape(cell);
         Box box;

@@ -3,22 +3,34 @@
 namespace harmorph {
 namespace {
 
+// point(k): corner k of the cell.
+template <class PointOf>
+Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& fault) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        Index const point = point_of(k);
+        if (point < 0 || point >= mesh.n_points) {
+            return fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
+        }
+        for (Index earlier = 0; earlier < k; ++earlier) {
+            if (point_of(earlier) != point) continue;
+            return fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
+        }
+    }
+    return Status::ok;
+}
+
 Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) return Status::ok;
-    mesh.find_cell([&](Index i, Cell const& cell) {
-        for (Index k = 0; k < cell.n; ++k) {
-            Index const point = cell.point[k];
-            if (point < 0 || point >= mesh.n_points) {
-                fault.refuse(Status::bad_mesh, "cell # names point @, which does not exist", Counts::mesh, i, point);
-                return true;
-            }
-            for (Index earlier = 0; earlier < k; ++earlier) {
-                if (cell.point[earlier] != point) continue;
-                fault.refuse(Status::bad_mesh, "cell # has point @ twice", Counts::mesh, i, point);
-                return true;
-            }
+    if (mesh.layout == CellLayout::polygons) {
+        for (Index i = 0; i < mesh.n_cells; ++i) {
+            const Index* const corner = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+            auto const point_of = [&](Index k) { return from_zero(corner[k], mesh.index_base); };
+            HARMORPH_TRY(check_cell(mesh, i, mesh.cell_start[i + 1] - mesh.cell_start[i], point_of, fault));
         }
-        return false;
+        return Status::ok;
+    }
+    mesh.find_cell([&](Index i, Cell const& cell) {
+        return failed(check_cell(mesh, i, cell.n, [&](Index k) { return cell.point[k]; }, fault));
     });
     return fault.status;
 }
@@ -129,6 +141,23 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     return Status::ok;
 }
 
+Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.layout != CellLayout::polygons) return Status::ok;
+    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
+    if (mesh.cell_start[0] != mesh.index_base) {
+        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
+                            mesh.cell_start[0]);
+    }
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
+        if (n >= 3 && n <= Mesh::most_corners) continue;
+        return fault.refuse(Status::bad_mesh, "polygon # has ~ points; 3 to 1024 are possible", Counts::mesh, i, none,
+                            static_cast<Real>(n));
+    }
+    if (mesh.n_corners() <= Mesh::max_cells) return Status::ok;
+    return fault.refuse(Status::bad_mesh, "the polygons have more than 2^29 corners together");
+}
+
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.layout == CellLayout::structured) {
         if (mesh.ni < 2 || mesh.nj < 2 || Offset{mesh.ni} * mesh.nj != mesh.n_points) {
@@ -142,6 +171,7 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         return Status::ok;
     }
     if (mesh.layout == CellLayout::blocks) return check_blocks(mesh, fault);
+    HARMORPH_TRY(check_polygons(mesh, fault));
     if (mesh.n_triangles() > 0 && mesh.cell_points == nullptr) {
         return fault.refuse(Status::bad_argument, "mesh.cell_points is NULL");
     }

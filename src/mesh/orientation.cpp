@@ -69,7 +69,7 @@ Status orient(Topology& topology, Sense sense, OrientationWork const& work, Inde
         if (!agreement.unite(cell_of_side(code), cell_of_side(other), same_direction)) {
             return fault.refuse(Status::bad_mesh,
                                 "cells # and @ cannot be oriented alike: the mesh has a one-sided strip",
-                                Counts::mesh, cell_of_side(code), cell_of_side(other));
+                                Counts::mesh, mesh.number(cell_of_side(code)), mesh.number(cell_of_side(other)));
         }
     }
     fill(work.balance, 0.0);

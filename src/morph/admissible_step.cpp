@@ -39,7 +39,7 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
                                Executor const& executor) noexcept {
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, displacement, {}};
-    return reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
+    AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
         AdmissibleStep limit;
         for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
             std::uint64_t const triangles = kernels.triangles(batches.triangles, places, limit.step, nullptr);
@@ -47,10 +47,18 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
         });
         result = limit;
     });
+    of_all.merge(reduce_cells<AdmissibleStep>(cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
+        Index const i = cells.mesh.n_cells + guard;
+        CellShape const now = shape_of(cells, i, points);
+        result.add(i, now, shape_of(cells, i, displacement), CellCorners(now));
+    }));
+    return of_all;
 }
 
 Index limiting_point(OrientedMesh const& cells, AdmissibleStep const& limit) noexcept {
-    return limit.cell == none ? none : cells.cell(limit.cell).point[limit.corner];
+    if (limit.cell == none) return none;
+    bool const is_guard = limit.cell >= cells.mesh.n_cells;
+    return cells.cell(limit.cell).point[is_guard ? 1 : limit.corner];
 }
 
 }  // namespace harmorph

@@ -23,8 +23,21 @@ void Quality::add(CellBatches const& batches, BatchQuality const& triangles, Bat
     });
 }
 
+CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points) noexcept {
+    auto const shape_at = [&](Index i) { return shape_of(cells, i, points); };
+    if (cells.mesh.is_of_pieces()) return {cells.mesh, number, shape_at};
+    CellShape const shape = shape_at(number);
+    return {shape.n, CellCorners(shape)};
+}
+
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept {
+    if (cells.mesh.is_of_pieces()) {
+        return reduce_cells<Quality>(cells.mesh.n_given, executor, [&](Index i, Quality& quality) {
+            quality.add(i, measure_cell(cells, i, points),
+                        reference.given() ? measure_cell(cells, i, reference).area : 0);
+        });
+    }
     CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
     CellPlaces const places{points, {}, reference};
     return reduce_ranges<Quality>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {

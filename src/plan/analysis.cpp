@@ -1,11 +1,11 @@
 #include "harmorph/plan/analysis.hpp"
 
-#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/guard_shape.hpp"
 
 namespace harmorph {
 
 void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index n_conditions) noexcept {
-    Mesh const& mesh = asked.mesh;
+    Mesh const mesh = division.lay_out(arena, asked.mesh);
     Demands const& demands = asked.demands;
     Executor const& executor = asked.executor;
     arena.take(curves, n_curves);
@@ -47,8 +47,14 @@ Status Analysis::run(Problem const& asked, Fault& fault) noexcept {
 }
 
 Status Analysis::analyse_mesh(Fault& fault) noexcept {
-    Mesh const& mesh = problem.mesh;
-    HARMORPH_TRY(check_mesh(mesh, fault));
+    Mesh& mesh = problem.mesh;
+    Mesh const given = mesh;
+    HARMORPH_TRY(check_mesh(given, fault));
+    if (given.layout == CellLayout::polygons) {
+        division.run(given);
+        mesh = division.pieces.mesh(given);
+        topology.reversed = topology.reversed.first(mesh.n_checked());
+    }
     topology.mesh = mesh;
     Edges& edges = topology.edges;
     for (Index k = 0; k < mesh.n_points; ++k) topology.representative[k] = k;
@@ -56,7 +62,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
         if (part == 1) sense = common_sense(mesh);
-        if (part == 2 && has_conditions()) mesh_fingerprint = fingerprint_of(mesh);
+        if (part == 2 && has_conditions()) mesh_fingerprint = fingerprint_of(given);
     });
     HARMORPH_TRY(fault.status);
     HARMORPH_TRY(boundary.mark(topology, fault));
@@ -66,6 +72,12 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
         HARMORPH_TRY(boundary.mark(topology, fault));
     }
     HARMORPH_TRY(orient(topology, sense, orientation_work, inverted, fault));
+    if (mesh.is_of_pieces()) {
+        division.pieces.orient_guards(topology.reversed);
+        for (Index i = mesh.n_cells; i < mesh.n_checked() && inverted == none; ++i) {
+            if (is_inverted(shape_of(topology, i, mesh.points))) inverted = i;
+        }
+    }
     HARMORPH_TRY(boundary.order(topology, fault));
     assign_conditions(mesh.points, conditions, boundary);
     classify(edges, boundary, conditions, kinds);
@@ -83,9 +95,9 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
-        CellCorners const corners(CellShape(topology.cell(inverted), mesh.points, false));
+        CellCorners const corners(shape_of(topology, inverted, mesh.points));
         return fault.refuse(Status::bad_mesh, "cell # is inverted or empty: its smallest corner area is ~", Counts::mesh,
-                            inverted, none, 0.5 * corners.smallest());
+                            mesh.number(inverted), none, 0.5 * corners.smallest());
     }
     HARMORPH_TRY(check_heights(fault));
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
@@ -109,15 +121,15 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 // Cells so thin that rounding of moved coordinates decides whether they are inverted.
 Status Analysis::check_heights(Fault& fault) const noexcept {
     Real height = 0;
-    auto const is_too_thin = [&](Index i, Cell const& cell) {
-        CellShape const shape(cell, problem.mesh.points, topology.reversed[i] != 0);
+    auto const is_too_thin = [&](Index i, Cell const&) {
+        CellShape const shape = shape_of(topology, i, problem.mesh.points);
         height = CellCorners(shape).smallest_height(shape.n);
         return !(height >= resolved_height(shape));
     };
-    Index const cell = problem.mesh.find_cell(is_too_thin);
+    Index const cell = problem.mesh.find_cell(0, problem.mesh.n_checked(), is_too_thin);
     if (cell == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # has a height of ~, too small for the digits of its coordinates", Counts::mesh,
-                        cell, none, height);
+                        problem.mesh.number(cell), none, height);
 }
 
 // The functions of a body are offsets from its centre; in single precision they must neither overflow nor vanish, also when
@@ -168,7 +180,7 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 BasisSource Analysis::basis_source() const noexcept {
-    return {topology, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
+    return {topology, division.pieces, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
             boundary, wall, wall_work.slot};
 }
 

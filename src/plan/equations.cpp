@@ -8,10 +8,12 @@ namespace harmorph {
 void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Problem const& problem = analysis.problem;
     Index const n = analysis.graph.n, n_points = problem.mesh.n_points, n_cells = problem.mesh.n_cells;
+    Mesh const& mesh = problem.mesh;
     Index const n_delaunay = problem.method.bounded() ? analysis.triangulation.edges.count() : 0;
     bool const weighted = problem.method.quarters > 0;
     arena.take(dof_of, n);
-    arena.take(cells.reversed, n_cells);
+    arena.take(cells.reversed, mesh.n_checked());
+    if (mesh.is_of_pieces()) pieces.lay_out(arena, mesh.n_given, mesh.n_cells, mesh.n_guards);
     arena.take(kinds, n_points);
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
     arena.take(delaunay_edges, n_delaunay);
@@ -22,6 +24,13 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
 
 void Equations::init(Analysis const& analysis) noexcept {
     cells.mesh = analysis.problem.mesh;
+    if (pieces.given()) {
+        pieces.copy_from(analysis.division.pieces);
+        cells.mesh.cell_points = pieces.point.data();
+        cells.mesh.piece_start = pieces.start.data();
+        cells.mesh.guard_start = pieces.guard_start.data();
+        cells.mesh.guard_kind = pieces.kind.data();
+    }
     method = analysis.problem.method;
     method.kernel = resolved(method.kernel, analysis.problem.executor.kernel);
     for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
@@ -42,7 +51,8 @@ void Equations::build(Analysis const& analysis) noexcept {
                  analysis.tangent);
     if (!method.nodal_gradients()) return;
     Topology topology = analysis.topology;
-    topology.reversed = cells.reversed;  // the copy, which outlives the analysis
+    topology.mesh = cells.mesh;  // the copies, which outlive the analysis
+    topology.reversed = cells.reversed;
     nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
 }
 
@@ -60,7 +70,7 @@ Status Equations::assemble_cells(Points points, Executor const& executor, Fault&
     Index const inverted = assemble_stiffness(cells, points, conductivity, method.conformal(), matrix, executor);
     if (inverted == none) return Status::ok;
     return fault.refuse(Status::bad_mesh, "cell # is inverted or empty at the given coordinates", Counts::mesh,
-                        inverted);
+                        cells.mesh.number(inverted));
 }
 
 bool Equations::change_operator(Operator operator_kind, Index quarters) noexcept {

@@ -21,7 +21,6 @@ void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
 }
 
 void Plan::init(Analysis const& analysis) noexcept {
-    mesh = analysis.problem.mesh;
     executor = analysis.problem.executor;
     progress = analysis.problem.progress;
     basis_counts = analysis.basis_counts();
@@ -32,6 +31,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     copy(wall_point, Span<const Index>(analysis.wall.point.first(wall_point.count())));
     given.init(analysis);
     equations.init(analysis);
+    mesh = equations.cells.mesh;
     refinement.residual.kernel = executor.kernel = equations.method.kernel;
     executor.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations.build(analysis);

@@ -167,7 +167,8 @@ private:
 
 void Transfer::lay_out(Arena& arena, Analysis const& fine, Mesh const& coarse) noexcept {
     BasisCounts const counts = fine.basis_counts();
-    locator.lay_out(arena, coarse.n_cells);
+    bool const polygons = coarse.layout == CellLayout::polygons;
+    locator.lay_out(arena, polygons ? coarse.max_pieces() : coarse.n_cells);
     wall.lay_out(arena, static_cast<Size>(fine.count_wall_faces()));
     arena.take(correction, Offset{counts.wall} * (Offset{numbers_of(counts.kind)} * counts.functions()));
     arena.take(reach, counts.wall);
@@ -179,7 +180,7 @@ Status Transfer::run(Analysis const& analysis, Mesh const& coarse_mesh, Basis co
     fine.unseal();
     fill(fine.value, 0.0);
     Points const points = analysis.problem.mesh.points;
-    locator.build({coarse_mesh, coarse.reversed});
+    locator.build(coarse.cells(coarse_mesh));
     wall.kernel = resolved(analysis.problem.method.kernel, analysis.problem.executor.kernel);
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     wall.build(points);

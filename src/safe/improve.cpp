@@ -84,18 +84,18 @@ Real Improvement::step(ImproveOptions const& options, Index power, Real before, 
 Improvement::Score Improvement::score() const noexcept {
     return reduce_cells<Score>(region.n_cells, executor, [&](Index k, Score& result) {
         Index const cell = region.cell[k];
-        Real const quality = targets.quality(cell, CellShape(tangle.cell(cell), as_points(now), false));
+        Real const quality = targets.quality(cell, tangle.shape(cell, as_points(now)));
         result.merge({smaller(quality / targets.cell[cell].least, 1.0), quality});
     });
 }
 
 void Improvement::assemble(Index power) const noexcept {
     constexpr Real floor = QualityEnergy::least_curvature;
-    system.assemble(tangle, region, executor, [&](Index cell, const Index(&point)[3], auto const& add) {
+    system.assemble(tangle, region, executor, [&](Index cell, CornerPoints const& point, auto const& add) {
         Vec2 gradient[3];
         CornerMode mode[4];
         Triangle const triangle = triangle_of(point, as_points(now));
-        Real const share = targets.cell[cell].is_quad ? 0.25 : 1, least = targets.cell[cell].least;
+        Real const share = targets.share(cell), least = targets.cell[cell].least;
         QualityEnergy const relative(targets.of(cell, point, triangle));
         relative.differentiate(triangle, 1, share, floor, gradient, mode);
         add(gradient, mode);
@@ -110,13 +110,14 @@ void Improvement::assemble(Index power) const noexcept {
 Real Improvement::energy_at(Real length, Index power) const noexcept {
     return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
         Index const cell = region.cell[k];
-        CellTriangles const corners(tangle.cell(cell));
-        Real const share = targets.cell[cell].is_quad ? 0.25 : 1, least = targets.cell[cell].least;
+        CellTriangles const corners(tangle, cell);
+        Real const share = targets.share(cell), least = targets.cell[cell].least;
         for (Index corner = 0; corner < corners.n; ++corner) {
-            const Index(&point)[3] = corners.point[corner];
+            CornerPoints const& point = corners.point[corner];
             if (!region.can_move(point)) continue;
             Triangle triangle = triangle_of(point, as_points(now));
-            for (Index end = 0; end < 3; ++end) triangle.at[end] = triangle.at[end] + length * change[point[end]];
+            Triangle const way = triangle_of(point, as_points(change));
+            for (Index end = 0; end < 3; ++end) triangle.at[end] = triangle.at[end] + length * way.at[end];
             sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle, 1);
             if (power == 0) continue;
             Real const absolute = QualityEnergy(targets.ideal(cell, point, triangle)).energy(triangle, power);
@@ -128,11 +129,9 @@ Real Improvement::energy_at(Real length, Index power) const noexcept {
 // Of the coordinates as they will be stored.
 bool Improvement::is_valid_at(Real length) const noexcept {
     return reduce_cells<Valid>(region.n_cells, executor, [&](Index k, Valid& valid) {
-        Cell const cell = tangle.cell(region.cell[k]);
-        CellShape shape(cell, as_points(now), false);
-        for (Index corner = 0; corner < cell.n; ++corner) {
-            shape.at[corner] = shape.at[corner] + length * change[cell.point[corner]];
-        }
+        CellShape shape = tangle.shape(region.cell[k], as_points(now));
+        CellShape const way = tangle.shape(region.cell[k], as_points(change));
+        for (Index corner = 0; corner < shape.n; ++corner) shape.at[corner] = shape.at[corner] + length * way.at[corner];
         if (shape.n == 3) shape.at[3] = shape.at[0];
         valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
     }).all;

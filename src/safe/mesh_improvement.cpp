@@ -13,18 +13,18 @@ void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
 }
 
 Status MeshImprovement::check(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) const noexcept {
-    Span<std::uint8_t> const reversed = plan.equations.cells.reversed;
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
         if (is_in_range(points[k])) continue;
         return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite, or larger than 1e100",
                             Counts::mesh, k);
     }
-    Index const inverted = plan.mesh.find_cell([&](Index i, Cell const& cell) {
-        CellShape const shape(cell, points, reversed[i] != 0);
+    OrientedMesh const& cells = plan.equations.cells;
+    Index const inverted = plan.mesh.find_cell(0, plan.mesh.n_checked(), [&](Index i, Cell const&) {
+        CellShape const shape = shape_of(cells, i, points);
         return is_inverted(shape) || is_inverted_exactly(shape);
     });
     if (inverted == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh, inverted);
+    return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh, plan.mesh.number(inverted));
 }
 
 Status MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
@@ -83,6 +83,7 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
         Cell const cell = improvement.tangle.cell(i);
         Vec2 corner[4];
         for (Index k = 0; k < cell.n; ++k) corner[k] = position(cell.point[k], from);
+        corner[0] = turned_start(corner[0], corner[1], turn_of(improvement.tangle.mesh, i));
         CellShape const shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
         if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
         start[top] = here;
@@ -103,10 +104,11 @@ void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexc
     for (Index const above : first_layer.above.first(first_layer.wall.count)) {
         if (above != none) held[above] |= top;
     }
-    for (Index i = 0; i < plan.mesh.n_cells; ++i) {
+    for (Index i = 0; i < plan.mesh.n_checked(); ++i) {
         Cell const cell = plan.equations.cells.cell(i);
-        CellShape const before(cell, reference, false), now(cell, as_points(start), false);
-        Real const quality = skew_quality(before.n, CellCorners(before));
+        CellShape const before = shape_of(plan.equations.cells, i, reference);
+        CellShape const now = shape_of(plan.equations.cells, i, as_points(start));
+        Real const quality = improvement.targets.quality(i, before);
         if (improvement.targets.quality(i, now) >= Targets::part_of_own * quality) continue;
         for (Index k = 0; k < cell.n; ++k) held[mobility.representative[cell.point[k]]] |= poor;
     }

@@ -37,7 +37,7 @@ void NewtonSystem::clear_row(Region const& region, Index u) const noexcept {
 }
 
 // To the row of the corner's point `own`.
-void NewtonSystem::add_to_row(Region const& region, Index own, const Index (&point)[3], const Vec2 (&by)[3],
+void NewtonSystem::add_to_row(Region const& region, Index own, CornerPoints const& point, const Vec2 (&by)[3],
                               const CornerMode (&mode)[4]) const noexcept {
     Index const u = region.unknown[point[own]];
     Span<const Index> const neighbours = region.of(u);

@@ -58,17 +58,23 @@ struct Count {
     void merge(Count const& later) noexcept { n += later.n; }
 };
 
-Vec2 centre_of(Cell const& cell, Points points) noexcept {
+// Mean of the corners of one of the caller's cells: a polygon has them in its triangles, those at diagonals repeatedly.
+Vec2 centre_of(Mesh const& mesh, Index number, Points points) noexcept {
+    Index const begin = mesh.is_of_pieces() ? mesh.piece_start[number] : number;
+    Index const end = mesh.is_of_pieces() ? mesh.piece_start[number + 1] : number + 1;
     Vec2 sum;
-    for (Index k = 0; k < cell.n; ++k) sum = sum + points[cell.point[k]];
-    return (1.0 / cell.n) * sum;
+    Index n = 0;
+    for (Index piece = begin; piece < end; ++piece) {
+        Cell const cell = mesh.cell(piece);
+        for (Index k = 0; k < cell.n; ++k, ++n) sum = sum + points[cell.point[k]];
+    }
+    return (1.0 / n) * sum;
 }
 
 // Quality of one cell as measure_quality() has it.
 Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points reference) noexcept {
-    CellShape const shape(cells.cell(cell), points, false), before(cells.cell(cell), reference, false);
     Quality one;
-    one.add(cell, shape.n, CellCorners(shape), CellCorners(before).cell_area(shape.n));
+    one.add(cell, measure_cell(cells, cell, points), measure_cell(cells, cell, reference).area);
     return one.min_quality;
 }
 
@@ -198,8 +204,8 @@ bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
 
 Index SafeMorph::count_inverted(Work const& work, Points points) const noexcept {
     OrientedMesh const cells = work.cells();
-    return reduce_cells<Count>(cells.mesh.n_cells, work.executor(), [&](Index cell, Count& count) {
-        CellShape const shape(cells.mesh.cell(cell), points, cells.reversed[cell] != 0);
+    return reduce_cells<Count>(cells.mesh.n_checked(), work.executor(), [&](Index cell, Count& count) {
+        CellShape const shape = shape_of(cells, cell, points);
         count.n += is_inverted(shape) || is_inverted_exactly(shape) ? 1 : 0;
     }).n;
 }
@@ -314,7 +320,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
 void SafeMorph::measure_worst(Work& work) const noexcept {
     SafeReport& report = work.report;
     report.n_worst = 0;
-    for (Index cell = 0; cell < work.mesh().n_cells; ++cell) {
+    for (Index cell = 0; cell < work.mesh().n_given_cells(); ++cell) {
         Real const quality = quality_of(work.cells(), cell, result(), work.mesh().points);
         Index place = report.n_worst;
         while (place > 0 && quality < report.worst[place - 1].quality) --place;
@@ -322,7 +328,7 @@ void SafeMorph::measure_worst(Work& work) const noexcept {
         if (report.n_worst < SafeReport::most_worst) ++report.n_worst;
         for (Index k = report.n_worst - 1; k > place; --k) report.worst[k] = report.worst[k - 1];
         report.worst[place] = {cell, quality, quality_of(work.cells(), cell, work.mesh().points, work.mesh().points),
-                               centre_of(work.mesh().cell(cell), result())};
+                               centre_of(work.mesh(), cell, result())};
     }
 }
 
@@ -348,8 +354,8 @@ Status SafeMorph::finish(Work& work) noexcept {
     measure_worst(work);
     WorstCell const& worst = report.worst[0];
     if (best.fraction < 1) {
-        Index const cell = report.limit.cell;
-        Vec2 const at = cell != none ? centre_of(work.mesh().cell(cell), result()) : Vec2{};
+        Index const cell = work.mesh().number(report.limit.cell);
+        Vec2 const at = cell != none ? centre_of(work.mesh(), cell, result()) : Vec2{};
         return work.fault.refuse_at(at.x, at.y, Status::short_of_target,
                                     cell != none ? "the mesh could follow ~ of the movement; then cell # at $ stands in the way"
                                                  : "the mesh could follow ~ of the movement",

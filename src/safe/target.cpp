@@ -1,6 +1,7 @@
 #include "harmorph/safe/target.hpp"
 
 #include "harmorph/base/predicates.hpp"
+#include "harmorph/mesh/guard_shape.hpp"
 
 namespace harmorph {
 namespace {
@@ -97,14 +98,16 @@ Status check_loops(Target const& target, Fault& fault) noexcept {
 // Only the corners of cells at the boundary have three points that are prescribed.
 Status check_corners(Target const& target, Fault& fault) noexcept {
     Index bad_corner = none;
-    Index const cell = target.cells.mesh.find_cell([&](Index i, Cell shape) {
+    Mesh const& mesh = target.cells.mesh;
+    Index const cell = mesh.find_cell(0, mesh.n_checked(), [&](Index i, Cell shape) {
         if (target.cells.reversed[i] != 0) shape.reverse();
         for (Index k = 0; k < shape.n; ++k) {
-            Index const before = shape.previous(k), here = shape.point[k], next = shape.next(k);
+            Index const before = k == 0 ? shape.n - 1 : k - 1, next = k + 1 == shape.n ? 0 : k + 1;
             auto const is_known = [&](Index point) { return target.ends[point] == EndOf::prescribed; };
-            if (!is_known(before) || !is_known(here) || !is_known(next)) continue;
-            if (orientation_sign(target.at_target[before], target.at_target[here], target.at_target[next]) > 0) continue;
-            bad_corner = here;
+            if (!is_known(shape.point[before]) || !is_known(shape.point[k]) || !is_known(shape.point[next])) continue;
+            CellShape const at = shape_of(target.cells, i, target.at_target);
+            if (orientation_sign(at.at[before], at.at[k], at.at[next]) > 0) continue;
+            bad_corner = shape.point[i < mesh.n_cells ? k : 1];
             return true;
         }
         return false;
@@ -113,7 +116,7 @@ Status check_corners(Target const& target, Fault& fault) noexcept {
     Vec2 const at = target.at_target[bad_corner];
     return fault.refuse_at(at.x, at.y, Status::crossing,
                            "cell # is inverted by its points on the boundary, at point @ $: a wall turns too far",
-                           Counts::mesh, cell, bad_corner);
+                           Counts::mesh, mesh.number(cell), bad_corner);
 }
 
 }  // namespace

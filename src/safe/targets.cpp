@@ -1,6 +1,7 @@
 #include "harmorph/safe/targets.hpp"
 
 #include "harmorph/morph/quality.hpp"
+#include "harmorph/safe/newton_system.hpp"
 
 namespace harmorph {
 namespace {
@@ -33,16 +34,18 @@ void Targets::find(OrientedMesh const& cells, FaceDistance const& walls, Points 
                    Executor const& executor) noexcept {
     reference = before;
     Real const smallest = measure_quality(cells, before, {}, executor).min_quality;
-    executor.for_ranges(cells.mesh.n_cells, least_cells, [&](Index begin, Index end) {
+    executor.for_ranges(cells.mesh.n_checked(), least_cells, [&](Index begin, Index end) {
         Index group = 0;
         for (Index i = begin; i < end; ++i) {
-            CellShape const shape(cells.cell(i), before, false);
+            CellShape const shape = shape_of(cells, i, before);
             CellCorners const corners(shape);
             Cell& target = cell[i];
             target = {};
             target.is_quad = target.any_ratio = shape.n == 4;
             target.area = corners.cell_area(shape.n);
-            target.least = larger(smallest, part_of_own * skew_quality(shape.n, corners));
+            target.own = skew_quality(shape.n, corners);
+            target.is_part = cells.mesh.is_part(i);
+            target.least = target.is_part ? part_of_own : larger(smallest, part_of_own * target.own);
             if (walls.count > 0) find_stretch(target, shape, walls, now, group);
         }
     });
@@ -67,8 +70,8 @@ void Targets::find_stretch(Cell& target, CellShape const& shape, FaceDistance co
     target.more = (1 - ratio) * (1 - distance / reach) * (length(now[end[1]] - now[end[0]]) / size - 1);
 }
 
-Triangle Targets::of(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept {
-    Triangle triangle = {{reference[points[0]], reference[points[1]], reference[points[2]]}};
+Triangle Targets::of(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
+    Triangle triangle = triangle_of(points, reference);
     Cell const& its = cell[its_cell];
     if (its.any_ratio) return with_ratio_of(now, triangle.at[1] - triangle.at[0], triangle.at[2] - triangle.at[1]);
     if (its.more == 0) return triangle;
@@ -76,9 +79,10 @@ Triangle Targets::of(Index its_cell, const Index (&points)[3], Triangle const& n
     return triangle;
 }
 
-Triangle Targets::ideal(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept {
+Triangle Targets::ideal(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept {
     constexpr Real height = 0.8660254037844386;  // of the equilateral triangle with sides of 1
-    Triangle const before = {{reference[points[0]], reference[points[1]], reference[points[2]]}};
+    Triangle const before = triangle_of(points, reference);
+    if (cell[its_cell].is_part) return before;
     Real const twice_area = before.twice_area();
     if (cell[its_cell].is_quad) {
         Real const side = square_root(twice_area);
@@ -90,7 +94,9 @@ Triangle Targets::ideal(Index its_cell, const Index (&points)[3], Triangle const
 
 Real Targets::quality(Index its_cell, CellShape const& now) const noexcept {
     CellCorners const corners(now);
-    Real const skew = skew_quality(now.n, corners), area = corners.cell_area(now.n), before = cell[its_cell].area;
+    Cell const& its = cell[its_cell];
+    Real const found = skew_quality(now.n, corners), skew = its.is_part ? smaller(1.0, found / its.own) : found;
+    Real const area = corners.cell_area(now.n), before = its.area;
     return skew > 0 ? skew * square_root(smaller(area, before) / larger(area, before)) : 0;
 }
 

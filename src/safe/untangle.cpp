@@ -27,7 +27,7 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
                        Fault& fault) noexcept {
     report = {};
     Points const given{points.x, points.y, points.stride};
-    region.choose([&](Index i) { return is_inverted({tangle.cell(i), given, false}); });
+    region.choose([&](Index i) { return is_inverted(tangle.shape(i, given)); });
     report.inverted_before = report.left = region.n_cells;
     if (region.n_cells == 0) return Status::ok;
     for (Index k = 0; k < now.count(); ++k) now[k] = given[k];
@@ -57,16 +57,17 @@ Status Untangling::run(UntangleOptions const& options, MutablePoints points, Unt
 
 Status Untangling::check_reference(Fault& fault) const noexcept {
     for (Index const i : region.cell.first(region.n_cells)) {
-        if (!is_inverted({tangle.cell(i), tangle.reference, false})) continue;
-        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh, i);
+        if (!is_inverted(tangle.shape(i, tangle.reference))) continue;
+        return fault.refuse(Status::bad_mesh, "cell # of the reference mesh is inverted", Counts::mesh,
+                            tangle.mesh.number(i));
     }
     return Status::ok;
 }
 
 bool Untangling::is_stuck(Index cell) const noexcept {
-    CellTriangles const corners(tangle.cell(cell));
+    CellTriangles const corners(tangle, cell);
     for (Index k = 0; k < corners.n; ++k) {
-        const Index(&triangle)[3] = corners.point[k];
+        CornerPoints const& triangle = corners.point[k];
         auto const is_held = [&](Index point) { return tangle.held[tangle.representative[point]] != 0; };
         bool const held = is_held(triangle[0]) && is_held(triangle[1]) && is_held(triangle[2]);
         if (held && !(triangle_of(triangle, as_points(now)).twice_area() > 0)) return true;
@@ -75,9 +76,9 @@ bool Untangling::is_stuck(Index cell) const noexcept {
 }
 
 bool Untangling::is_good(Index cell, Real margin) const noexcept {
-    CellTriangles const corners(tangle.cell(cell));
+    CellTriangles const corners(tangle, cell);
     for (Index k = 0; k < corners.n; ++k) {
-        const Index(&triangle)[3] = corners.point[k];
+        CornerPoints const& triangle = corners.point[k];
         Real const area = triangle_of(triangle, as_points(now)).twice_area();
         Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
         Real const least = region.can_move(triangle) ? margin * wanted : 0;
@@ -110,7 +111,7 @@ void Untangling::repair_region(UntangleOptions const& options, Index most_iterat
 
 void Untangling::assemble(Real softness) const noexcept {
     Points const at = as_points(now);
-    system.assemble(tangle, region, executor, [&](Index, const Index(&point)[3], auto const& add) {
+    system.assemble(tangle, region, executor, [&](Index, CornerPoints const& point, auto const& add) {
         Vec2 gradient[3];
         CornerMode mode[4];
         Distortion const distortion(triangle_of(point, tangle.reference));
@@ -144,9 +145,9 @@ Real Untangling::descend(Real softness, Real before) noexcept {
 Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
     Points const points = as_points(at);
     return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
-        CellTriangles const corners(tangle.cell(region.cell[k]));
+        CellTriangles const corners(tangle, region.cell[k]);
         for (Index corner = 0; corner < corners.n; ++corner) {
-            const Index(&triangle)[3] = corners.point[corner];
+            CornerPoints const& triangle = corners.point[corner];
             if (!region.can_move(triangle)) continue;
             Distortion const distortion(triangle_of(triangle, tangle.reference));
             sum.value += distortion.energy(triangle_of(triangle, points), softness);
@@ -156,9 +157,9 @@ Real Untangling::energy(Span<const Vec2> at, Real softness) const noexcept {
 
 Real Untangling::smallest_determinant() const noexcept {
     return reduce_cells<Least>(region.n_cells, executor, [&](Index k, Least& least) {
-        CellTriangles const corners(tangle.cell(region.cell[k]));
+        CellTriangles const corners(tangle, region.cell[k]);
         for (Index corner = 0; corner < corners.n; ++corner) {
-            const Index(&triangle)[3] = corners.point[corner];
+            CornerPoints const& triangle = corners.point[corner];
             if (!region.can_move(triangle)) continue;
             Real const wanted = triangle_of(triangle, tangle.reference).twice_area();
             least.merge({triangle_of(triangle, as_points(now)).twice_area() / wanted});

@@ -50,7 +50,7 @@ struct System {
         region.grow(tangle, harmorph::Region::whole);
     }
     void assemble(double softness) {
-        newton.assemble(tangle, region, {}, [&](Index, const Index(&point)[3], auto const& add) {
+        newton.assemble(tangle, region, {}, [&](Index, harmorph::CornerPoints const& point, auto const& add) {
             Vec2 gradient[3];
             harmorph::CornerMode mode[4];
             harmorph::Distortion const distortion(triangle_of(point, tangle.reference));

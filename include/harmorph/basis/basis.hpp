@@ -6,12 +6,14 @@
 #include "harmorph/basis/options.hpp"
 #include "harmorph/basis/point_blocks.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
+#include "harmorph/mesh/pieces.hpp"
 
 namespace harmorph {
 
 struct BasisCounts {
     Index points = 0, cells = 0, control = 0, bodies = 0, curves = 0, indices = 0, knots = 0, weights = 0, wall = 0,
           joined = 0, boundary = 0, loops = 0, conditions = 0;
+    Index pieces = 0, guards = 0;  // of polygons; 0: cells are triangles and quads
     Index combined = 0, combination = 0;  // functions of design variables, and numbers of an entry of their matrix; 0: none
     Index modes = 0;  // functions with values from a table, behind all others
     Index first_stored = 0, stored = 0;  // functions whose values are here: all of them, or those of one process
@@ -93,7 +95,8 @@ struct Basis {
     Span<Index> joined_point, joined_slot;  // [joined] points joined to that of a slot of the wall: the other side of a cut
     Span<Index> boundary_point;    // [boundary] see Boundary
     Span<Index> loop_start;        // [loops + 1]
-    Span<std::uint8_t> reversed;   // [cells]
+    Span<std::uint8_t> reversed;   // [cells], or [pieces + guards]
+    Pieces pieces;                 // of polygons
     // In blocks of points, see point_blocks.hpp; the numbers of a point, row_length() of them, see ValueKind.
     Span<Real> value;              // of the points; in single storage of the slots of the wall
     Span<float> single;            // in single storage, of the points; 0 at the wall and what is joined to the wall
@@ -104,6 +107,8 @@ struct Basis {
     static Basis view(void* block) noexcept;
     static const Basis view(const void* block) noexcept;
 
+    // The cells of a mesh that belongs to the basis, as far as counts tell: those of the mesh, or the pieces kept here.
+    OrientedMesh cells(Mesh const& mesh) const noexcept;
     Index n_points() const noexcept { return header->counts.points; }
     Index n_functions() const noexcept { return header->counts.stored; }
     ValueKind kind() const noexcept { return header->counts.kind; }

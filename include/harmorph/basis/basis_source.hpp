@@ -9,6 +9,7 @@ namespace harmorph {
 // Views; an analysis has all of it.
 struct BasisSource {
     Topology const& topology;
+    Pieces const& pieces;  // of polygons
     MeshFingerprint mesh_fingerprint;
     std::uint64_t conditions_fingerprint;
     Method const& method;

@@ -1,5 +1,5 @@
-// The caller's mesh as it stands in the caller's arrays: cells in any of six layouts; boundary as faces, point
-// lists, or sides of blocks.
+// The caller's mesh as it stands in the caller's arrays: cells in any of seven layouts; boundary as faces, point
+// lists, or sides of blocks. Polygons become a mesh of their pieces, see pieces.hpp.
 #pragma once
 
 #include "harmorph/base/span.hpp"
@@ -7,7 +7,10 @@
 
 namespace harmorph {
 
-enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5 };
+enum class CellLayout : std::int32_t { rows = 0, triangles = 1, quads = 2, structured = 3, mixed = 4, blocks = 5, polygons = 6 };
+
+// What the corner of a polygon was before anything moved.
+enum class CornerKind : std::uint8_t { convex = 0, flat = 1, reflex = 2 };
 
 // The points of one cell, counted from 0, in order round it; n is 3 or 4.
 struct Cell {
@@ -76,13 +79,20 @@ struct Mesh {
     const Index* list_start = nullptr;
     const Index* list_points = nullptr;
     const Index* list_markers = nullptr;
+    Index n_given = 0;                   // pieces of polygons: how many polygons, and where the pieces and the guards of
+    const Index* piece_start = nullptr;  // each begin
+    const Index* guard_start = nullptr;
+    Index n_guards = 0;                  // triangles behind the cells whose areas must be positive, too
+    const CornerKind* guard_kind = nullptr;  // [n_guards]
 
+    static constexpr Index most_corners = 1024;    // of a polygon
     static constexpr Index max_blocks = Index{1} << 16;
     static constexpr Index no_marker = INT32_MIN;  // in block_markers
     static constexpr Index max_points = Index{1} << 30;
     static constexpr Index max_cells = Index{1} << 29;  // four corners of each are counted in an Index
 
-    // Whatever the layout: a quad whose last point is repeated is a triangle.
+    // Whatever the layout but polygons: a quad whose last point is repeated is a triangle. Guards are numbered behind the
+    // cells.
     Cell cell(Index i) const noexcept;
     // The first of all cells for which is(i, cell) holds, or none. Faster than asking for cell after cell: in each of its two
     // calls of `is` the compiler knows how many points there are, and keeps them in registers.
@@ -98,6 +108,15 @@ struct Mesh {
         find_cell(begin, end, [&](Index i, Cell const& its) { return visit(i, its), false; });
     }
     Index n_triangles() const noexcept { return n_cells - n_quads; }  // mixed
+    Index n_checked() const noexcept { return n_cells + n_guards; }
+    bool is_of_pieces() const noexcept { return piece_start != nullptr; }
+    Index n_given_cells() const noexcept { return is_of_pieces() ? n_given : n_cells; }
+    // The caller's cell that a cell or a guard is or belongs to; none of none.
+    Index number(Index i) const noexcept;
+    // One of several pieces of a cell, or a guard.
+    bool is_part(Index i) const noexcept;
+    Offset n_corners() const noexcept { return Offset{cell_start[n_cells]} - index_base; }  // polygons
+    Index max_pieces() const noexcept { return static_cast<Index>(n_corners() - 2 * Offset{n_cells}); }
     // Upper bound of the number of cell sides, from the counts alone.
     Size max_sides() const noexcept { return Size{4} * static_cast<Size>(n_cells); }
 
@@ -116,6 +135,8 @@ Real cell_area(Cell const& cell, Points points) noexcept;
 
 // Ranges of the counts alone: all that a size query may look at.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
+// Where the corners of polygons begin: all that a size query looks at besides.
+Status check_polygons(Mesh const& mesh, Fault& fault) noexcept;
 // Cell lists or block dimensions: where each cell's points are; not yet which.
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 
@@ -141,6 +162,23 @@ inline Cell Mesh::cell(Index i) const noexcept {
     }
     Index const c = from_zero(first[2], index_base), last = from_zero(first[width - 1], index_base);
     return {last == c ? 3 : 4, {from_zero(first[0], index_base), from_zero(first[1], index_base), c, last}};
+}
+
+inline Index Mesh::number(Index i) const noexcept {
+    if (!is_of_pieces() || i == none) return i;
+    const Index* const start = i < n_cells ? piece_start : guard_start;
+    Index low = 0, high = n_given;  // start[low] <= i < start[high]
+    while (high - low > 1) {
+        Index const middle = low + (high - low) / 2;
+        (start[middle] <= i ? low : high) = middle;
+    }
+    return low;
+}
+
+inline bool Mesh::is_part(Index i) const noexcept {
+    if (!is_of_pieces()) return false;
+    Index const cell = number(i);
+    return i >= n_cells || piece_start[cell + 1] - piece_start[cell] > 1;
 }
 
 template <class Visit>

@@ -8,7 +8,7 @@ namespace harmorph {
 // The caller's cells, whichever way they run, read counter-clockwise.
 struct OrientedMesh {
     Mesh mesh;
-    Span<std::uint8_t> reversed;  // [n_cells] 1: the cell's points are in clockwise order; empty: of no cell
+    Span<std::uint8_t> reversed;  // [cells and guards] 1: the cell's points are in clockwise order; empty: of no cell
 
     Cell cell(Index i) const noexcept {
         Cell out = mesh.cell(i);
@@ -26,7 +26,7 @@ struct Topology : OrientedMesh {
     Span<Index> representative;  // [n_points] of points that are joined: the smallest
 
     void lay_out(Arena& arena, Mesh const& counts) noexcept {
-        arena.take(reversed, counts.n_cells);
+        arena.take(reversed, counts.n_checked());
         edges.lay_out(arena, counts);
         arena.take(representative, counts.n_points);
     }

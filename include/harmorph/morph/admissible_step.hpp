@@ -1,7 +1,7 @@
 // How far the mesh can go along a displacement before a cell inverts, exactly.
 #pragma once
 
-#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/guard_shape.hpp"
 #include "harmorph/morph/cell_batch.hpp"
 #include "harmorph/base/executor.hpp"
 
@@ -9,7 +9,7 @@ namespace harmorph {
 
 struct AdmissibleStep {
     Real step = infinity;
-    Index cell = none, corner = none;  // of `cell`, the corner whose area becomes 0 first
+    Index cell = none, corner = none;  // of `cell` (or guard), the corner whose area becomes 0 first
 
     // Of `number`, whose points move from `now` by `change`.
     inline void add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept;

@@ -4,6 +4,7 @@
 #include "harmorph/basis/basis_source.hpp"
 #include "harmorph/mesh/boundary.hpp"
 #include "harmorph/mesh/delaunay.hpp"
+#include "harmorph/mesh/pieces.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/ordering/symbolic.hpp"
 #include "harmorph/multigrid/iteration.hpp"
@@ -30,7 +31,8 @@ struct Problem {
 };
 
 struct Analysis {
-    Problem problem;
+    Problem problem;              // of polygons, problem.mesh is the mesh of their pieces
+    Division division;            // polygons only
     Span<Curve> curves;           // set by the caller before run()
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Topology topology;            // of problem.mesh

@@ -8,7 +8,8 @@
 namespace harmorph {
 
 struct Equations {
-    OrientedMesh cells;           // a copy of the orientations: the analysis may be gone
+    OrientedMesh cells;           // with a copy of the orientations and the pieces: the analysis may be gone
+    Pieces pieces;                // of polygons
     Method method;                // the kernel is never automatic here
     Span<PointKind> kinds;        // [n_points] a copy, like the orientations; of joined points that of the representative
     Span<Index> dof_of;          // [n] dof of each position

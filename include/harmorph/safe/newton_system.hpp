@@ -39,7 +39,7 @@ struct NewtonSystem {
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
     // visit(cell, points, add) calls add(gradient, mode) for each term of the energy of a corner: its cell, the numbers
-    // of its three points, and what CornerMap::differentiate gives.
+    // of its three points, and what CornerMap::differentiate gives; both are overwritten.
     template <class Visit>
     void assemble(Tangle const& tangle, Region const& region, Executor const& executor,
                   Visit const& visit) const noexcept;
@@ -56,7 +56,7 @@ private:
     template <class Visit>
     void assemble_row(Tangle const& tangle, Region const& region, Index u, Visit const& visit) const noexcept;
     void clear_row(Region const& region, Index u) const noexcept;
-    void add_to_row(Region const& region, Index own, const Index (&point)[3], const Vec2 (&by)[3],
+    void add_to_row(Region const& region, Index own, CornerPoints const& point, const Vec2 (&by)[3],
                     const CornerMode (&mode)[4]) const noexcept;
     void constrain_row(Tangle const& tangle, Region const& region, Index u) const noexcept;
 };
@@ -72,15 +72,25 @@ void NewtonSystem::assemble(Tangle const& tangle, Region const& region, Executor
     });
 }
 
+// Derivatives by the points of a triangle with a turned side become those by its corner points.
+inline void pull_back(Vec2 turn, Vec2 (&by)[3]) noexcept {
+    if (turn.x == 1) return;
+    Vec2 const by_start = product(turn, by[0]);
+    by[1] = by[1] + by[0] - by_start;
+    by[0] = by_start;
+}
+
 template <class Visit>
 void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
     for (Index u = 0; u < region.n; ++u) clear_row(region, u);
     for (Index const i : region.cell.first(region.n_cells)) {
-        CellTriangles const corners(tangle.cell(i));
+        CellTriangles const corners(tangle, i);
         for (Index k = 0; k < corners.n; ++k) {
-            const Index(&point)[3] = corners.point[k];
+            CornerPoints const& point = corners.point[k];
             if (!region.can_move(point)) continue;
-            visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) {
+            visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
+                pull_back(point.turn, by);
+                for (CornerMode& its : mode) pull_back(point.turn, its.at);
                 for (Index own = 0; own < 3; ++own) {
                     if (region.unknown[point[own]] != none) add_to_row(region, own, point, by, mode);
                 }
@@ -95,12 +105,14 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
                                 Visit const& visit) const noexcept {
     clear_row(region, u);
     for (Index const i : region.cells_of(region.point[u])) {
-        CellTriangles const corners(tangle.cell(i));
+        CellTriangles const corners(tangle, i);
         for (Index k = 0; k < corners.n; ++k) {
-            const Index(&point)[3] = corners.point[k];
+            CornerPoints const& point = corners.point[k];
             auto const is_row = [&](Index corner) { return region.unknown[point[corner]] == u; };
             if (!is_row(0) && !is_row(1) && !is_row(2)) continue;
-            visit(i, point, [&](const Vec2(&by)[3], const CornerMode(&mode)[4]) {
+            visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
+                pull_back(point.turn, by);
+                for (CornerMode& its : mode) pull_back(point.turn, its.at);
                 for (Index own = 0; own < 3; ++own) {
                     if (is_row(own)) add_to_row(region, own, point, by, mode);
                 }
@@ -110,8 +122,8 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
     constrain_row(tangle, region, u);
 }
 
-inline Triangle triangle_of(const Index (&point)[3], Points at) noexcept {
-    return {{at[point[0]], at[point[1]], at[point[2]]}};
+inline Triangle triangle_of(CornerPoints const& point, Points at) noexcept {
+    return {{turned_start(at[point[0]], at[point[1]], point.turn), at[point[1]], at[point[2]]}};
 }
 // Pairs of numbers as points.
 inline Points as_points(Span<const Vec2> at) noexcept { return {&at.data()->x, &at.data()->y, 2}; }

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "harmorph/base/arena.hpp"
-#include "harmorph/mesh/cell_shape.hpp"
-#include "harmorph/mesh/edges.hpp"
+#include "harmorph/mesh/guard_shape.hpp"
 #include "harmorph/mesh/region_counts.hpp"
 
 namespace harmorph {
@@ -12,7 +11,7 @@ namespace harmorph {
 struct Tangle {
     Mesh mesh;                          // `points` is not looked at
     Points reference;                   // of valid cells: the shapes and sizes wanted
-    Span<std::uint8_t> reversed;        // [n_cells]
+    Span<std::uint8_t> reversed;        // [cells and guards]
     Span<const Index> representative;   // [n_points] points of a cut, or of a periodic pair, move as one
     Span<const std::uint8_t> held;      // [n_points] 1: does not move; of representatives
     Span<const Vec2> line = {};         // [n_points] unit vector along the line that a representative slides on;
@@ -24,20 +23,33 @@ struct Tangle {
         if (reversed[i] != 0) shape.reverse();
         return shape;
     }
+    // Of cell or guard i.
+    CellShape shape(Index i, Points points) const noexcept { return shape_of({mesh, reversed}, i, points); }
     bool slides(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
+};
+
+// A corner, the second point, with its neighbours; the side to the first one turned back, see guard_shape.hpp.
+struct CornerPoints {
+    Index point[3] = {};
+    Vec2 turn = {1, 0};
+
+    Index operator[](Index k) const noexcept { return point[k]; }
 };
 
 // Each corner of a cell with its neighbours; the corners of a triangle are one and the same.
 struct CellTriangles {
     Index n = 0;
-    Index point[4][3] = {};
+    CornerPoints point[4] = {};
 
+    CellTriangles(Tangle const& tangle, Index i) noexcept : CellTriangles(tangle.cell(i)) {
+        point[0].turn = turn_of(tangle.mesh, i);
+    }
     explicit CellTriangles(Cell const& cell) noexcept : n(cell.n == 3 ? 1 : 4) {
         for (Index k = 0; k < n; ++k) {
             Index const corner = cell.n == 3 ? 1 : k;
-            point[k][0] = cell.previous(corner);
-            point[k][1] = cell.point[corner];
-            point[k][2] = cell.next(corner);
+            point[k].point[0] = cell.previous(corner);
+            point[k].point[1] = cell.point[corner];
+            point[k].point[2] = cell.next(corner);
         }
     }
 };
@@ -49,7 +61,7 @@ struct Region {
     Index n_cells = 0;               // cells with an unknown point
     Span<Index> unknown;             // [n_points] number of a point, or none; points that move as one have the same
     Span<Index> point;               // [n] representative of each unknown
-    Span<Index> cell;                // [n_cells] in order
+    Span<Index> cell;                // [cells and guards] in order
     Span<Offset> start;              // [n + 1]
     Span<Index> neighbour;           // unknowns that share a cell with each, itself first
     Span<Offset> cell_start;         // [n_points + 1]
@@ -72,7 +84,7 @@ struct Region {
         return cell_of.from(cell_start[mesh_point], cell_start[mesh_point + 1] - cell_start[mesh_point]);
     }
     Span<const Index> of(Index u) const noexcept { return neighbour.from(start[u], start[u + 1] - start[u]); }
-    bool can_move(const Index (&corner)[3]) const noexcept {
+    bool can_move(CornerPoints const& corner) const noexcept {
         return unknown[corner[0]] != none || unknown[corner[1]] != none || unknown[corner[2]] != none;
     }
 

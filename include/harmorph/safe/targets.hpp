@@ -6,6 +6,7 @@
 #include "harmorph/mesh/cell_shape.hpp"
 #include "harmorph/mesh/topology.hpp"
 #include "harmorph/safe/corner_map.hpp"
+#include "harmorph/safe/region.hpp"
 
 namespace harmorph {
 
@@ -23,14 +24,16 @@ struct Targets {
         Real more = 0;    // factor of the stretch along it, less 1
         Real area = 0;    // of the reference cell
         Real least = 0;   // size-skew quality that the cell should have
+        Real own = 1;     // skew quality of the reference cell
         bool is_quad = false;
+        bool is_part = false;  // one of several pieces of a polygon, or a guard: the reference is the ideal
         bool any_ratio = false;  // of sides
     };
     // No cell should have less than the smallest quality of the reference mesh, or than this part of its own there.
     static constexpr Real part_of_own = 0.5;
 
     Points reference;
-    Span<Cell> cell;  // [n_cells]
+    Span<Cell> cell;  // [cells and guards]
 
     void lay_out(Arena& arena, Index n_cells) noexcept { arena.take(cell, n_cells); }
     // walls: built at `before`; may be none. Cells of `before` are valid.
@@ -38,11 +41,13 @@ struct Targets {
               Executor const& executor) noexcept;
 
     // Of the corner of a cell with these three points, whose sides are now those of `now`.
-    Triangle of(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept;
+    Triangle of(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept;
+    // How much a corner counts: a quadrilateral has four, a polygon more than two parts for each corner.
+    Real share(Index its_cell) const noexcept { return cell[its_cell].is_quad || cell[its_cell].is_part ? 0.25 : 1; }
     // The corner of best quality with the area of the reference's: of an equilateral triangle, or of a rectangle. To be
     // it, turned, is to have the size-skew quality 1.
-    Triangle ideal(Index its_cell, const Index (&points)[3], Triangle const& now) const noexcept;
-    // Size-skew quality, as measure_quality has it.
+    Triangle ideal(Index its_cell, CornerPoints const& points, Triangle const& now) const noexcept;
+    // Size-skew quality, as measure_quality has it; of parts of polygons relative to that of the reference, at most 1.
     Real quality(Index its_cell, CellShape const& now) const noexcept;
 
 private:
