@@ -968,8 +968,8 @@ typedef struct hm_space_mesh {
     int32_t  n_points;             /* 3 .. 2^30: all points of the mesh of three dimensions */
     hm_space_points points;        /* [n_points] coordinates */
     int32_t  kind;                 /* HM_SPACE_AUTO, HM_PLANES, HM_WEDGE */
-    int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, triangles and quadrilaterals; they are
-                                      the cells of the plane's mesh, in this order */
+    int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, of 3 to 1024 points; they are the cells
+                                      of the plane's mesh, in this order */
     const int32_t *face_start;     /* [n_faces+1] counted from index_base; NULL: each face has four entries */
     const int32_t *face_points;    /* the points of each face in order; of four entries, a triangle repeats its last
                                       point */

@@ -140,7 +140,7 @@ hm_status hm_plane_mesh(const hm_plane* plane, hm_mesh* mesh, hm_error* err) {
         filled.index_base = from.index_base;
         filled.n_points = from.n_points;
         filled.points = {from.points.x, from.points.y, 1};
-        filled.cell_layout = HM_CELLS_ROWS;
+        filled.cell_layout = static_cast<std::int32_t>(from.layout);
         filled.n_cells = from.n_cells;
         filled.cell_start = from.cell_start;
         filled.cell_points = from.cell_points;

@@ -65,7 +65,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
     case 11:
         PUT(sizeof(TYPE)); AT(struct_size); AT(points); AT(used_points); AT(cells); AT(triangles); AT(quads); AT(edges);
         AT(boundary_edges); AT(boundary_loops); AT(inverted); AT(first_inverted); AT(min_area); AT(min_quality);
-        AT(mean_quality);
+        AT(mean_quality); AT(polygons); AT(reserved);
         break;
 #undef TYPE
 #define TYPE hm_solve_report
@@ -124,7 +124,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         break;
     case 20:
         PUT(HM_CELLS_ROWS); PUT(HM_CELLS_TRIANGLES); PUT(HM_CELLS_QUADS); PUT(HM_CELLS_STRUCTURED); PUT(HM_CELLS_MIXED);
-        PUT(HM_CELLS_BLOCKS); PUT(HM_NO_MARKER);
+        PUT(HM_CELLS_BLOCKS); PUT(HM_CELLS_POLYGONS); PUT(HM_NO_MARKER);
         PUT(HM_SPACE_AUTO); PUT(HM_PLANES); PUT(HM_WEDGE);
         PUT(HM_CLOSED_AUTO); PUT(HM_OPEN); PUT(HM_TIED); PUT(HM_PERIODIC); PUT(HM_FIT_ASKED); PUT(HM_FIT_NO_LOOP);
         PUT(HM_FIT_NO_CORNER); PUT(HM_FIT_CORNER); PUT(HM_FIT_BASE); PUT(HM_ON_CURVE); PUT(HM_RIGID); PUT(HM_FIXED); PUT(HM_SLIP);

@@ -85,7 +85,7 @@ program layout
         c_loc(mesh_report%triangles), c_loc(mesh_report%quads), c_loc(mesh_report%edges), &
         c_loc(mesh_report%boundary_edges), c_loc(mesh_report%boundary_loops), c_loc(mesh_report%inverted), &
         c_loc(mesh_report%first_inverted), c_loc(mesh_report%min_area), c_loc(mesh_report%min_quality), &
-        c_loc(mesh_report%mean_quality)])
+        c_loc(mesh_report%mean_quality), c_loc(mesh_report%polygons), c_loc(mesh_report%reserved)])
     call compare("hm_solve_report", 12, c_sizeof(solve_report), c_loc(solve_report), [c_loc(solve_report%struct_size), &
         c_loc(solve_report%unknowns), c_loc(solve_report%functions), c_loc(solve_report%residual), &
         c_loc(solve_report%residual_function), c_loc(solve_report%boundary_error_point), &
@@ -145,7 +145,7 @@ program layout
         hm_bad_argument, hm_bad_mesh, hm_bad_curve, hm_bad_condition, hm_bad_basis, hm_block_too_small, &
         hm_not_positive, hm_unsupported, hm_crossing], c_int64_t))
     call compare_numbers("constants", 20, int([hm_cells_rows, hm_cells_triangles, hm_cells_quads, hm_cells_structured, &
-        hm_cells_mixed, hm_cells_blocks, hm_no_marker, hm_space_auto, hm_planes, hm_wedge, &
+        hm_cells_mixed, hm_cells_blocks, hm_cells_polygons, hm_no_marker, hm_space_auto, hm_planes, hm_wedge, &
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &
         hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, &
         hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &

@@ -23,7 +23,8 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
     }
     JsonObject object;
     object.add("points", report.points).add("cells", report.cells);
-    object.add("triangles", report.triangles).add("quads", report.quads).add("inverted", report.inverted);
+    object.add("triangles", report.triangles).add("quads", report.quads).add("polygons", report.polygons);
+    object.add("inverted", report.inverted);
     object.add("min_area", report.min_area).add("min_quality", report.min_quality);
     object.add("mean_quality", report.mean_quality).add("markers", markers);
     std::printf("%s\n", object.text().c_str());
@@ -31,8 +32,9 @@ void print_json(const hm_mesh_report& report, const Mesh& mesh) {
 
 void print_for_people(const hm_mesh_report& report, const Mesh& mesh) {
     std::printf("points        %d, %d of them in cells\n", report.points, report.used_points);
-    std::printf("cells         %d: %s, %s\n", report.cells, plural(report.triangles, "triangle").c_str(),
-                plural(report.quads, "quad").c_str());
+    const std::string polygons = report.polygons == 0 ? "" : ", " + plural(report.polygons, "polygon");
+    std::printf("cells         %d: %s, %s%s\n", report.cells, plural(report.triangles, "triangle").c_str(),
+                plural(report.quads, "quad").c_str(), polygons.c_str());
     std::printf("edges         %d, %d of them boundary in %s\n", report.edges, report.boundary_edges,
                 plural(report.boundary_loops, "loop").c_str());
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
@@ -94,8 +96,8 @@ const Command check_command = {
      {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
      {"--dual-volumes", "P[,Q..]", "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
      {"--gradient-volumes", "P[,Q..]", "--svg shows the cells round these points, over which gradients at points are formed"},
-     {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, inverted, min_area, min_quality,\n"
-                         "mean_quality, markers (name, faces)"}},
+     {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
+                         "min_quality, mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",
     run};
 

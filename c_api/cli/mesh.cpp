@@ -4,6 +4,7 @@
 #include "numbers.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cli {
 
@@ -66,7 +67,7 @@ hm_mesh Mesh::view() const {
     mesh.struct_size = sizeof mesh;
     mesh.n_points = points();
     mesh.points = coordinates();
-    mesh.cell_layout = HM_CELLS_ROWS;
+    mesh.cell_layout = has_polygons ? HM_CELLS_POLYGONS : HM_CELLS_ROWS;
     mesh.n_cells = cells();
     mesh.cell_start = cell_start.data();
     mesh.cell_points = cell_points.data();
@@ -106,6 +107,33 @@ void Mesh::add_point(double its_x, double its_y, std::size_t x_offset, std::size
     point_offset.push_back(x_offset);
     in_file.slots.push_back({x_offset, point, takes_x});
     in_file.slots.push_back({y_offset, point, takes_y});
+}
+
+void Mesh::refuse_polygons(const std::string& who) const {
+    for (std::size_t cell = 0; cell + 1 < cell_start.size(); ++cell) {
+        if (cell_start[cell + 1] - cell_start[cell] <= 4) continue;
+        throw Failure(exit_usage, file.path() + " has cells of more than four corners (the first is cell " +
+                                      std::to_string(cell) + "): " + who + " takes triangles and quadrilaterals only");
+    }
+}
+
+void Mesh::find_polygons() {
+    const auto at = [this](std::int32_t i) { return static_cast<std::size_t>(cell_points[static_cast<std::size_t>(i)]); };
+    for (std::size_t cell = 0; cell + 1 < cell_start.size() && !has_polygons; ++cell) {
+        const std::int32_t first = cell_start[cell], n = cell_start[cell + 1] - first;
+        has_polygons = n > 4;
+        double least = 0, most = 0; // sines of the turns at the corners
+        for (std::int32_t k = 0; k < n && n == 4; ++k) {
+            const std::size_t a = at(first + k), b = at(first + (k + 1) % n), c = at(first + (k + 2) % n);
+            const double ux = x[b] - x[a], uy = y[b] - y[a], vx = x[c] - x[b], vy = y[c] - y[b];
+            const double size = std::hypot(ux, uy) * std::hypot(vx, vy);
+            const double turn = size > 0 ? (ux * vy - uy * vx) / size : 0;
+            least = k == 0 ? turn : std::min(least, turn);
+            most = k == 0 ? turn : std::max(most, turn);
+        }
+        constexpr double flat = 1e-6;
+        has_polygons = has_polygons || (n == 4 && least < flat && most > -flat);
+    }
 }
 
 void Mesh::add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset) {

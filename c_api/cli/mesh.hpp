@@ -23,6 +23,7 @@ struct Mesh {
     TextFile file;
     std::vector<double> x, y;
     std::vector<std::int32_t> cell_start = {0}, cell_points; // compressed rows, counted from 0
+    bool has_polygons = false;                               // cells of more than four corners, or with hanging nodes
     std::vector<std::int32_t> face_points, face_markers;
     std::vector<std::string> markers;                        // their tags; a marker's number is its place here
     std::vector<std::size_t> point_offset, cell_offset, face_offset; // where each stands in file.text(); may be empty
@@ -54,6 +55,9 @@ struct Mesh {
         cell_start.push_back(static_cast<std::int32_t>(cell_points.size()));
         cell_offset.push_back(offset);
     }
+    // Wrong usage if there are cells of more than four corners; who: what takes none.
+    void refuse_polygons(const std::string& who) const;
+    void find_polygons(); // cells of four corners, too, if a corner is not convex: for formats that have polygons
     void add_face(std::int32_t a, std::int32_t b, std::int32_t marker, std::size_t offset);
 };
 

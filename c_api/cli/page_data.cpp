@@ -59,6 +59,7 @@ public:
 
     // All but what is asked for afterwards.
     JsonObject& run() {
+        mesh_.refuse_polygons("the page");
         const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
         object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
         object_.add("basis", name(basis_.path()));

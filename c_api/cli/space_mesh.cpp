@@ -89,6 +89,7 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     mesh.cell_start.assign(found.cell_start, found.cell_start + found.n_cells + 1);
     mesh.cell_points.assign(found.cell_points, found.cell_points + mesh.cell_start.back());
     mesh.cell_offset = space.face_offset;
+    mesh.find_polygons();
     mesh.face_points.assign(found.face_points, found.face_points + 2 * found.n_faces);
     mesh.face_markers.assign(found.face_markers, found.face_markers + found.n_faces);
     mesh.face_offset = space.side_offset;

@@ -1,5 +1,7 @@
 #include "vtu.hpp"
 
+#include "formats/vtk_cells.hpp"
+
 #include "numbers.hpp"
 
 #include <ostream>
@@ -34,10 +36,7 @@ void write_cells(std::ostream& out, const Mesh& mesh) {
     for (std::size_t cell = 0; cell < n; ++cell) out << mesh.cell_start[cell + 1] << '\n';
     out << "</DataArray>\n";
     begin_array(out, "UInt8", "types", 1);
-    constexpr int vtk_triangle = 5, vtk_quad = 9;
-    for (std::size_t cell = 0; cell < n; ++cell) {
-        out << (mesh.cell_start[cell + 1] - mesh.cell_start[cell] == 3 ? vtk_triangle : vtk_quad) << '\n';
-    }
+    for (std::size_t cell = 0; cell < n; ++cell) out << vtk_type(mesh, cell) << '\n';
     out << "</DataArray>\n</Cells>\n";
 }
 

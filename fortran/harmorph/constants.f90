@@ -13,7 +13,7 @@
     integer, parameter, public :: hm_unsupported = -9, hm_crossing = -10
 
     integer, parameter, public :: hm_cells_rows = 0, hm_cells_triangles = 1, hm_cells_quads = 2, &
-        hm_cells_structured = 3, hm_cells_mixed = 4, hm_cells_blocks = 5
+        hm_cells_structured = 3, hm_cells_mixed = 4, hm_cells_blocks = 5, hm_cells_polygons = 6
     integer(c_int32_t), parameter, public :: hm_no_marker = -huge(0_c_int32_t) - 1_c_int32_t
     integer, parameter, public :: hm_space_auto = 0, hm_planes = 1, hm_wedge = 2
     integer, parameter, public :: hm_closed_auto = 0, hm_open = 1, hm_tied = 2, hm_periodic = 3

@@ -9,6 +9,7 @@
 !     type(hm_mesh) :: mesh;  type(hm_curves) :: curves;  type(hm_plan) :: plan;  type(hm_basis) :: basis
 !     call mesh%points(x, y)                       begins a mesh; the arrays have TARGET and are not copied
 !     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
+!     call mesh%polygons(cells, start)             instead of cells: rows of 3 to 1024 points, with hanging nodes
 !     call mesh%blocks(sizes, markers)             instead of cells: ni, nj of structured blocks, their sides' markers
 !     call mesh%faces(face_points, markers)        or lists, point_types; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
@@ -108,7 +109,8 @@
 !
 ! REPORTS
 !
-! hm_mesh_report    plan%report: points, used_points, cells, triangles, quads, edges, boundary_edges, boundary_loops;
+! hm_mesh_report    plan%report: points, used_points, cells, triangles, quads, polygons, edges, boundary_edges,
+!                   boundary_loops;
 !                   inverted, first_inverted (-1: none); min_area (of a corner: half the cross product of its edges),
 !                   min_quality, mean_quality (0 .. 1).
 ! hm_fit_report     max_error, rms_error (distances of the points), max_error_point; closed: hm_open, hm_tied,

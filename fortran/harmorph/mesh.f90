@@ -22,11 +22,12 @@
         procedure :: structured => mesh_structured
 !@each integer
         procedure, private :: cells_fixed_@FORM@, cells_rows_@FORM@, faces_@FORM@, lists_@FORM@, point_types_@FORM@, &
-            blocks_@FORM@
+            blocks_@FORM@, polygons_@FORM@
         generic :: cells => cells_fixed_@FORM@, cells_rows_@FORM@
         generic :: faces => faces_@FORM@
         generic :: lists => lists_@FORM@
         generic :: blocks => blocks_@FORM@
+        generic :: polygons => polygons_@FORM@
         generic :: point_types => point_types_@FORM@
 !@end
         procedure :: line => mesh_line

@@ -39,6 +39,19 @@ contains
         call done%finish("mesh%cells", stat, err)
     end subroutine
 
+    ! polygons(cells, start): rows as above, of 3 to 1024 points; hanging nodes are corners of the cells beside them.
+    subroutine polygons_@FORM@(self, cells, start, stat, err)
+        class(hm_mesh), intent(inout) :: self
+        integer(@KIND@), intent(in) :: cells(:), start(:)
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        call prepare_to_add(self, done)
+        if (done%ok()) call add_cell_rows(self%arrays, small(cells), small(start), done)
+        if (done%ok()) self%arrays%layout = hm_cells_polygons
+        call done%finish("mesh%polygons", stat, err)
+    end subroutine
+
     ! blocks(sizes(2,n) [, markers(4,n)]): ni, nj of structured blocks whose points follow each other; markers of the
     ! sides i=1, i=ni, j=1, j=nj of each block, or hm_no_marker. Interfaces have equal coordinates on both sides.
     subroutine blocks_@FORM@(self, sizes, markers, stat, err)
@@ -86,13 +99,18 @@ contains
         integer :: k, m
         call done%refuse_if(has_blocks(arrays), "a block has no list of cells")
         call check_rows("cells", arrays%first, size(points), start, done)
-        if (done%ok() .and. arrays%cells%n() > 0 .and. arrays%layout /= hm_cells_rows) then
+        if (done%ok() .and. arrays%cells%n() > 0 .and. .not. has_rows(arrays)) then
             m = merge(3, 4, arrays%layout == hm_cells_triangles)
             call arrays%cell_start%append([(int(arrays%first + m * k, c_int32_t), k = 0, n_cells_of(arrays))], done)
         end if
-        if (done%ok()) arrays%layout = hm_cells_rows
+        if (done%ok() .and. .not. has_rows(arrays)) arrays%layout = hm_cells_rows
         call add_rows(arrays%first, arrays%cells, arrays%cell_start, points, start, done)
     end subroutine
+
+    pure logical function has_rows(arrays)
+        type(mesh_arrays), intent(in) :: arrays
+        has_rows = arrays%layout == hm_cells_rows .or. arrays%layout == hm_cells_polygons
+    end function
 
     pure logical function has_blocks(arrays)
         type(mesh_arrays), intent(in) :: arrays
@@ -106,7 +124,7 @@ contains
             n_cells_of = arrays%cells%n() / 3
         case (hm_cells_quads)
             n_cells_of = arrays%cells%n() / 4
-        case (hm_cells_rows)
+        case (hm_cells_rows, hm_cells_polygons)
             n_cells_of = max(arrays%cell_start%n() - 1, 0)
         case default
             n_cells_of = 0

@@ -204,7 +204,11 @@ contains
             call mesh%points(x, y, first=self%first)
             call c_f_pointer(c%cell_start, start, [c%n_cells + 1])
             call c_f_pointer(c%cell_points, points, [start(c%n_cells + 1) - c%index_base])
-            call mesh%cells(points, start)
+            if (c%cell_layout == hm_cells_polygons) then
+                call mesh%polygons(points, start)
+            else
+                call mesh%cells(points, start)
+            end if
             call c_f_pointer(c%face_points, points, [2 * c%n_faces])
             call c_f_pointer(c%face_markers, markers, [c%n_faces])
             if (c%n_faces > 0) call mesh%faces(reshape(points, [2, int(c%n_faces)]), markers)

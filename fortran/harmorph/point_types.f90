@@ -35,7 +35,7 @@ contains
         integer(c_int32_t), allocatable, intent(out) :: faces(:, :), markers(:)
         type(outcome), intent(inout) :: done
         integer(c_int32_t), allocatable :: quads(:, :), start(:)
-        integer :: i, j, k, n
+        integer :: i, j, k
         call done%refuse_if(arrays%layout /= hm_cells_structured .and. arrays%cells%n() == 0, &
             "the mesh has no cells yet: point_types comes after cells")
         if (done%status < 0) return
@@ -47,14 +47,20 @@ contains
             quads = reshape(arrays%cells%at, [merge(3, 4, arrays%layout == hm_cells_triangles), n_cells_of(arrays)]) + &
                 int(1 - arrays%first, c_int32_t)
         case default
-            allocate(quads(4, n_cells_of(arrays)))
             start = arrays%cell_start%at + int(1 - arrays%first, c_int32_t)
-            do k = 1, size(quads, 2)
-                n = start(k + 1) - start(k)
-                call done%refuse_if(n < 3 .or. n > 4, "a cell has not 3 or 4 points")
+            associate (corners => start(2:) - start(:size(start) - 1))
+                call done%refuse_if(any(corners < 3) .or. (arrays%layout == hm_cells_rows .and. any(corners > 4)), &
+                    "a cell has not 3 or 4 points")
                 if (done%status < 0) return
-                quads(:n, k) = arrays%cells%at(start(k):start(k + 1) - 1) + int(1 - arrays%first, c_int32_t)
-                if (n == 3) quads(4, k) = quads(3, k)
+                allocate(quads(4, sum(corners - 2)))
+            end associate
+            k = 0
+            do i = 1, size(start) - 1                           ! as fans of triangles: inner sides have two of them
+                do j = start(i) + 1, start(i + 1) - 2
+                    k = k + 1
+                    quads(:, k) = arrays%cells%at([start(i), int(j, c_int32_t), int(j + 1, c_int32_t), &
+                        int(j + 1, c_int32_t)]) + int(1 - arrays%first, c_int32_t)
+                end do
             end do
         end select
         call done%refuse_if(any(quads < 1 .or. quads > size(types)), "a cell has a point that the mesh has not")

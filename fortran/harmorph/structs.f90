@@ -140,6 +140,7 @@
         integer(c_int32_t) :: points = 0, used_points = 0, cells = 0, triangles = 0, quads = 0, edges = 0
         integer(c_int32_t) :: boundary_edges = 0, boundary_loops = 0, inverted = 0, first_inverted = 0
         real(c_double) :: min_area = 0, min_quality = 0, mean_quality = 0
+        integer(c_int32_t) :: polygons = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_solve_report

@@ -31,6 +31,7 @@ Mesh Plane::mesh() const noexcept {
     out.index_base = index_base;
     out.n_points = n_points;
     out.points = {x.data(), y.data(), 1};
+    if (has_polygons) out.layout = CellLayout::polygons;
     out.n_cells = n_faces;
     out.cell_start = cell_start.data();
     out.cell_points = cell_points.data();

@@ -30,7 +30,7 @@ Status PlaneSearch::run(SpaceMesh const& mesh, Plane& plane, Fault& fault) noexc
     fill(in_faces, std::uint8_t{0});
     for (Index i = 0; i < mesh.n_faces; ++i) {
         SpaceFace const face = mesh.face(i);
-        for (Index k = 0; k < face.n; ++k) in_faces[face.point[k]] = 1;
+        for (Index k = 0; k < face.n; ++k) in_faces[face.point(k)] = 1;
     }
     HARMORPH_TRY(find_frame(mesh, in_faces, plane.frame, fault));
     if (plane.frame.kind != SpaceKind::wedge) plane.turn = {};
@@ -66,10 +66,12 @@ void PlaneSearch::number_points(SpaceMesh const& mesh, Plane& plane) noexcept {
 
 void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
     Index n = 0;
+    plane.has_polygons = false;
     for (Index i = 0; i < mesh.n_faces; ++i) {
         SpaceFace const face = mesh.face(i);
+        plane.has_polygons = plane.has_polygons || face.n > 4;
         plane.cell_start[i] = n + plane.index_base;
-        for (Index k = 0; k < face.n; ++k) plane.cell_points[n++] = plane.follows[face.point[k]];
+        for (Index k = 0; k < face.n; ++k) plane.cell_points[n++] = plane.follows[face.point(k)];
     }
     plane.cell_start[mesh.n_faces] = n + plane.index_base;
 }
@@ -77,15 +79,17 @@ void PlaneSearch::copy_cells(SpaceMesh const& mesh, Plane& plane) noexcept {
 // A quarter of the shortest edge, and the tolerance.
 void PlaneSearch::find_reach(Plane const& plane) noexcept {
     fill(reach, plane.frame.tolerance * plane.frame.tolerance);
-    plane.mesh().for_each_cell([&](Index, Cell const& cell) {
-        for (Index k = 0; k < cell.n; ++k) {
-            Index const a = cell.point[k], b = cell.next(k);
+    for (Index i = 0; i < plane.n_faces; ++i) {
+        Index const begin = plane.cell_start[i] - plane.index_base, end = plane.cell_start[i + 1] - plane.index_base;
+        for (Index k = begin; k < end; ++k) {
+            Index const a = plane.cell_points[k] - plane.index_base;
+            Index const b = plane.cell_points[k + 1 == end ? begin : k + 1] - plane.index_base;
             Real const its = square(place_of(plane, b) - place_of(plane, a)) / 16;
             if (its == 0) continue;
             reach[a] = smaller(reach[a], its);
             reach[b] = smaller(reach[b], its);
         }
-    });
+    }
 }
 
 // Lists of the points with the same coordinates.

@@ -198,10 +198,8 @@ void FluentReader::add_points() {
 
 // The faces of a cell, each with the cell on its left, one behind the other.
 void FluentReader::add_cells() {
-    constexpr std::size_t most = 4;
     struct Cell {
-        std::array<std::array<std::int32_t, 2>, most> sides;
-        std::size_t n;
+        std::vector<std::array<std::int32_t, 2>> sides;
         std::size_t offset;
     };
     const auto cell_name = [](std::size_t cell) { return "cell " + std::to_string(cell + 1); };
@@ -211,23 +209,19 @@ void FluentReader::add_cells() {
         mesh_.file.fail(faces_[0].offset, "faces have cells up to " + std::to_string(largest_cell_) +
                                               ", but there are " + plural(n_faces, "face"));
     }
-    std::vector<Cell> list(static_cast<std::size_t>(largest_cell_), Cell{{}, 0, faces_[0].offset});
+    std::vector<Cell> list(static_cast<std::size_t>(largest_cell_), Cell{{}, faces_[0].offset});
     for (const Face& face : faces_) {
         for (std::size_t side = 0; side < 2; ++side) {
             if (face.cells[side] < 0) continue;
             const auto number = static_cast<std::size_t>(face.cells[side]);
             Cell& cell = list[number];
-            if (cell.n == most) {
-                mesh_.file.fail(face.offset,
-                                cell_name(number) + " has more than 4 faces: triangles and quadrilaterals are read");
-            }
-            if (cell.n == 0) cell.offset = face.offset;
-            cell.sides[cell.n++] = {face.nodes[side == 0 ? 1 : 0], face.nodes[side == 0 ? 0 : 1]};
+            if (cell.sides.empty()) cell.offset = face.offset;
+            cell.sides.push_back({face.nodes[side == 0 ? 1 : 0], face.nodes[side == 0 ? 0 : 1]});
         }
     }
     for (std::size_t number = 0; number < list.size(); ++number) {
         Cell& cell = list[number];
-        const auto sides = cell.sides.begin(), end = sides + static_cast<std::ptrdiff_t>(cell.n);
+        const auto sides = cell.sides.begin(), end = cell.sides.end();
         std::vector<std::int32_t> points;
         for (auto side = sides; side != end; ++side) {
             points.push_back((*side)[0]);
@@ -242,11 +236,12 @@ void FluentReader::add_cells() {
         }
         if (points.size() < 3) {
             mesh_.file.fail(cell.offset, "the faces of " + cell_name(number) + " (" +
-                                             plural(static_cast<std::int64_t>(cell.n), "face") +
-                                             ") do not form a triangle or a quadrilateral");
+                                             plural(static_cast<std::int64_t>(cell.sides.size()), "face") +
+                                             ") do not form a polygon");
         }
         mesh_.add_cell(points, cell.offset);
     }
+    mesh_.find_polygons();
 }
 
 void FluentReader::add_faces() {

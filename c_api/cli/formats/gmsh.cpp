@@ -20,6 +20,7 @@ void read(Mesh& mesh, const ReadOptions&) { build_gmsh_mesh(mesh, read_gmsh_cont
 
 // Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers curves from 2 on.
 void create(std::ostream& out, const Mesh& mesh) {
+    mesh.refuse_polygons("Gmsh");
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << mesh.markers.size() + 1 << "\n2 1 \"domain\"\n";
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
         out << "1 " << marker + 2 << " \"" << mesh.markers[marker] << "\"\n";

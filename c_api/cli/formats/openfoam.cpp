@@ -194,11 +194,6 @@ private:
     }
 
     void add_plane_face(std::int64_t face) {
-        if (corners(face) > 4) {
-            mesh_.file.fail(0,
-                            "face " + std::to_string(face) + " of the plane has " + std::to_string(corners(face)) +
-                                " points: triangles and quadrilaterals are read, polygons and hanging nodes are not");
-        }
         std::vector<std::int32_t> its;
         for (std::int64_t k = 0; k < corners(face); ++k) its.push_back(point(face, k));
         space_.add_face(its, space_.points.offset[0][static_cast<std::size_t>(its[0])]);

@@ -20,6 +20,7 @@ bool probe(const TextFile& file) {
 }
 
 void create(std::ostream& stream, const Mesh& mesh) {
+    mesh.refuse_polygons("SU2");
     TextOut out(stream);
     out << "NDIME= 2\nNELEM= " << mesh.cells() << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {

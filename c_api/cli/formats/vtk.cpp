@@ -197,7 +197,7 @@ void create(std::ostream& out, const Mesh& mesh) {
     }
     out << "CELL_TYPES " << mesh.cells() << '\n';
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        out << (mesh.cell_start[cell + 1] - mesh.cell_start[cell] == 3 ? vtk_triangle : vtk_quad) << '\n';
+        out << vtk_type(mesh, cell) << '\n';
     }
 }
 

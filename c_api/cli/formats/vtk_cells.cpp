@@ -16,11 +16,11 @@ void add_vtk_cells(Mesh& mesh, const VtkCells& cells) {
         const std::size_t offset = cells.offsets[static_cast<std::size_t>(begin)];
         if (type >= vtk_vertex && type <= vtk_poly_line) continue; // no part of the mesh
         const bool is_read = (type == vtk_triangle && n == 3) || ((type == vtk_quad || type == vtk_pixel) && n == 4) ||
-                             (type == vtk_polygon && (n == 3 || n == 4));
+                             (type == vtk_polygon && n >= 3);
         if (!is_read) {
             const bool is_solid = type >= vtk_tetrahedron && type <= vtk_last_solid;
             mesh.file.fail(offset, "cell " + std::to_string(i) + " is of type " + std::to_string(type) + " with " +
-                                       plural(n, "point") + ": triangles and quadrilaterals are read" +
+                                       plural(n, "point") + ": triangles, quadrilaterals and polygons are read" +
                                        (is_solid ? "; the mesh has three dimensions" : ""));
         }
         cell.clear();
@@ -36,6 +36,7 @@ void add_vtk_cells(Mesh& mesh, const VtkCells& cells) {
         }
         mesh.add_cell(cell, offset);
     }
+    mesh.find_polygons();
     name_open_boundary(mesh, "boundary");
 }
 

@@ -14,6 +14,7 @@ struct Plane {
     Index n_points = 0;  // of the plane
     Index n_space_points = 0;
     Index n_faces = 0, n_sides = 0;
+    bool has_polygons = false;  // faces of more than four points
     Index layers = 0;       // most points that follow one point of the plane, itself included
     Real max_distance = 0;  // of a point from the place of its plane point
     Index max_distance_point = none;

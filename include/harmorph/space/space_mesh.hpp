@@ -7,10 +7,15 @@ namespace harmorph {
 
 enum class SpaceKind : std::int32_t { found = 0, planes = 1, wedge = 2 };
 
-// The points of one face, counted from 0; n is 3 or 4.
+// The points of one face.
 struct SpaceFace {
     Index n = 0;
-    Index point[4] = {};
+    const Index* number = nullptr;  // as the caller has them
+    Index index_base = 0;
+
+    Index point(Index k) const noexcept {  // counted from 0
+        return static_cast<Index>(static_cast<std::uint32_t>(number[k]) - static_cast<std::uint32_t>(index_base));
+    }
 };
 
 struct SpaceMesh {
@@ -29,6 +34,7 @@ struct SpaceMesh {
 
     static constexpr Index max_points = Index{1} << 30;
     static constexpr Index max_faces = Index{1} << 29;
+    static constexpr Index most_corners = 1024;  // of a face
 
     Offset n_corners() const noexcept {
         return face_start == nullptr ? Offset{4} * n_faces : Offset{face_start[n_faces]} - index_base;
