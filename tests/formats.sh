@@ -186,7 +186,7 @@ refuses "ugrid: a point without a partner" 'point 19 of the file (7, 1, 0.6593) 
 
 # VTK
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
-refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangles and quadrilaterals are read; the mesh has three' \
+refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangles, quadrilaterals and polygons are read; the mesh has three' \
     "$harmorph" check "$tmp/bad.vtk"
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
@@ -242,12 +242,12 @@ refuses "fluent: binary" 'bad.msh:6: the section 3010 is binary' "$harmorph" che
 change 's/^(64 /(58 /'
 refuses "fluent: hanging nodes" 'the mesh has hanging nodes' "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 2 9 1 0/'
-refuses "fluent: a cell that is not closed" 'the faces of cell 1 (4 faces) do not form a triangle or a quadrilateral' \
+refuses "fluent: a cell that is not closed" 'the faces of cell 1 (4 faces) do not form a polygon' \
     "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/3 2 1 9 1 0/'
 refuses "fluent: a face of three nodes" 'expected 2 nodes of a face between 2 and 2, found 3' "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 2 1 2 0/'
-refuses "fluent: a cell of five faces" 'cell 2 has more than 4 faces' "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: a cell whose faces are no polygon" 'do not form a polygon' "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 1 2 1 0/'
 check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
 head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
@@ -283,6 +283,27 @@ for storage in text binary-32 binary-64 binary-single; do
             check "$what: the plane's coordinates" alike 1e-5 "$tmp/before.su2" "$tmp/again.su2"
         fi
     done
+done
+for storage in text binary-64; do
+    what="openfoam polygons $storage" case=$tmp/foam moved=$tmp/foam-moved
+    rm -rf "$case" "$moved"
+    "$tmp/make_foam" "$case" $storage polygons
+    cp -r "$case" "$moved"
+    check "$what: check" "$harmorph" check "$case" --json
+    says "$what: cells of six corners" '"cells": 132, "triangles": 0, "quads": 120, "polygons": 12, "inverted": 0'
+    check "$what: fit" "$harmorph" fit "$case" --marker body --points 8 -o "$tmp/curve"
+    check "$what: solve" "$harmorph" solve "$case" --curve "body=$tmp/curve" -o "$tmp/basis"
+    check "$what: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" -o "$moved/constant/polyMesh/points"
+    check "$what: zero move: the same file" cmp "$case/constant/polyMesh/points" "$moved/constant/polyMesh/points"
+    check "$what: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" --safe -o "$moved" --svg "$tmp/picture.svg"
+    check "$what: check the morphed" "$harmorph" check "$moved"
+    for new in vtk vtu; do
+        check "$what: convert to $new" "$harmorph" convert "$moved" "$tmp/foam.$new"
+        check "$what: $new is read" "$harmorph" check "$tmp/foam.$new" --json
+        says "$what: $new has the polygons" '"quads": 120, "polygons": 12, "inverted": 0'
+    done
+    check "$what: no SU2 file of polygons" sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/err'; test \$? -eq 2"
+    check "$what: no SU2 file of polygons: why" grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/err"
 done
 "$tmp/make_foam" "$tmp/foam" text z
 broken() { # broken FILE SED: the case with one file changed
@@ -348,7 +369,7 @@ fi
 if command -v checkMesh >/dev/null 2>&1; then
     # Debian's package leaves to the caller where its settings are.
     WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} && export WM_PROJECT_DIR
-    for plane in z wedge; do
+    for plane in z wedge polygons; do
         for storage in text binary-32; do
             rm -rf "$tmp/foam" "$tmp/foam-moved"
             "$tmp/make_foam" "$tmp/foam" $storage $plane

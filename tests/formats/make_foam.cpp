@@ -2,8 +2,10 @@
 //
 //   make_foam FOLDER STORAGE PLANE [COORDINATES]
 //     STORAGE      text, binary-32, binary-64, binary-single: how numbers are stored; 32 and 64: bits of labels
-//     PLANE        z, y: between coordinate planes; inclined; wedge: about the x axis
+//     PLANE        z, y: between coordinate planes; inclined; wedge: about the x axis; polygons: z, with the cells of
+//                  the innermost ring joined in pairs, which have six corners, and hanging nodes
 //     COORDINATES  an SU2 file of the ring in the plane's coordinates, from where x and y are taken
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -25,6 +27,14 @@ std::vector<double> x, y; // point (i, j) is number j * around + i
 std::string storage, plane;
 
 int point(int i, int j) { return j * around + i % around; }
+
+// Cells that are joined have one number.
+bool is_joined(int j) { return plane == "polygons" && j == 0; }
+int cell_of(int i, int j) {
+    const int missing = plane == "polygons" ? around / 2 : 0;
+    return is_joined(j) ? i % around / 2 : j * around + i % around - missing;
+}
+int n_cells() { return cell_of(around - 1, outwards - 1) + 1; }
 
 void make_coordinates() {
     const double pi = std::acos(-1.0);
@@ -54,7 +64,7 @@ void read_coordinates(const char* path) {
 
 Vector place(int k) {
     const double a = x[std::size_t(k % layer)], b = y[std::size_t(k % layer)], up = k / layer;
-    if (plane == "z") return {a, b, .5 * up};
+    if (plane == "z" || plane == "polygons") return {a, b, .5 * up};
     if (plane == "y") return {a, -.5 * up, b};
     if (plane == "inclined") { // turned about the y axis, which the library takes as its x
         const double c = std::cos(.5), s = std::sin(.5);
@@ -75,10 +85,14 @@ Vector middle(const std::vector<int>& points) {
 }
 
 std::vector<int> cell_points(int cell) {
-    const int i = cell % around, j = cell / around;
+    int i = 0, j = 0;
+    while (cell_of(around - 1, j) < cell) ++j;
+    while (cell_of(i, j) < cell) ++i;
+    const int width = is_joined(j) ? 2 : 1;
     std::vector<int> out;
     for (const int up : {0, layer}) {
-        for (const int k : {point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)}) out.push_back(k + up);
+        for (int k = 0; k <= width; ++k) out.push_back(point(i + k, j) + up);
+        for (int k = width; k >= 0; --k) out.push_back(point(i + k, j + 1) + up);
     }
     return out;
 }
@@ -90,10 +104,13 @@ struct Face {
 
 // The normal points out of the owner.
 Face face(std::vector<int> points, int owner, int neighbour = -1) {
-    const Vector a = minus(place(points[1]), place(points[0])), b = minus(place(points[2]), place(points[1]));
-    const Vector normal = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    Vector normal = {0, 0, 0}; // of all corners: one of them may be reflex
+    for (std::size_t k = 1; k + 1 < points.size(); ++k) {
+        const Vector a = minus(place(points[k]), place(points[0])), b = minus(place(points[k + 1]), place(points[0]));
+        for (std::size_t d = 0; d < 3; ++d) normal[d] += a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
+    }
     if (dot(normal, minus(middle(points), middle(cell_points(owner)))) < 0) {
-        points = {points[0], points[3], points[2], points[1]};
+        std::reverse(points.begin() + 1, points.end());
     }
     return {points, owner, neighbour};
 }
@@ -134,21 +151,28 @@ void write(const std::string& folder) {
     std::filesystem::create_directories(folder + "/constant/polyMesh");
     const std::string mesh = folder + "/constant/polyMesh";
     std::vector<Face> faces;
-    for (int cell = 0; cell < around * outwards; ++cell) {
-        const int i = cell % around, j = cell / around;
-        if (i + 1 < around) faces.push_back(face(across(point(i + 1, j), point(i + 1, j + 1)), cell, cell + 1));
-        if (i == 0) faces.push_back(face(across(point(0, j), point(0, j + 1)), cell, cell + around - 1));
-        if (j + 1 < outwards) faces.push_back(face(across(point(i, j + 1), point(i + 1, j + 1)), cell, cell + around));
+    const auto add_inner = [&faces](int a, int b, int cell, int other) {
+        if (cell != other) faces.push_back(face(across(a, b), std::min(cell, other), std::max(cell, other)));
+    };
+    for (int j = 0; j < outwards; ++j) {
+        for (int i = 0; i < around; ++i) {
+            add_inner(point(i + 1, j), point(i + 1, j + 1), cell_of(i, j), cell_of(i + 1, j));
+            if (j + 1 < outwards) add_inner(point(i, j + 1), point(i + 1, j + 1), cell_of(i, j), cell_of(i, j + 1));
+        }
     }
+    std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+        return a.owner != b.owner ? a.owner < b.owner : a.neighbour < b.neighbour;
+    });
     const std::size_t n_inner = faces.size();
-    for (int i = 0; i < around; ++i) faces.push_back(face(across(point(i, 0), point(i + 1, 0)), i));
+    for (int i = 0; i < around; ++i) faces.push_back(face(across(point(i, 0), point(i + 1, 0)), cell_of(i, 0)));
     for (int i = 0; i < around; ++i) {
-        faces.push_back(face(across(point(i, outwards), point(i + 1, outwards)), around * (outwards - 1) + i));
+        faces.push_back(face(across(point(i, outwards), point(i + 1, outwards)), cell_of(i, outwards - 1)));
     }
-    for (const int up : {0, 4}) {
-        for (int cell = 0; cell < around * outwards; ++cell) {
+    for (const int up : {0, 1}) {
+        for (int cell = 0; cell < n_cells(); ++cell) {
             const std::vector<int> all = cell_points(cell);
-            faces.push_back(face({all.begin() + up, all.begin() + up + 4}, cell));
+            const auto half = static_cast<std::ptrdiff_t>(all.size() / 2);
+            faces.push_back(face({all.begin() + up * half, all.begin() + (up + 1) * half}, cell));
         }
     }
     Out points(mesh, "points", "vectorField");
@@ -179,8 +203,8 @@ void write(const std::string& folder) {
     if (storage == "text") {
         list.file << faces.size() << "\n(\n";
         for (const Face& its : faces) {
-            list.file << "4(" << its.points[0] << " " << its.points[1] << " " << its.points[2] << " " << its.points[3]
-                      << ")\n";
+            list.file << its.points.size() << "(";
+            for (const int k : its.points) list.file << k << (k == its.points.back() ? ")\n" : " ");
         }
         list.file << ")\n";
     } else {
@@ -199,11 +223,11 @@ void write(const std::string& folder) {
     patch("body", "wall", around);
     patch("far", "patch", around);
     if (plane == "wedge") {
-        patch("front", "wedge", around * outwards);
-        patch("back", "wedge", around * outwards);
+        patch("front", "wedge", n_cells());
+        patch("back", "wedge", n_cells());
         patch("axis", "empty", 0);
     } else {
-        patch("frontAndBack", "empty", 2 * around * outwards);
+        patch("frontAndBack", "empty", 2 * n_cells());
         patch("defaultFaces", "empty", 0);
     }
     boundary.file << ")\n";
