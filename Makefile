@@ -67,7 +67,9 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) -Ic_api -Ic_api/cli
+CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -Ic_api -Ic_api/cli
+# CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
+CGNS =
 # Tests are compiled for one run: what the optimiser would take is not given back.
 UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
@@ -100,7 +102,7 @@ rules:
 	}; \
 	program() { \
 	    printf '%s:%s $(LIBRARY) $(BUILD)/rules.mk\n\techo $(CXX) $$@\n' $$1 "$$list"; \
-	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS)\n' "$$list"; \
+	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS) $$(CGNS:1=-lcgns)\n' "$$list"; \
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
 	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \

@@ -143,6 +143,18 @@ says "plot3d: names of a .nmf file: a side of two parts" \
 sed -i.old 's/^1 25 7 2/1 25 8 2/' "$tmp/text-k.nmf"
 refuses "plot3d: .nmf of other sizes" "text-k.nmf:3: expected the block's size between 7 and 7, found '8'" "$harmorph" check "$tmp/text-k.p3d"
 rm "$tmp/text-k.nmf"
+# Runs of equal numbers in a line as n*number, and the sizes, too: the same mesh.
+tr '\n' ' ' <"$tmp/text-k.p3d" | awk '{ line = ""; for (k = 1; k <= NF; k += n) {
+    for (n = 1; k + n <= NF && $(k + n) == $k; n++); line = line " " (n > 1 ? n "*" $k : $k) } print line }' >"$tmp/repeats.p3d"
+check "plot3d: repeat counts: there are some" grep -q '175\*' "$tmp/repeats.p3d"
+check "plot3d: repeat counts" "$harmorph" convert "$tmp/repeats.p3d" "$tmp/a.su2"
+check "plot3d: repeat counts: the mesh with all numbers" "$harmorph" convert "$tmp/text-k.p3d" "$tmp/b.su2"
+check "plot3d: repeat counts: the same mesh" cmp "$tmp/a.su2" "$tmp/b.su2"
+check "plot3d: repeat counts: fit" "$harmorph" fit "$tmp/repeats.p3d" --marker 1:jmin --points 8 -o "$tmp/curve"
+check "plot3d: repeat counts: solve" "$harmorph" solve "$tmp/repeats.p3d" --curve "1:jmin=$tmp/curve" -o "$tmp/basis"
+check "plot3d: repeat counts: morph" "$harmorph" morph "$tmp/repeats.p3d" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/a.p3d"
+check "plot3d: repeat counts: morph with all numbers" "$harmorph" morph "$tmp/text-k.p3d" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/b.p3d"
+check "plot3d: repeat counts: the same numbers" sh -c "tr -s ' \n' '\n\n' <'$tmp/a.p3d' >'$tmp/a'; tr -s ' \n' '\n\n' <'$tmp/b.p3d' >'$tmp/b'; cmp '$tmp/a' '$tmp/b'"
 head -c 2000 "$tmp/fortran-swapped.p3d" >"$tmp/bad.p3d"
 refuses "plot3d: cut off records" 'byte 16: the record of block 1 (1 block 25 x 7) has 3500 bytes, but the file ends after 1980' \
     "$harmorph" check "$tmp/bad.p3d"
@@ -167,6 +179,50 @@ awk 'BEGIN { pi = atan2(0, -1); ni = 41; nj = 7; print ni, nj
 check "plot3d: a wake is a cut" "$harmorph" check "$tmp/wake.p3d" --json
 says "plot3d: a wake is a cut: what is left is the airfoil" '"1:jmin", "faces": 20}'
 says "plot3d: a wake is a cut: and no points are double" '"points": 276'
+
+# CGNS: read and written by a program that is made with libcgns
+if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v cgnsdiff >/dev/null 2>&1; then
+    # What `make CGNS=1` makes: the same objects but for one, which is compiled with libcgns.
+    with_cgns=$tmp/harmorph-cgns build=`dirname "$harmorph"`
+    objects=`ls "$build"/objects/cli/c_api-cli-*.o "$build"/objects/cli/*page_text.o | grep -v formats-cgns`
+    check "a program with CGNS is made" $CXX -std=c++17 -O1 -pthread -DHARMORPH_CGNS -Ic_api -Ic_api/cli -o "$with_cgns" \
+        c_api/cli/formats/cgns.cpp $objects "$build/libharmorph.a" -lcgns
+    check "make_cgns is compiled" ${CC:-cc} -O0 -o "$tmp/make_cgns" tests/formats/make_cgns.c -lcgns -lm
+    for kind in plane planes block cells polygons solid; do
+        for real in double single; do
+            what="cgns $kind $real" mesh=$tmp/$kind.cgns moved=$tmp/moved.cgns
+            rm -f "$mesh" "$moved"
+            check "$what: is written by libcgns" "$tmp/make_cgns" "$mesh" $kind $real
+            check "$what: check" "$with_cgns" check "$mesh" --json
+            says "$what: markers" '"markers": [{"name": "body", "faces": 24}, {"name": "far", "faces": 24}]'
+            check "$what: fit" "$with_cgns" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
+            check "$what: solve" "$with_cgns" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
+            check "$what: zero move" "$with_cgns" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
+            check "$what: zero move: nothing differs" sh -c "cgnsdiff -d '$mesh' '$moved' >'$tmp/a' && ! test -s '$tmp/a'"
+            check "$what: morph" "$with_cgns" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
+            check "$what: check the morphed" "$with_cgns" check "$moved"
+            check "$what: cgnscheck reads the morphed" cgnscheck "$moved"
+            check "$what: cgnscheck finds no error" sh -c "! grep -qi error '$tmp/out'"
+            check "$what: only coordinates differ" sh -c "cgnsdiff -d '$mesh' '$moved' | grep -v -e 'Coordinate[XY]' | grep -q . && exit 1 || exit 0"
+            test $kind = polygons && continue
+            # The same mesh in text moves alike.
+            "$with_cgns" convert "$mesh" "$tmp/a.su2" >"$tmp/out" 2>&1
+            "$with_cgns" convert "$moved" "$tmp/b.su2" >"$tmp/out" 2>&1
+            "$harmorph" solve "$tmp/a.su2" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
+            check "$what: as text: morph" "$harmorph" morph "$tmp/a.su2" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/c.su2"
+            tolerance=1e-12
+            test $real = single && tolerance=1e-6
+            check "$what: moves as all do" alike $tolerance "$tmp/b.su2" "$tmp/c.su2"
+        done
+    done
+    "$tmp/make_cgns" "$tmp/cube.cgns" cube double
+    refuses "cgns: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$with_cgns" check "$tmp/cube.cgns"
+    head -c 3000 "$tmp/plane.cgns" >"$tmp/bad.cgns"
+    check "cgns: cut off" sh -c "'$with_cgns' check '$tmp/bad.cgns' >'$tmp/err' 2>&1; test \$? -eq 3"
+    refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" check "$tmp/plane.cgns"
+else
+    echo "libcgns is not installed: CGNS files are not tested (Debian's libcgns-dev and cgns-convert)"
+fi
 
 # UGRID
 printf '4\n1 4000 body\n2 5000 outer rim\n3 6662 sym1\n4 6662 sym2\n' >"$tmp/prisms.mapbc"

@@ -50,12 +50,12 @@ struct Found {
         for (Index i = 0; i < view.n_cells; ++i) {
             harmorph::Cell const cell = view.cell(i);
             for (Index k = 0; k < cell.n; ++k) {
-                Index const corner[3] = {cell.previous(k), cell.point[k], cell.next(k)};
+                harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)}, {1, 0}};
                 visit(i, corner);
             }
         }
     }
-    Triangle triangle(Mesh const& of, const Index (&corner)[3]) const {
+    Triangle triangle(Mesh const& of, harmorph::CornerPoints const& corner) const {
         harmorph::Points const at = points(of);
         return {{at[corner[0]], at[corner[1]], at[corner[2]]}};
     }
@@ -74,7 +74,7 @@ TEST_CASE("a mesh that has not moved is its own target") {
         Mesh mesh = annulus(12, 24, 1, 1.5, kind);
         perturb(mesh, 0.2, 1);
         Found const its(mesh, mesh);
-        its.for_corners([&](Index cell, const Index(&corner)[3]) {
+        its.for_corners([&](Index cell, harmorph::CornerPoints const& corner) {
             Triangle const now = its.triangle(mesh, corner), target = its.targets.of(cell, corner, now);
             CHECK(QualityEnergy(target).energy(now, 1) == doctest::Approx(1).epsilon(1e-13));
         });
@@ -84,7 +84,7 @@ TEST_CASE("a mesh that has not moved is its own target") {
 TEST_CASE("of quadrilaterals that are not thin the ratio of sides does not matter, area and angle do") {
     Mesh const mesh = square(4);
     Found const its(mesh, mesh);
-    Index const corner[3] = {its.view.cell(5).point[3], its.view.cell(5).point[0], its.view.cell(5).point[1]};
+    harmorph::CornerPoints const corner{{its.view.cell(5).point[3], its.view.cell(5).point[0], its.view.cell(5).point[1]}, {1, 0}};
     double const side = 0.25;
     for (double const ratio : {0.01, 0.5, 3.0}) {
         Triangle const now = {{{0, side / ratio}, {0, 0}, {side * ratio, 0}}};
@@ -104,7 +104,7 @@ TEST_CASE("thin cells at a wall that became longer: their targets are as long as
     for (Index i = 0; i < 40; ++i) {  // the first layer
         harmorph::Cell const cell = its.view.cell(i);
         for (Index k = 0; k < 4; ++k) {
-            Index const corner[3] = {cell.previous(k), cell.point[k], cell.next(k)};
+            harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)}, {1, 0}};
             Triangle const now = its.triangle(its.now, corner), target = its.targets.of(i, corner, now);
             for (Index side = 0; side < 2; ++side) {
                 double const before = length(its.triangle(mesh, corner).at[side + 1] - its.triangle(mesh, corner).at[side]);

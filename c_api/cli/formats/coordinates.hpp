@@ -6,9 +6,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace cli {
+
+struct Mesh;
 
 enum class NumberKind { text, real32, real64 };
 
@@ -41,6 +45,9 @@ struct FileCoordinates {
     std::vector<CoordinateSlot> slots;
     std::vector<Direction> directions;
     std::vector<Between> between;
+    // Of files that a library writes: mesh.file has the coordinates alone; writes the whole file with other ones. NULL:
+    // mesh.file is the file.
+    void (*store)(std::ostream& out, const Mesh& mesh, const std::string& numbers) = nullptr;
 };
 
 } // namespace cli

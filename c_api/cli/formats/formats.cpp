@@ -13,7 +13,7 @@ namespace {
 
 // Probed in this order: formats with a signature first.
 const Format* const formats[] = {&gmsh_format, &fluent_format, &openfoam_format, &vtk_format, &vtk_xml_format,
-                                 &su2_format,  &ugrid_format, &plot3d_format};
+                                 &su2_format,  &ugrid_format,  &cgns_format,    &plot3d_format};
 
 std::string format_names() {
     std::string names;

@@ -3,13 +3,15 @@
 //
 // Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the mesh, so that
 // interfaces and cuts close and cells at a pole become triangles. What is left of the sides is boundary: of the names
-// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin.
+// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin. Numbers with a repeat count, 3*1.0, are written out when the
+// file is read: the morphed file has them one by one.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
 #include "formats/nmf.hpp"
 #include "formats/number_reader.hpp"
 #include "formats/plot3d_layout.hpp"
+#include "formats/repeats.hpp"
 #include "formats/tidy.hpp"
 #include "numbers.hpp"
 #include "one_cell_thick.hpp"
@@ -244,7 +246,7 @@ void Plot3dReader::add_patch(const NmfPatch& patch, int across) {
 
 bool begins_with_number(const TextFile& file) {
     const std::string_view text = trimmed(std::string_view(file.text()).substr(0, 256));
-    return !text.empty() && text.find_first_not_of("0123456789+-.eEdD, \t\r\n") == std::string_view::npos;
+    return !text.empty() && text.find_first_not_of("0123456789+-.eEdD*, \t\r\n") == std::string_view::npos;
 }
 
 bool has_usual_extension(const std::string& path) {
@@ -259,14 +261,21 @@ bool has_usual_extension(const std::string& path) {
 // A file that is cut off fits no layout, but its records or its name may still say what it should be.
 bool probe(const TextFile& file) {
     Plot3dLayout layout;
-    std::string reason;
+    std::string reason, expanded;
     if (find_plot3d_layout(file, layout, reason)) return true;
+    if (begins_with_number(file) && expand_repeats(file.text(), expanded)) {
+        return find_plot3d_layout(TextFile(file.path(), expanded), layout, reason) || has_usual_extension(file.path());
+    }
     return (!reason.empty() && !begins_with_number(file)) || has_usual_extension(file.path());
 }
 
 void read(Mesh& mesh, const ReadOptions&) {
     Plot3dLayout layout;
-    std::string reason;
+    std::string reason, expanded;
+    if (expand_repeats(mesh.file.text(), expanded)) {
+        mesh.file = TextFile(mesh.file.path(), std::move(expanded));
+        mesh.remark("repeat counts, as 3*1.0, are written out");
+    }
     if (!find_plot3d_layout(mesh.file, layout, reason)) {
         mesh.file.fail(mesh.file.text().size(),
                        "no layout of PLOT3D fits the file" + (reason.empty() ? "" : ": " + reason));

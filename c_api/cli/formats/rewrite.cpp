@@ -11,6 +11,7 @@
 #include <cstring>
 #include <limits>
 #include <ostream>
+#include <sstream>
 
 namespace cli {
 
@@ -126,9 +127,7 @@ NumberStyle style_of(const Mesh& mesh) {
     return style;
 }
 
-} // namespace
-
-void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
+void write_changed(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
     const std::string& text = mesh.file.text();
     const Changes changes(mesh, x, y);
     const bool is_text = mesh.in_file.kind == NumberKind::text;
@@ -146,6 +145,15 @@ void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const dou
         copied = change.offset + change.length;
     }
     out.write(text.data() + copied, static_cast<std::streamsize>(text.size() - copied));
+}
+
+} // namespace
+
+void write_moved(std::ostream& out, const Mesh& mesh, const double* x, const double* y) {
+    if (mesh.in_file.store == nullptr) return write_changed(out, mesh, x, y);
+    std::ostringstream numbers;
+    write_changed(numbers, mesh, x, y);
+    mesh.in_file.store(out, mesh, numbers.str());
 }
 
 void round_as_file(const Mesh& mesh, std::vector<double>& x, std::vector<double>& y) {
