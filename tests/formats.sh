@@ -358,8 +358,8 @@ for storage in text binary-64; do
         check "$what: $new is read" "$harmorph" check "$tmp/foam.$new" --json
         says "$what: $new has the polygons" '"quads": 120, "polygons": 12, "inverted": 0'
     done
-    check "$what: no SU2 file of polygons" sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/err'; test \$? -eq 2"
-    check "$what: no SU2 file of polygons: why" grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/err"
+    check "$what: no SU2 file of polygons" sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/why'; test \$? -eq 2"
+    check "$what: no SU2 file of polygons: why" grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/why"
 done
 "$tmp/make_foam" "$tmp/foam" text z
 broken() { # broken FILE SED: the case with one file changed
@@ -480,6 +480,19 @@ else
     echo "VTK for Python is not installed: its own files are not tested (Debian's python3-vtk9)"
 fi
 
+if /usr/bin/python3 -c 'import meshio' 2>/dev/null; then # reads plain files of these formats
+    echo 'import sys, meshio
+for p in meshio.read(sys.argv[1]).points: print(repr(float(p[0])), repr(float(p[1])))' >"$tmp/read_points.py"
+    "$harmorph" convert "$tmp/moved-plain.su2" "$tmp/meshio.msh" >"$tmp/out"
+    for mesh in moved-plain.su2 meshio.msh; do
+        check "meshio reads $mesh" timeout 60 /usr/bin/python3 "$tmp/read_points.py" "$tmp/$mesh"
+        grep -E '^-?[0-9.e+-]+ -?[0-9.e+-]+$' "$tmp/out" >"$tmp/points"
+        check "meshio reads $mesh: moved as all are" alike 1e-12 "$tmp/points-of-all" "$tmp/points"
+    done
+else
+    echo "meshio is not installed: it does not look at the morphed meshes (Debian's python3-meshio)"
+fi
+
 # ---- Broken files -----------------------------------------------------------------------------------------------------
 
 program="c_api/cli/formats/*.cpp c_api/cli/text_file.cpp c_api/cli/numbers.cpp c_api/cli/mesh.cpp c_api/cli/one_cell_thick.cpp \
@@ -495,6 +508,7 @@ for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $stora
 check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
     $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ') $(cd "$tmp" && ls broken-*/constant/polyMesh/[pfob]* | tr '\n' ' ')"
 cat "$tmp/out"
+sh tests/openfoam.sh "$harmorph" "$2" || failed=$((failed + 1)) # its counts are its own
 
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -16,7 +16,6 @@ for place in "${FOAM_TUTORIALS:-}" /usr/share/doc/openfoam-examples/examples; do
 done
 if ! command -v simpleFoam >/dev/null 2>&1 || [ -z "$tutorial" ]; then
     echo "OpenFOAM or its tutorials are not installed: no case is run on a morphed mesh (Debian's openfoam, openfoam-examples)"
-    echo "1 passed, 0 failed"
     exit 0
 fi
 # Debian's package leaves to the caller where its settings are.
