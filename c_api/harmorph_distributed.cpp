@@ -16,6 +16,9 @@ Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& faul
     if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "the struct_size of the part is not set");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
+    if (part.mesh.layout == CellLayout::polygons) {
+        return fault.refuse(Status::unsupported, "a part has triangles and quadrilaterals, not HM_CELLS_POLYGONS");
+    }
     part.number = p.numbers;
     part.ghosts = p.ghosts;
     return Status::ok;

@@ -44,7 +44,7 @@ typedef struct hm_part_mesh {
 
 /* The arrays of `mesh` must exist as long as the part, and must not change before hm_equations_init. Refused
  * (HM_BAD_MESH): what hm_analysis_init refuses of cells, and a global number that is negative, too large or repeated;
- * error.item counts from mesh.index_base. */
+ * error.item counts from mesh.index_base. HM_CELLS_POLYGONS: HM_UNSUPPORTED. */
 HM_API hm_status hm_part_size(const hm_part_mesh *mesh, size_t *bytes, hm_error *err);
 HM_API hm_status hm_part_init(hm_part **part, void *block, size_t bytes, const hm_part_mesh *mesh, hm_error *err);
 /* The own cells as a mesh for hm_quality, hm_admissible_step and hm_assess with the basis of this part (hm_rows_init):
