@@ -70,7 +70,7 @@ void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const
     copy(basis.boundary_point, Span<const Index>(source.boundary.point.first(counts.boundary)));
     copy(basis.loop_start, Span<const Index>(source.boundary.loop_start.first(counts.loops + 1)));
     copy(basis.reversed, Span<const std::uint8_t>(source.topology.reversed));
-    if (basis.pieces.given()) basis.pieces.copy_from(source.pieces);
+    if (basis.pieces.given()) basis.pieces.copy_from(*source.pieces);
 }
 
 }  // namespace harmorph

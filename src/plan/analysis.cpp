@@ -180,8 +180,8 @@ Status Analysis::analyse_order(Fault& fault) noexcept {
 }
 
 BasisSource Analysis::basis_source() const noexcept {
-    return {topology, division.pieces, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
-            boundary, wall, wall_work.slot};
+    return {topology, mesh_fingerprint, conditions_fingerprint, problem.method, problem.demands, curves, conditions,
+            boundary, wall, wall_work.slot, &division.pieces};
 }
 
 MatrixKind Analysis::matrix_kind() const noexcept {

@@ -9,7 +9,6 @@ namespace harmorph {
 // Views; an analysis has all of it.
 struct BasisSource {
     Topology const& topology;
-    Pieces const& pieces;  // of polygons
     MeshFingerprint mesh_fingerprint;
     std::uint64_t conditions_fingerprint;
     Method const& method;
@@ -19,6 +18,7 @@ struct BasisSource {
     Boundary const& boundary;
     Wall const& wall;
     Span<const Index> slot;  // [n_points] number of a point on the wall, or none
+    const Pieces* pieces = nullptr;  // of polygons
 
     // Of a basis with all functions.
     BasisCounts counts() const noexcept;
