@@ -281,7 +281,7 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         hm_options options = options_of(HM_CONFORMAL);
         Solved const solved(its.problem(view), &options);
         std::size_t bytes = 0;
-        REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+        REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         std::int32_t const n = solved.info().functions;
         std::vector<std::vector<double>> moves = {some_move(n, 0.12, 5), std::vector<double>()};
@@ -354,7 +354,7 @@ TEST_CASE("polygons: the last rung untangles what one step inverts") {
     REQUIRE(morphed.self_crossing == 0);
     REQUIRE(!is_sound(its.mesh, x, y));
     std::size_t bytes = 0;
-    REQUIRE(hm_morph_safe_size(solved.plan, &bytes, nullptr) == HM_OK);
+    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     hm_safe_options safe{};
     safe.struct_size = sizeof safe;
