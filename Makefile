@@ -14,8 +14,9 @@
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
-#   make bench            against CHOLMOD, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they are there;
-#                         see tests/bench/run.sh
+#   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
+#                         are there; see tests/bench/run.sh
+#   make bench-rows       measures what README says about speed, and prints the rows of its tables
 #   make deform           how far meshes follow large movements: tables and figures on a page; see tests/deform/run.sh
 #   make bench-petsc      functions by PETSc on parts of the mesh: time, iterations, memory, beside harmorph_mpi
 #   make bench-mpi        solve and morph on 1 and 2 processes
@@ -32,7 +33,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit fuzzer fuzz test test-petsc mpi check-link bench bench-mpi \
+.PHONY: all rules deform-driver unit fuzzer fuzz test test-petsc mpi check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	amalgamation cross shared install-shared abi manual dist
 
@@ -42,10 +43,11 @@ DESTDIR =
 CXX = c++
 # Comes behind the level of optimisation of each file, so that CXXFLAGS="-O1 -g" is heard everywhere.
 CXXFLAGS =
-# Where the time is spent: loops over points, cells, matrix entries, and the kernels. Everything else is at LEVEL.
+# Where the time is spent in loops over points, cells, matrix entries. Everything else is at LEVEL; also dense kernels,
+# whose loops are unrolled by hand: at -O3 they are half as large again and no faster.
 LEVEL = -O2
 LEVEL_OF_LOOPS = -O3
-LOOPS = src/dense/* src/operators/* src/direct/* src/ordering/* src/boundary/distance* src/multigrid/multigrid* \
+LOOPS = src/dense/dense.cpp src/operators/* src/direct/* src/ordering/* src/boundary/distance* src/multigrid/multigrid* \
 	src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp src/mesh/orientation.cpp \
 	src/morph/weighted_sum.cpp
 CC = cc
@@ -188,6 +190,9 @@ bench: all
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' SIZES='$(SIZES)' KINDS='$(KINDS)' \
 	    PARTS='$(PARTS)' FUNCTIONS='$(FUNCTIONS)' THREADS='$(THREADS)' REPEATS='$(REPEATS)' JSON='$(JSON)' \
 	    sh tests/bench/run.sh
+
+bench-rows: all
+	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' FILE='$(FILE)' sh tests/bench/rows.sh
 
 deform: deform-driver
 	@BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' LDFLAGS='$(LDFLAGS)' MESHES='$(MESHES)' SEEDS='$(SEEDS)' sh tests/figures.sh '$(BUILD)/deform' 'Large movements of meshes' \

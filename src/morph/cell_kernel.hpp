@@ -90,8 +90,8 @@ struct Corners {
     }
 };
 
-// As skew_quality() and Quality::add(); reference_area 0: skew quality alone. Where a cell is inverted, nothing is divided by its areas: that might raise a
-// floating-point exception.
+// As skew_quality() and Quality::add(); reference_area 0: skew quality alone. Where a cell is inverted, nothing is divided
+// by its areas: that might raise a floating-point exception.
 template <Index n>
 HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_area, Index i,
                                  BatchQuality& to) noexcept {
@@ -120,16 +120,35 @@ HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_are
     Registers::store(to.quality + i, quality);
 }
 
-// As the filter of AdmissibleStep::add(): a corner's area is larger than area + slope s - |curvature| s^2. Bits of the
-// cells for which that is not enough.
+// Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at `step`, which is at least a
+// millionth of its terms, and at its minimum, if that comes before. 1 in the lanes where that holds, 0 in others. Steps
+// are less than 1e50, or infinite, so that nothing overflows.
+HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) noexcept {
+    constexpr Real most = 1e50, far = 1e-6;
+    Vector const zero = {}, one = zero + 1;
+    auto const has_minimum = (b < 0) & (a > 0) & (-b < 2 * a * (step < most ? step : most));
+    Vector const at_minimum = (has_minimum ? -b : zero) / (has_minimum ? 2 * a : one);
+    auto holds = c + 0.5 * b * at_minimum > far * c;
+    if (step < infinity) {
+        Vector const terms = c + step * ((b < 0 ? -b : b) + step * (a < 0 ? -a : a));
+        holds &= c + step * (b + step * a) > far * terms;
+    } else {
+        holds &= has_minimum | ((a >= 0) & (b >= 0) & (a + b < infinity));
+    }
+    return holds ? one : zero;
+}
+
+// First the filter of AdmissibleStep::add(): a corner's area is larger than area + slope s - |curvature| s^2. Then, where
+// that is not enough for a cell, the area itself. Bits of the cells that are left.
 template <Index n>
 HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change, Real step) noexcept {
     Vector const zero = {};
-    Vector least = {}, sum = {}, least_change = {};
+    Vector least = {}, sum = {}, least_change = {}, slopes[now.n_areas];
 #pragma GCC unroll 4
     for (Index k = 0; k < now.n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);
         Vector const slope = cross(now.side[before], change.side[after]) + cross(change.side[before], now.side[after]);
+        slopes[k] = slope;
         Vector const area = now.twice_area[k], curvature = change.twice_area[k];
         Vector const falls = least_of(slope, zero), bends = least_of(curvature, zero);
         Vector const margin = step < infinity ? area + step * (falls + step * bends) : area;
@@ -140,7 +159,14 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
     }
     unsigned kept = Registers::less(zero, least) & Registers::less(sum, zero + infinity);  // NaN is less than nothing
     if (!(step < infinity)) kept &= ~Registers::less(least_change, zero);
-    return ~kept & ((1u << lanes) - 1);
+    constexpr unsigned all = (1u << lanes) - 1;
+    if (kept == all || (step >= 1e50 && step < infinity)) return ~kept & all;
+    Vector stays = zero + 1;
+#pragma GCC unroll 4
+    for (Index k = 0; k < now.n_areas; ++k) {
+        stays *= stays_positive(change.twice_area[k], slopes[k], now.twice_area[k], step);
+    }
+    return ~(kept | Registers::less(zero, stays)) & all;
 }
 
 template <Index n>

@@ -14,6 +14,16 @@ std::vector<SolverPackage> const& solver_packages() {
 #else
         {"Eigen SimplicialLLT", "libeigen3-dev", nullptr},
 #endif
+#ifdef HAVE_MUMPS
+        {"MUMPS", "libmumps-seq-dev", make_mumps},
+#else
+        {"MUMPS", "libmumps-seq-dev", nullptr},
+#endif
+#ifdef HAVE_SUPERLU
+        {"SuperLU", "libsuperlu-dev", make_superlu},
+#else
+        {"SuperLU", "libsuperlu-dev", nullptr},
+#endif
     };
     return packages;
 }

@@ -1,4 +1,4 @@
-// Which peers this program was built with. run.sh finds out and defines HAVE_CHOLMOD, HAVE_EIGEN and HAVE_OPENBLAS.
+// Which peers this program was built with. run.sh finds out and defines HAVE_CHOLMOD and so on.
 #pragma once
 
 #include "blas.hpp"

@@ -31,6 +31,9 @@ peer() {   # name, libraries, declaration and call
 }
 peer openblas "-lopenblas" 'extern "C" char* openblas_get_config(void);' 'openblas_get_config()'
 peer cholmod "-lcholmod" '#include <suitesparse/cholmod.h>' 'cholmod_common common; cholmod_start(&common)'
+peer mumps "-ldmumps_seq -lmumps_common_seq -lpord_seq -lmpiseq_seq" '#include <dmumps_c.h>' \
+    'DMUMPS_STRUC_C its{}; its.job = -2; dmumps_c(&its)'
+peer superlu "-lsuperlu" '#include <superlu/slu_ddefs.h>' 'SuperLUStat_t statistics; StatInit(&statistics)'
 peer eigen "" '#include <eigen3/Eigen/SparseCholesky>' 'Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> solver'
 
 # Objects are old when a source, any header or the command is newer.

@@ -184,6 +184,22 @@ TEST_CASE("where no cell limits the step, none is named") {
     CHECK(limit.cell == harmorph::none);
 }
 
+TEST_CASE("turns and waves, in which areas fall and rise again, have the bits of single cells") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        for (double const turn : {0.0, 1e-3, 1.0}) {
+            for (double const wave : {0.0, 1e-3, 0.5}) {
+                Grid grid(layout, 0.2, 0, 3);
+                for (std::size_t i = 0; i < grid.x.size(); ++i) {
+                    grid.dx[i] = -turn * grid.y[i] + wave * std::sin(grid.x[i]);
+                    grid.dy[i] = turn * grid.x[i] + wave * std::cos(grid.y[i]);
+                }
+                check_all(grid);
+            }
+        }
+    }
+}
+
 TEST_CASE("numbers that are not finite are found as they are in single cells") {
     Untrapped const untrapped;
     for (CellLayout const layout : layouts) {
