@@ -191,9 +191,69 @@ TEST_CASE("morph, adjoint, step and quality of parts are those of the whole mesh
         least = std::min(least, its_quality.min_quality);
         CHECK(its_quality.inverted == 0);
     }
+    // Every point of the mesh counts in the first part that has it.
+    std::vector<double> dj_x(n), dj_y(n), expected(move.size()), sum(move.size(), 0.0);
+    for (std::size_t k = 0; k < n; ++k) {
+        dj_x[k] = std::sin(1.7 * static_cast<double>(k));
+        dj_y[k] = std::cos(2.3 * static_cast<double>(k));
+    }
+    hm_points const dj{dj_x.data(), dj_y.data(), 1};
+    REQUIRE(hm_adjoint(whole.basis, &dj, expected.data(), nullptr, nullptr) == HM_OK);
+    std::vector<bool> counted(n, false);
+    for (PartOfMesh& part : parted.parts) {
+        std::vector<double> own_x, own_y;
+        for (std::int32_t const point : part.global_point) {
+            std::size_t const at = static_cast<std::size_t>(point);
+            own_x.push_back(counted[at] ? 0 : dj_x[at]);
+            own_y.push_back(counted[at] ? 0 : dj_y[at]);
+            counted[at] = true;
+        }
+        hm_points const own{own_x.data(), own_y.data(), 1};
+        REQUIRE(hm_adjoint(part.rows, &own, gradient.data(), nullptr, nullptr) == HM_OK);
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += gradient[k];
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k) CHECK(std::fabs(sum[k] - expected[k]) < 1e-9);
+
     CHECK(cells == its.mesh.n_cells());
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-9));
     CHECK(least == doctest::Approx(quality.min_quality).epsilon(1e-9));
+}
+
+TEST_CASE("rows of a part are combined like any basis") {
+    Case its = airfoils();
+    hm_options const options = with(HM_CONFORMAL);
+    Solved const whole(its, &options);
+    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false));
+    REQUIRE(parted.match());
+    REQUIRE(parted.equate(its.problem(), options));
+    parted.solve();
+    std::vector<double> matrix;
+    for (std::int32_t k = 0; k < 2 * whole.info().control_points; ++k) matrix.push_back(std::cos(3.0 * k));
+    auto const combined = [&](const hm_basis* from, std::unique_ptr<Guarded>& block) {
+        std::size_t bytes = 0;
+        hm_basis* out = nullptr;
+        REQUIRE(hm_combine_size(from, 2, 1, &bytes, nullptr) == HM_OK);
+        block = std::make_unique<Guarded>(bytes);
+        REQUIRE(hm_combine(&out, block->data(), bytes, from, 2, 1, matrix.data(), nullptr) == HM_OK);
+        return out;
+    };
+    std::unique_ptr<Guarded> whole_block, part_block;
+    const hm_basis* const all = combined(whole.basis, whole_block);
+    std::vector<double> all_values(its.mesh.x.size());
+    for (PartOfMesh& part : parted.parts) {
+        const hm_basis* const own = combined(part.rows, part_block);
+        std::vector<double> values(part.mesh.x.size());
+        for (std::int32_t number = 0; number < 2; ++number) {
+            REQUIRE(hm_basis_values(all, 1, number, all_values.data(), nullptr) == HM_OK);
+            REQUIRE(hm_basis_values(own, 1, number, values.data(), nullptr) == HM_OK);
+            double worst = 0;
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                std::size_t const at = static_cast<std::size_t>(part.global_point[k]);
+                worst = std::max(worst, std::fabs(values[k] - all_values[at]));
+            }
+            CHECK(worst < 1e-11);
+        }
+    }
 }
 
 TEST_CASE("parts that do not fit together are refused with the place") {
