@@ -13,6 +13,7 @@
 #                         the last tagged release, or RELEASE=tarball
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
+#   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
 #   make amalgamation     the library in two files, build/amalgamation/harmorph.cpp and harmorph.h
 #   make bench            against CHOLMOD, MUMPS, SuperLU, Eigen and OpenBLAS, and gmsh (PARTS=files), as far as they
 #                         are there; see tests/bench/run.sh
@@ -35,7 +36,7 @@
 .SUFFIXES:
 .PHONY: all rules deform-driver unit fuzzer fuzz test test-petsc mpi check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
-	amalgamation cross shared install-shared abi manual dist
+	amalgamation compilers cross shared install-shared abi manual dist
 
 BUILD = build
 PREFIX = /usr/local
@@ -166,6 +167,9 @@ dist:
 
 cross: all
 	@CC='$(CC)' JOBS='$(JOBS)' TARGETS='$(TARGETS)' PARTS='$(PARTS)' sh tests/cross/run.sh $(BUILD)
+
+compilers: all
+	@LEVELS='$(LEVELS)' COMPILERS='$(COMPILERS)' sh tests/compilers.sh $(BUILD)
 
 amalgamation:
 	@rm -rf $(BUILD)/amalgamation

@@ -1,0 +1,80 @@
+#!/bin/sh
+# usage: compilers.sh BUILD   (called by `make compilers`)
+# All compilers that are installed take the library without a warning, at each level of optimisation and of both standards;
+# the headers are C89 with long long, C99 and C11, also for small compilers; the Makefile and its scripts work with bmake and
+# with busybox's shell and tools. LEVELS="-O2" and COMPILERS="g++-11 clang++-14" choose; LEVELS=-fsyntax-only is quick.
+: "${LEVELS:=-O0 -O1 -O2 -O3}"
+: "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
+build=$(cd "$1" && pwd)
+dir=$build/compilers
+passed=0 failed=0 skipped=0
+check() {   # what, command...
+    what=$1; shift
+    if "$@" >"$dir/log" 2>&1 && [ ! -s "$dir/log" ]; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "$what failed, or warned:"
+        head -n 20 "$dir/log" | sed 's/^/    /'
+    fi
+}
+skip() { skipped=$((skipped + 1)); echo "skipped: $1, which is not installed"; }
+rm -rf "$dir"
+mkdir -p "$dir"
+sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
+for compiler in $COMPILERS; do
+    command -v $compiler >/dev/null || { skip $compiler; continue; }
+    for standard in c++17 c++20; do
+        for level in $LEVELS; do
+            check "$compiler -std=$standard $level" $compiler -std=$standard $level -fno-exceptions -fno-rtti -fno-math-errno \
+                -ffp-contract=off -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
+        done
+    done
+done
+
+for header in harmorph.h harmorph_pages.h harmorph_distributed.h; do
+    printf '#include <%s>\n' $header >"$dir/header.c"
+    for standard in "c89 -pedantic-errors -Wno-long-long" "c99 -pedantic-errors" "c11 -pedantic-errors"; do
+        for compiler in gcc-11 gcc-12 clang-14 clang-19; do
+            command -v $compiler >/dev/null || continue
+            # C89 has no keyword inline, which harmorph_pages.h needs.
+            case "$standard $header" in c89*pages*) continue ;; esac
+            check "$header, $compiler -std=$standard" $compiler -std=$standard -Wall -Wextra -Werror -Ic_api -fsyntax-only "$dir/header.c"
+        done
+    done
+    for compiler in tcc pcc; do
+        command -v $compiler >/dev/null || { skip $compiler; continue; }
+        check "$header, $compiler" $compiler -Ic_api -c -o "$dir/header.o" "$dir/header.c"
+    done
+done
+
+# The rules of the Makefile, and the generators: what a minimal system has.
+makes() { "$@" >"$dir/made" 2>&1 || cat "$dir/made"; }
+same_rules() {   # up to the name of the folder, which also stands in names of objects
+    make -s BUILD="$dir/gnu" rules && sed "s|compilers\([-/]\)$1|compilers\1gnu|g" "$dir/$1/rules.mk" | cmp - "$dir/gnu/rules.mk"
+}
+if command -v bmake >/dev/null; then
+    check "bmake: rules" makes bmake -s BUILD="$dir/bmake" rules
+    check "bmake: the same rules as make's" same_rules bmake
+    check "bmake: the amalgamation" makes bmake -s BUILD="$dir/bmake" amalgamation
+else
+    skip bmake
+fi
+if command -v busybox >/dev/null; then
+    mkdir -p "$dir/bin"
+    for tool in $(busybox --list); do ln -sf "$(command -v busybox)" "$dir/bin/$tool"; done
+    check "busybox: rules" makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" rules
+    check "busybox: the same rules" same_rules busybox
+    check "busybox: the amalgamation" makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" amalgamation
+    check "busybox: the same file" cmp "$dir/busybox/amalgamation/harmorph.cpp" "$dir/harmorph.cpp"
+else
+    skip busybox
+fi
+for compiler in gfortran-11 gfortran-12 flang-16 flang-19 flang-22; do
+    command -v $compiler >/dev/null || { skip $compiler; continue; }
+    check "the Fortran module, $compiler" sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" $compiler "$build"
+done
+echo "$skipped skipped"
+echo "$passed passed, $failed failed"
+if [ $failed = 0 ]; then rm -rf "$dir"; fi
+[ $failed = 0 ]
