@@ -19,16 +19,16 @@ constexpr Real long_separator = 1.12, long_large_separator = 1.15;
 Index Dissector::dissect(Index begin, Index end, AssemblyTree& tree) const noexcept {
     if (begin == end) return none;
     if (end - begin <= leaf_size) return tree.add(begin, end, none, none);
-    Division const division = divide(begin, end);
+    DividedRange const division = divide(begin, end);
     Index const first = dissect(begin, division.middle, tree);
     Index const second = dissect(division.middle, division.pivots, tree);
     return tree.add(division.pivots, end, first, second);
 }
 
-Division Dissector::divide(Index begin, Index end) const noexcept {
+DividedRange Dissector::divide(Index begin, Index end) const noexcept {
     Index const n = end - begin;
     Cut cut = search_.best(begin, end, directions);
-    Division division = partition(cut, begin, end);
+    DividedRange division = partition(cut, begin, end);
     Parts parts{division.middle - begin, division.pivots - division.middle, end - division.pivots};
     // Not of the whole graph: a separator of one level in a wake runs along thin cells. As the last separator, the
     // pivots there are small against their diagonals, and solutions would have to be refined.
@@ -59,7 +59,7 @@ void Dissector::find_across() const noexcept {
     Span<Side> const side = work_.cover.side;
     for (Index u = 0; u < graph_.n; ++u) order_[u] = u;
     Cut const cut = search_.best(0, graph_.n, straight_directions);
-    Division const division = partition(cut, 0, graph_.n);
+    DividedRange const division = partition(cut, 0, graph_.n);
     if (cut.direction == none || division.pivots == graph_.n) return;
     Span<const Index> const separator = order_.from(division.pivots, graph_.n - division.pivots);
     for (Index const u : separator) side[u] = Side::separator;
@@ -70,7 +70,7 @@ void Dissector::find_across() const noexcept {
 }
 
 // Moves a tiny left part behind the right one, into the separator.
-void Dissector::absorb(Index begin, Division& division) const noexcept {
+void Dissector::absorb(Index begin, DividedRange& division) const noexcept {
     auto& [middle, pivots] = division;
     Index const n = middle - begin;
     for (Index k = begin; k < middle; ++k) work_.moved[k] = order_[k];
@@ -115,7 +115,7 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
 }
 
 // Stable except near the cut, so that unknowns stay in the order in which they lie in memory.
-Division Dissector::partition(Cut const& cut, Index begin, Index end) const noexcept {
+DividedRange Dissector::partition(Cut const& cut, Index begin, Index end) const noexcept {
     Span<Index> const part = order_.from(begin, end - begin), moved = work_.moved.from(begin, end - begin);
     Span<Index> const near = work_.coordinates.queue.from(begin, end - begin);
     Span<Side> const side = work_.cover.side;

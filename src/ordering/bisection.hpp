@@ -9,7 +9,7 @@ namespace harmorph {
 
 // A part of the order after a cut: the left part, then the right part from `middle` on, then the separator from
 // `pivots` on.
-struct Division {
+struct DividedRange {
     Index middle = 0, pivots = 0;
 };
 
@@ -27,13 +27,13 @@ public:
     void find_across() const noexcept;
     // Orders the part begin .. end-1 and returns its root in the tree, or none if it is empty.
     Index dissect(Index begin, Index end, AssemblyTree& tree) const noexcept;
-    Division divide(Index begin, Index end) const noexcept;
+    DividedRange divide(Index begin, Index end) const noexcept;
 
 private:
     void close_off(Index begin, Index end, bool marks_border) const noexcept;
-    Division partition(Cut const& cut, Index begin, Index end) const noexcept;
+    DividedRange partition(Cut const& cut, Index begin, Index end) const noexcept;
     Index set_sides(Cut const& cut, Index begin, Index end, Index& n_left, Index& n_right) const noexcept;
-    void absorb(Index begin, Division& division) const noexcept;
+    void absorb(Index begin, DividedRange& division) const noexcept;
     void sort_along(Cut const& cut, Index begin, Index end) const noexcept;
 
     Graph const& graph_;

@@ -40,7 +40,7 @@ private:
     void divide(Index h) noexcept {
         Part& part = part_[h];
         if (part.end - part.begin <= Dissector::leaf_size) return;
-        Division const division = dissector_.divide(part.begin, part.end);
+        DividedRange const division = dissector_.divide(part.begin, part.end);
         part.is_cut = true;
         part.pivots = division.pivots;
         part_[2 * h] = {part.begin, division.middle};
