@@ -39,7 +39,7 @@ struct Corners {
 
 }  // namespace
 
-Mesh Division::lay_out(Arena& arena, Mesh const& polygons) noexcept {
+Mesh PolygonDivision::lay_out(Arena& arena, Mesh const& polygons) noexcept {
     if (polygons.layout != CellLayout::polygons) return polygons;
     Index most_corners = 0;
     for (Index i = 0; i < polygons.n_cells; ++i) {
@@ -56,7 +56,7 @@ Mesh Division::lay_out(Arena& arena, Mesh const& polygons) noexcept {
     return mesh;
 }
 
-void Division::run(Mesh const& polygons) noexcept {
+void PolygonDivision::run(Mesh const& polygons) noexcept {
     n_filled_ = 0;
     auto const corners_of = [&](Index i) {
         const Index* const first = polygons.cell_points + (Offset{polygons.cell_start[i]} - polygons.index_base);
@@ -98,7 +98,7 @@ void Division::run(Mesh const& polygons) noexcept {
     pieces.kind = pieces.kind.first(n_filled_ - pieces.n_pieces());
 }
 
-void Division::add(Index a, Index b, Index c, Index d) noexcept {
+void PolygonDivision::add(Index a, Index b, Index c, Index d) noexcept {
     Index* const to = pieces.point.data() + 4 * Offset{n_filled_++};
     to[0] = a;
     to[1] = b;
@@ -109,7 +109,7 @@ void Division::add(Index a, Index b, Index c, Index d) noexcept {
 // The triangles of the corners i .. j are the best one at their side from j to i, and those of the corners i .. k and k ..
 // j on both sides of its apex k.
 template <class Corners>
-void Division::divide(Corners const& corners) noexcept {
+void PolygonDivision::divide(Corners const& corners) noexcept {
     Index const n = corners.n;
     auto const at = [n](Index i, Index j) { return Offset{i} * n + j; };
     for (Index i = 0; i + 1 < n; ++i) worst[at(i, i + 1)] = infinity;

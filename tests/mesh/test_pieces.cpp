@@ -48,7 +48,7 @@ struct Divided {
 
 private:
     std::int32_t base_;
-    harmorph::Division division_;
+    harmorph::PolygonDivision division_;
     std::unique_ptr<Guarded> block_;
 };
 

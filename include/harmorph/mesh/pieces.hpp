@@ -36,7 +36,7 @@ struct Pieces {
 // Divides cells, such that the shape of the worst triangle (area / sum of squared sides) is the best that there is: by
 // dynamic programming over all diagonals (G. T. Klincsek, Ann. Discrete Math. 9 (1980) 121). For a polygon without
 // crossing sides, there are triangulations without any inverted or degenerate triangle.
-struct Division {
+struct PolygonDivision {
     Pieces pieces;
     Span<Real> worst;   // [most corners squared] shape of the worst triangle between the corners i .. j
     Span<Index> apex;   // the corner that its triangle at the side i, j has

@@ -32,7 +32,7 @@ struct Problem {
 
 struct Analysis {
     Problem problem;              // of polygons, problem.mesh is the mesh of their pieces
-    Division division;            // polygons only
+    PolygonDivision division;            // polygons only
     Span<Curve> curves;           // set by the caller before run()
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Topology topology;            // of problem.mesh
