@@ -5,6 +5,9 @@
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
+#   make coverage         branches of the library that the C++ tests take, by gcov; see tests/coverage.sh
+#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 FILES=...
+#   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2 files
 #   make check-link       the library needs nothing but mem*: it links into C programs
@@ -34,7 +37,8 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit fuzzer fuzz test test-petsc mpi check-link bench bench-rows bench-mpi \
+.PHONY: all rules deform-driver unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
+	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	amalgamation compilers cross shared install-shared abi manual dist
 
@@ -127,6 +131,12 @@ rules:
 deform-driver: all
 	@$(MAKE) $(WITH_RULES) $(BUILD)/deform-driver $(BUILD)/deform-seeded
 
+library-only: rules
+	@$(MAKE) $(WITH_RULES) $(LIBRARY)
+
+tests-only: rules
+	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
+
 unit: all
 	@echo '#include <doctest/doctest.h>' | $(CXX) -x c++ -E - >/dev/null 2>&1 || \
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
@@ -138,6 +148,15 @@ fuzzer: rules
 
 fuzz:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' FUZZ_SECONDS='$(SECONDS)' sh tests/fuzz/run.sh
+
+coverage:
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/coverage.sh
+
+mutate:
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' sh tests/mutate.sh
+
+sanitize:
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/sanitize.sh
 
 mpi: all
 	$(MPICC) $(CFLAGS) -Wall -Wextra -Wno-missing-field-initializers -fPIC -Ic_api -c -o $(BUILD)/objects/harmorph_mpi.o c_api/harmorph_mpi.c

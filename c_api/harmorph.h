@@ -244,7 +244,7 @@ typedef struct hm_curve {          /* C(u) = sum_k N_k(u) P[indices[k]], u in [k
     const int32_t *indices;        /* [n_indices] NULL: the points in order. Repeated points close a curve: the first
                                       `degree` points again at the end with periodic knots, or the first point again
                                       with clamped knots */
-    const double  *knots;          /* [n_indices + degree + 1] non-decreasing; multiplicity of inner knots <= degree */
+    const double  *knots;          /* [n_indices + degree + 1] non-decreasing, inner ones at most degree-fold, up to 1e100 */
 } hm_curve;
 
 typedef struct hm_curves {         /* curves with common control points; a point used by two curves belongs to both */
@@ -252,12 +252,12 @@ typedef struct hm_curves {         /* curves with common control points; a point
     int32_t  index_base;           /* 0 or 1 */
     int32_t  n_control;            /* control points >= 2 = number of functions */
     const double *control;         /* [2*n_control] x,y pairs, finite */
-    const double *weights;         /* [n_control] > 0, or NULL: not rational */
+    const double *weights;         /* [n_control] 1e-10 .. 1e10, or NULL: not rational */
     int32_t  n_curves;             /* >= 1 */
     const hm_curve *curve;         /* [n_curves] */
 } hm_curves;
 
-/* Checks that the curves are well-formed. */
+/* Checks that the curves are well-formed; two knots differ by 0 or by at least 1e-18 of the range of all knots. */
 HM_API hm_status hm_curves_check(const hm_curves *curves, hm_error *err);
 /* The degree+1 B-spline basis functions (rational ones if there are weights) that are not 0 at u.
  * control [degree+1]: their control points; values [(n_derivatives+1)*(degree+1)]: row d is the d-th derivative by u.
@@ -400,7 +400,7 @@ typedef struct hm_quantity {
  * chord. Integrals are evaluated by Gauss rules that are exact for polynomial curves; for rational curves, and for the
  * curvature variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those of
  * extremes hold while the extreme stays where it is, and are those of one side where two places have the same value.
- * Refused with HM_BAD_CURVE: curves that are not joined, no area, no chord, a station where the outline is parallel to
+ * Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no chord, a station where the outline is parallel to
  * the normal of the chord or that the normal meets at less than two points, a leading edge or an outline without
  * curvature, a trailing edge without directions. item: the quantity, from 0. Outputs are then unchanged. */
 HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, int32_t n,
@@ -592,7 +592,7 @@ enum {                             /* precision; HM_SINGLE is available with HM_
                                       error to 1e-10 of the largest value, in 2 steps of one solve each, or 3 where
                                       first cells have a relative height of 1e-5 or thin cells lie far from the wall.
                                       Cells too thin: HM_NOT_CONVERGED with the error in error.value, or HM_NOT_POSITIVE
-                                      (hm_plan_factor). HM_UNSUPPORTED if a body does not reach 1e-12 .. 1e24 */
+                                      (hm_plan_factor). HM_UNSUPPORTED: bodies not in 1e-12 .. 1e24, sums beyond 1e36 */
 };
 enum {                             /* phases, in the order in which they are reported */
     HM_PHASE_STRUCTURE = 0, HM_PHASE_ORDERING = 1, HM_PHASE_SYMBOLIC = 2,   /* hm_analysis_init */

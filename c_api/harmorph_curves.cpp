@@ -1,5 +1,6 @@
 // The C interface: curves and their fit.
 #include "call.hpp"
+#include "harmorph/base/range.hpp"
 #include "harmorph/bspline/fit.hpp"
 #include "harmorph/bspline/projection.hpp"
 #include "views.hpp"
@@ -24,7 +25,7 @@ Status check_parameter(Curve const& curve, Real u, Index n_derivatives, Fault& f
         return fault.refuse(Status::bad_argument, "n_derivatives must be between 0 and 5, not #", Counts::from_zero,
                             n_derivatives);
     }
-    if (u >= curve.begin() && u <= curve.end()) return Status::ok;
+    if (is_between(curve.begin(), u, curve.end())) return Status::ok;
     return fault.refuse(Status::bad_argument, "the parameter ~ is outside the curve", Counts::from_zero, none, none, u);
 }
 
@@ -119,8 +120,8 @@ hm_status hm_curve_project(const hm_curves* curves, int32_t number, double x, do
     return guarded(err, [&](CallFault& fault) {
         Curve curve;
         HARMORPH_TRY(require({{"u", u}, {"distance", distance}}, fault));
-        if (!is_finite(x) || !is_finite(y)) {
-            return fault.refuse(Status::bad_argument, "the point to project is not finite");
+        if (!is_coordinate({x, y})) {
+            return fault.refuse(Status::bad_argument, "the point to project is not finite, or beyond 1e100");
         }
         HARMORPH_TRY(open_curve(curves, number, curve, fault));
         Projection const foot = project(curve, {x, y});

@@ -1,6 +1,7 @@
 // The C interface: equations of a part of a mesh that no process has as a whole.
 #include "harmorph_distributed.h"
 
+#include "harmorph/base/range.hpp"
 #include "harmorph/operators/right_hand_sides.hpp"
 #include "harmorph/parts/part_equations.hpp"
 #include "request.hpp"
@@ -367,7 +368,7 @@ hm_status hm_field_init(hm_equations* equations, const hm_points* displacement, 
         for (Index k = 0; k < of.wall.count; ++k) {
             Index const point = of.wall.point[k];
             if (of.wall.curve[k] != kind) continue;
-            if (!is_in_range(given[point])) {
+            if (!is_coordinate(given[point])) {
                 return fault.refuse(Status::bad_argument, "the displacement of point # is not finite, or beyond 1e100",
                                     Counts::mesh, point);
             }

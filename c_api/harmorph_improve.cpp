@@ -75,9 +75,10 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         auto const quality_of = [&](Points points) {
             return measure_quality(p->equations.cells, points, reference, p->executor);
         };
+        HARMORPH_TRY(MeshImprovement::check(*p, reference, before, fault));
         Quality const given = quality_of(before);
         ImproveReport improved;
-        HARMORPH_TRY(improvement.run(*p, asked, reference, before, after, improved, fault));
+        improvement.run(*p, asked, reference, before, after, improved);
         if (report != nullptr) write_struct(report_of(improved, given, quality_of(after), p->mesh.index_base), report);
         return Status::ok;
     });

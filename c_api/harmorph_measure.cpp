@@ -1,4 +1,5 @@
 // The C interface: measures of a section.
+#include "harmorph/base/range.hpp"
 #include "harmorph/bspline/section_measures.hpp"
 #include "section_view.hpp"
 
@@ -18,7 +19,7 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
     }
     out.kind = static_cast<QuantityKind>(q.kind);
     bool const has_station = out.kind == QuantityKind::thickness || out.kind == QuantityKind::camber;
-    if (has_station ? !(q.station > 0 && q.station < 1) : q.station != 0) {
+    if (has_station ? !(is_finite(q.station) && q.station > 0 && q.station < 1) : q.station != 0) {
         return fault.refuse(Status::bad_argument,
                             has_station ? "quantity # (from 0): the station is ~, not between 0 and 1"
                                         : "quantity # (from 0) has a station, which is of thickness and camber only",
@@ -36,7 +37,7 @@ Status view_quantity(const hm_quantity* array, Index number, Quantity& out, Faul
     out.polygon = {q.polygon, has_polygon ? q.polygon + 1 : nullptr, 2};
     out.n_polygon = q.n_polygon;
     for (Index k = 0; k < out.n_polygon; ++k) {
-        if (is_in_range(out.polygon[k])) continue;
+        if (is_coordinate(out.polygon[k])) continue;
         return fault.refuse(Status::bad_argument,
                             "quantity # (from 0): point @ (from 0) of the polygon is not finite or beyond 1e100",
                             Counts::from_zero, number, k);

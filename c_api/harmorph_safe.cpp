@@ -1,5 +1,6 @@
 // The C interface: large movements that stay valid, for which the functions are solved again on the way.
 #include "given_list.hpp"
+#include "harmorph/base/range.hpp"
 #include "harmorph/morph/quality.hpp"
 #include "harmorph/safe/safe_displacement.hpp"
 
@@ -28,17 +29,17 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
                             Counts::from_zero, o.n_others, others.count());
     }
     if (o.max_resolves != 0) options.most_resolves = larger(o.max_resolves, Index{0});
-    if (!is_finite(o.heights) || o.heights < 0 || o.heights > 1) {
+    if (!is_between(0, o.heights, 1)) {
         return fault.refuse(Status::bad_argument, "safe options: heights must be between 0 and 1, not ~",
                             Counts::from_zero, none, none, o.heights);
     }
     options.heights = o.heights;
-    if (!(o.min_quality <= 1)) {
+    if (o.min_quality != o.min_quality || o.min_quality > 1) {
         return fault.refuse(Status::bad_argument, "safe options: min_quality must be at most 1, not ~", Counts::from_zero,
                             none, none, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
-    if (!(o.max_height_change == 0 || o.max_height_change > 1)) {
+    if (o.max_height_change != o.max_height_change || (o.max_height_change != 0 && o.max_height_change <= 1)) {
         return fault.refuse(Status::bad_argument, "safe options: max_height_change must be 0 or above 1, not ~",
                             Counts::from_zero, none, none, o.max_height_change);
     }

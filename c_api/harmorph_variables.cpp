@@ -1,4 +1,5 @@
 // The C interface: design variables as maps to the control points.
+#include "harmorph/base/range.hpp"
 #include "harmorph/bspline/section_area.hpp"
 #include "harmorph/bspline/variables.hpp"
 #include "section_view.hpp"
@@ -39,14 +40,15 @@ Status check_numbers(hm_variables const& v, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "variables: degree_x and degree_y are # and @, not 0 to 63",
                             Counts::from_zero, v.degree_x, v.degree_y);
     }
-    if (!(v.nose_exponent >= 0 && v.nose_exponent <= 10)) return refuse("variables: nose_exponent is ~, not 0 to 10",
-                                                                        v.nose_exponent);
-    if (!(v.edge_exponent >= 0 && v.edge_exponent <= 10)) return refuse("variables: edge_exponent is ~, not 0 to 10",
-                                                                        v.edge_exponent);
-    if (v.width != 0 && !(v.width >= 1 && v.width <= 100)) return refuse("variables: the width is ~, not 1 to 100",
-                                                                         v.width);
+    if (!is_between(0, v.nose_exponent, 10)) {
+        return refuse("variables: nose_exponent is ~, not 0 to 10", v.nose_exponent);
+    }
+    if (!is_between(0, v.edge_exponent, 10)) {
+        return refuse("variables: edge_exponent is ~, not 0 to 10", v.edge_exponent);
+    }
+    if (v.width != 0 && !is_between(1, v.width, 100)) return refuse("variables: the width is ~, not 1 to 100", v.width);
     for (Index k = 0; v.peaks != nullptr && k < v.n_upper + v.n_lower; ++k) {
-        if (v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
+        if (is_finite(v.peaks[k]) && v.peaks[k] > 1e-6 && v.peaks[k] < 1 - 1e-6) continue;
         return fault.refuse(Status::bad_argument, "variables: peak # (from 0) is ~, not between 0 and 1",
                             Counts::from_zero, k,
                             none, v.peaks[k]);
@@ -91,7 +93,7 @@ Status open_variables(const hm_variables* given, CurvesView const& view, Variabl
     if (v.width != 0) out.width = v.width;
     if (out.kind != VariableKind::ffd) return Status::ok;
     use_box(v, view, out);
-    if (is_in_range(out.low) && is_in_range(out.high) && out.low.x < out.high.x &&
+    if (is_coordinate(out.low) && is_coordinate(out.high) && out.low.x < out.high.x &&
         out.low.y < out.high.y) return Status::ok;
     return fault.refuse(Status::bad_argument, "variables: the box is empty or not finite");
 }

@@ -1,10 +1,24 @@
 // A section of the caller's curves, checked and joined to an outline.
 #pragma once
 
+#include "harmorph/base/range.hpp"
 #include "harmorph/bspline/section.hpp"
 #include "views.hpp"
 
 namespace harmorph {
+
+// Fourth powers of lengths, and their derivatives, must not overflow.
+inline Status check_moments(Curve const& curve, Fault& fault) noexcept {
+    constexpr Real largest = 1e50;
+    for (Index k = 0; k < curve.n_indices; ++k) {
+        Index const point = curve.control_point(k);
+        Vec2 const place{curve.control[2 * point], curve.control[2 * point + 1]};
+        if (is_at_most(place.x, largest) && is_at_most(place.y, largest)) continue;
+        return fault.refuse(Status::bad_curve, "section: control point # has a coordinate beyond 1e50", Counts::curves,
+                            point);
+    }
+    return Status::ok;
+}
 
 // given NULL: all curves, with their own chord.
 inline Status open_section(const hm_curves* curves, const hm_section* given, CurvesView& view, Section& section,
@@ -26,7 +40,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     }
     section.nose = {asked.nose_x, asked.nose_y};
     section.edge = {asked.edge_x, asked.edge_y};
-    if (!is_in_range(section.nose) || !is_in_range(section.edge)) {
+    if (!is_coordinate(section.nose) || !is_coordinate(section.edge)) {
         return fault.refuse(Status::bad_argument, "section: an end of the chord line is not finite or beyond 1e100");
     }
     section.has_fixed_chord = !(asked.nose_x == 0 && asked.nose_y == 0 && asked.edge_x == 0 && asked.edge_y == 0);
@@ -34,6 +48,7 @@ inline Status open_section(const hm_curves* curves, const hm_section* given, Cur
     for (Index k = 0; k < asked.n_curves; ++k) {
         HARMORPH_TRY(view.curve(asked.first_curve + k, section.curve[k], fault));
         HARMORPH_TRY(check_curve(section.curve[k], asked.first_curve + k, fault));
+        HARMORPH_TRY(check_moments(section.curve[k], fault));
     }
     return section.connect(fault);
 }

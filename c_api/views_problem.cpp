@@ -1,5 +1,6 @@
 // What a problem consists of beside the mesh, and the options of a fit. Apart from the other views, so that a program which
 // only moves meshes does not link them.
+#include "harmorph/base/range.hpp"
 #include "views.hpp"
 
 namespace harmorph {
@@ -252,7 +253,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
                             Counts::from_zero, number, c.body);
     }
     HARMORPH_TRY(check_fields(c, number, fault));
-    if (!is_in_range({c.near_x, c.near_y})) {
+    if (!is_coordinate({c.near_x, c.near_y})) {
         return fault.refuse(Status::bad_condition,
                             "near_x or near_y of condition # (from 0) is not finite, or larger than 1e100",
                             Counts::from_zero, number);

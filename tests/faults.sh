@@ -62,10 +62,52 @@ if [ -c /dev/full ]; then
     verdict "/dev/full is not named" "$(grep -q /dev/full err; echo $?)"
 fi
 
+# Killed at each system call that has to do with files, and each write refused because the disk is full.
+system_calls=openat,read,write,lseek,fstat,newfstatat,close,rename,unlink,fsync,fchmod,chmod,ftruncate
+under_strace() {   # what to inject, command...: leaves the exit code
+    inject=$1; shift
+    strace -f -qq -o trace -e trace=$system_calls -e inject="$inject" "$harmorph" "$@" >out 2>err
+}
+arguments() {   # name of an output, where it is written
+    case $1 in
+        a.curve) echo "fit $mesh --marker airfoil -o $2" ;;
+        a.basis) echo "solve $mesh --curve airfoil=good/a.curve -o $2" ;;
+        m.su2) echo "morph $mesh good/a.basis --move moves.txt -o $2" ;;
+    esac
+}
+if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>err; then
+    for name in a.curve a.basis m.su2; do
+        rm -rf place && mkdir place
+        strace -f -qq -o trace -e trace=$system_calls "$harmorph" $(arguments $name place/$name) >out 2>err
+        n=$(grep -c '(' trace)
+        first=$(grep -n '"place' trace | head -n 1 | cut -d: -f1)   # before it, nothing can be left in the folder
+        begin=$((first > 3 ? first - 3 : 1)) bad=0
+        for call in $(seq $begin $((n + 1))); do
+            rm -rf place && mkdir place && echo old >place/$name
+            under_strace "$system_calls:signal=KILL:when=$call" $(arguments $name place/$name) 2>shell_says
+            [ "$(cat place/$name)" = old ] || cmp -s place/$name good/$name || bad=$((bad + 1))
+        done 2>shell_says
+        verdict "$name, killed at each of the calls $begin to $n: $bad times neither the old file nor the new one" $((bad > 0))
+        writes=$(grep -c 'write(' trace) bad=0
+        for call in $(seq 1 "$writes"); do
+            rm -rf place && mkdir place && echo old >place/$name
+            under_strace "write:error=ENOSPC:when=$call" $(arguments $name place/$name)
+            status=$?
+            if grep -q 'write([3-9].*INJECTED' trace; then   # not a word to the terminal
+                [ $status = 3 ] && [ "$(cat place/$name)" = old ] && grep -q "$name" err &&
+                    [ "$(ls -A place)" = $name ] || bad=$((bad + 1))
+            fi
+        done
+        verdict "$name, the disk full at each of $writes writes: $bad times not the old file alone and exit code 3" $((bad > 0))
+    done
+else
+    echo "skipped: kills at each system call and full disks at each write, as strace is not installed or may not trace"
+fi
+
 # Places that are no files.
 mkdir -p folder
 for name in a.curve a.basis m.su2; do
-    for place in folder missing/$name "$(printf '%0300d' 0)"; do
+    for place in folder missing/$name "$(printf '%0300d' 0)" "$(printf 'missing/%.0s' $(seq 700))$name" /dev/null/$name; do
         command_for $name "$place"
         status=$?
         verdict "$name to $place: exit code $status" "$([ $status = 3 ]; echo $?)"
@@ -84,11 +126,31 @@ for input in folder /dev/null missing.su2; do
     status=$?
     verdict "$input as a mesh: exit code $status" "$([ $status = 3 ]; echo $?)"
     verdict "$input is not named" "$(grep -q "$input" err; echo $?)"
+    for what in curve basis moves; do
+        case $what in
+            curve) run solve "$mesh" --curve airfoil="$input" -o never ;;
+            basis) run morph "$mesh" "$input" --move moves.txt -o never ;;
+            moves) run morph "$mesh" good/a.basis --move "$input" -o never ;;
+        esac
+        status=$?
+        verdict "$input as a file of $what: exit code $status" "$([ $status = 3 ]; echo $?)"
+        verdict "$input as a file of $what is not named" "$(grep -q "$input" err; echo $?)"
+        verdict "$input as a file of $what: something is written" "$([ ! -e never ]; echo $?)"
+        rm -f never
+    done
 done
 
 # The same mesh through a pipe to and from the program, with CR LF, and where the decimal sign is a comma.
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
-verdict "a mesh to a pipe" "$(grep -c . piped >/dev/null; echo $?)"
+verdict "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
+mkfifo fifo
+cat "$mesh" >fifo &
+run check fifo
+status=$?
+verdict "a mesh from a pipe: exit code $status" "$([ $status = 0 ] || [ $status = 3 ]; echo $?)"
+kill $! 2>/dev/null
+"$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | head -c 100 >beginning
+verdict "a pipe that nobody reads on from" "$([ "$(wc -c <beginning)" = 100 ]; echo $?)"
 sed 's/$/\r/' "$mesh" >crlf.su2
 sed 's/$/\r/' moves.txt >crlf.txt
 run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2

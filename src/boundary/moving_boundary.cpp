@@ -168,8 +168,9 @@ Status check_distances(Points points, Span<const Curve> curves, Wall const& wall
         if (wall.curve[slot] >= curves.count()) continue;  // on no curve
         Curve const& curve = curves[wall.curve[slot]];
         Real const its = length(curve_point(curve, wall.u[slot]) - points[wall.point[slot]]), extent = extent_of(curve);
-        if (!(its > largest * extent)) continue;
-        largest = extent > 0 ? its / extent : infinity;
+        Real const part = its == 0 ? 0 : extent > smallest_height ? its / extent : infinity;
+        if (!(part > largest)) continue;
+        largest = part;
         distance = its;
         farthest = slot;
     }

@@ -1,5 +1,7 @@
 #include "harmorph/bspline/bspline.hpp"
 
+#include "harmorph/base/range.hpp"
+
 #include <limits>
 
 namespace harmorph {
@@ -15,9 +17,18 @@ Status check_knots(Curve const& curve, Index number, Fault& fault) noexcept {
         if (k > 0 && curve.knots[k] < curve.knots[k - 1])
             return refuse("knot # (from 0) of curve @ (from 0) is smaller than the one before it", k);
     }
-    if (!(curve.begin() < curve.end()) || !is_finite(curve.knots[n_knots - 1] - curve.knots[0]))
-        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length or an infinite one",
+    // Within these limits no quotient of basis functions or of their derivatives overflows.
+    constexpr Real longest = 1e100, shortest = 1e-100, least_part = 1e-18;
+    if (!is_at_most(curve.knots[0], longest) || !is_at_most(curve.knots[n_knots - 1], longest) ||
+        !(curve.end() - curve.begin() >= shortest))
+        return refuse("from knot # (from 0) on, where it begins, curve @ (from 0) has no length, or knots beyond 1e100",
                       curve.degree);
+    Real const least = least_part * (curve.knots[n_knots - 1] - curve.knots[0]);
+    for (Index k = 1; k < n_knots; ++k) {
+        Real const interval = curve.knots[k] - curve.knots[k - 1];
+        if (interval > 0 && interval < least)
+            return refuse("knot # (from 0) of curve @ (from 0) differs from the one before it by less than 1e-18 of all", k);
+    }
 
     Index fold = 0;
     for (Index k = 0; k < n_knots; ++k) {
@@ -45,12 +56,12 @@ Status check_control(Curve const& curve, Index number, Fault& fault) noexcept {
         if (!is_finite(place.x) || !is_finite(place.y))
             return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) is not finite", Counts::curves,
                                 point, number);
-        if (!is_in_range(place))
+        if (!is_coordinate(place))
             return fault.refuse(Status::bad_curve, "control point # of curve @ (from 0) has a coordinate beyond 1e100: ~",
                                 Counts::curves, point, number, absolute(place.x) > absolute(place.y) ? place.x : place.y);
-        if (curve.weights != nullptr && (!is_finite(curve.weights[point]) || curve.weights[point] <= 0))
+        if (curve.weights != nullptr && !is_between(1e-10, curve.weights[point], 1e10))
             return fault.refuse(Status::bad_curve,
-                                "the weight of control point # of curve @ (from 0) is ~, not positive",
+                                "the weight of control point # of curve @ (from 0) is ~, not between 1e-10 and 1e10",
                                 Counts::curves, point, number, curve.weights[point]);
     }
     return Status::ok;

@@ -1,5 +1,7 @@
 #include "harmorph/bspline/finer_curves.hpp"
 
+#include "harmorph/base/range.hpp"
+
 namespace harmorph {
 
 void polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept {
@@ -42,7 +44,7 @@ Status CurveRefinement::check(Curve const& old, Fault& fault) const noexcept {
     bool const periodic = has_periodic_points(old);
     for (Index k = 0; k < knots.count(); ++k) {
         Real const u = knots[k];
-        bool const inside = (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
+        bool const inside = is_finite(u) && (u > old.begin() || (periodic && u == old.begin())) && u < old.end();
         if (!inside) {
             return fault.refuse(Status::bad_argument,
                                 "knot # (from 0) to be inserted, ~, is not inside curve @ (from 0)",

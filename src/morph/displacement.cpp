@@ -1,5 +1,6 @@
 #include "harmorph/morph/displacement.hpp"
 
+#include "harmorph/base/range.hpp"
 #include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/morph/crossing.hpp"
 
@@ -85,7 +86,7 @@ Status Displacement::set(Plan const& plan, PointList const& list, Index field, P
     MutablePoints const to = block_of(plan, field).field(field);
     for (Index k = 0; k < list.count(); ++k) {
         Index const number = plan.given_index(list[k]), first = place[number];
-        if (!is_in_range(wall[k])) {
+        if (!is_coordinate(wall[k])) {
             bool const finite = is_finite(wall[k].x) && is_finite(wall[k].y);
             return fault.refuse(Status::bad_argument,
                                 finite ? "the displacement of point # in field @ (from 0) is beyond 1e100"
@@ -142,7 +143,7 @@ Status Displacement::check_target(Plan const& plan, Index field, Points from, Fa
     GivenWall const& given = plan.given;
     Points const displacement = block_of(plan, field).field(field);
     for (Index const point : given.boundary_point) {
-        if (is_in_range(from[point] + displacement[point])) continue;
+        if (is_coordinate(from[point] + displacement[point])) continue;
         return fault.refuse(Status::bad_argument, "the target of point # in field @ (from 0) is beyond 1e100",
                             Counts::mesh_and_marker, point, field);
     }

@@ -34,6 +34,34 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
     return Status::ok;
 }
 
+// Room is left for sums of products of entries and values, which become residuals in single precision.
+constexpr Real largest_single = 1e36;
+
+Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
+    return fault.refuse(Status::unsupported, sentence, Counts::mesh, point, none, size);
+}
+
+Status check_entries(Equations const& equations, Fault& fault) noexcept {
+    Span<Real> const diagonal = equations.matrix.diagonal;
+    for (Index i = 0; i < diagonal.count(); ++i) {
+        if (absolute(diagonal[i]) <= largest_single) continue;
+        return refuse_single("the diagonal at point # is ~: single precision takes 1e36", equations.point_of(i),
+                             diagonal[i], fault);
+    }
+    return Status::ok;
+}
+
+Status check_right_hand_sides(Equations const& equations, DofValues const& dofs, Fault& fault) noexcept {
+    for (Index i = 0; i < equations.matrix.n; ++i) {
+        for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
+            if (absolute(number) <= largest_single) continue;
+            return refuse_single("a right-hand side at point # is ~: single precision takes 1e36", equations.point_of(i),
+                                 number, fault);
+        }
+    }
+    return Status::ok;
+}
+
 }  // namespace
 
 void DirectEngine::lay_out(Arena& arena, Analysis const& analysis, Index columns) noexcept {
@@ -58,6 +86,7 @@ void DirectEngine::init(Analysis const& analysis) noexcept {
 
 Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress, Fault& fault) noexcept {
     factor.kernel = equations.method.kernel;
+    if (factor.precision == Precision::in_single) HARMORPH_TRY(check_entries(equations, fault));
     return factor.factorise(equations.matrix, progress, fault);
 }
 
@@ -84,6 +113,7 @@ Status DirectEngine::examine(Equations const& equations, Span<Real> work, Fault&
 Status DirectEngine::solve(Equations const& equations, DofValues const& dofs, Progress const& progress,
                            IterationReport&,
                            Fault& fault) noexcept {
+    if (factor.precision == Precision::in_single) HARMORPH_TRY(check_right_hand_sides(equations, dofs, fault));
     Rows const rows = dofs.rows(equations.matrix);
     if (rows.width <= factor.padded_width) return factor.solve(rows, progress, fault);
     for (Index first = 0; first < rows.width; first += factor.padded_width) {  // combined functions and modes

@@ -1,20 +1,15 @@
 #include "harmorph/safe/mesh_improvement.hpp"
 
+#include "harmorph/base/range.hpp"
 #include "harmorph/base/angle.hpp"
 #include "harmorph/morph/quality.hpp"
 
 namespace harmorph {
+namespace {
 
-void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
-    mobility.lay_out(arena, plan);
-    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
-    improvement.lay_out(arena, plan.region_counts);
-    arena.take(start, plan.mesh.n_points);
-}
-
-Status MeshImprovement::check(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) const noexcept {
+Status check_points(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) noexcept {
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        if (is_in_range(points[k])) continue;
+        if (is_coordinate(points[k])) continue;
         return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite, or larger than 1e100",
                             Counts::mesh, k);
     }
@@ -27,11 +22,23 @@ Status MeshImprovement::check(Plan const& plan, Points points, const char* inver
     return fault.refuse(Status::bad_mesh, inverted_cell, Counts::mesh, plan.mesh.number(inverted));
 }
 
-Status MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
-                            ImproveReport& report, Fault& fault) noexcept {
+}  // namespace
+
+void MeshImprovement::lay_out(Arena& arena, Plan const& plan) noexcept {
+    mobility.lay_out(arena, plan);
+    first_layer.lay_out(arena, plan.mesh, static_cast<Size>(plan.equations.wall.count));
+    improvement.lay_out(arena, plan.region_counts);
+    arena.take(start, plan.mesh.n_points);
+}
+
+Status MeshImprovement::check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept {
+    HARMORPH_TRY(check_points(plan, reference, "cell # of the reference mesh is inverted", fault));
+    return check_points(plan, from, "cell # is inverted: only a valid mesh can be improved", fault);
+}
+
+void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
+                          ImproveReport& report) noexcept {
     FaceDistance& walls = plan.equations.wall;
-    HARMORPH_TRY(check(plan, reference, "cell # of the reference mesh is inverted", fault));
-    HARMORPH_TRY(check(plan, from, "cell # is inverted: only a valid mesh can be improved", fault));
     walls.build(reference);
     mobility.find(plan);
     first_layer.find(plan.mesh, reference, mobility.representative, walls);
@@ -52,7 +59,6 @@ Status MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points re
         improvement.run(options, result, result, report);
     }
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
-    return Status::ok;
 }
 
 void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept {

@@ -1,5 +1,6 @@
 #include "harmorph/safe/safe_morph.hpp"
 
+#include "harmorph/base/range.hpp"
 #include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/morph/morph.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
@@ -196,7 +197,7 @@ void SafeMorph::longest_linear_step(Work& work) noexcept {
 // it, and the boundary does not cross itself.
 bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
-        if (!is_in_range(points[k])) return false;
+        if (!is_coordinate(points[k])) return false;
     }
     return count_inverted(work, points) == 0 &&
            !find_crossing(work.basis.boundary_point, work.basis.loop_start, points).found;
@@ -266,8 +267,9 @@ bool SafeMorph::leap(Work& work, Basis const& by, bool is_last) noexcept {
     if (!work.is_good(there) && work.options.tries(Strategy::improved)) {
         ImproveReport improved;
         there.strategy = Strategy::improved;
-        if (failed(improvement.run(work.plan, work.options.improve, work.mesh().points, mesh.ahead(), mesh.to_ahead(), improved,
-                                   why)) || !is_valid(work, mesh.ahead())) return false;
+        if (failed(MeshImprovement::check(work.plan, work.mesh().points, mesh.ahead(), why))) return false;
+        improvement.run(work.plan, work.options.improve, work.mesh().points, mesh.ahead(), mesh.to_ahead(), improved);
+        if (!is_valid(work, mesh.ahead())) return false;
         measure(work, mesh.ahead(), there);
     }
     bool const is_good = work.is_good(there);
@@ -281,7 +283,8 @@ void SafeMorph::improve(Work& work) noexcept {
     ImproveReport report;
     Fault why;
     if (work.best().fraction < 1 || work.best().strategy == Strategy::improved) return;
-    if (failed(improvement.run(work.plan, work.options.improve, work.mesh().points, result(), mesh.to_ahead(), report, why))) return;
+    if (failed(MeshImprovement::check(work.plan, work.mesh().points, result(), why))) return;
+    improvement.run(work.plan, work.options.improve, work.mesh().points, result(), mesh.to_ahead(), report);
     Outcome outcome = work.best();
     measure(work, mesh.ahead(), outcome);
     if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return;

@@ -43,10 +43,10 @@ Status check_faces(SpaceMesh const& mesh, Fault& fault) noexcept {
 Status check_coordinates(SpaceMesh const& mesh, Fault& fault) noexcept {
     for (Index k = 0; k < mesh.n_points; ++k) {
         Vec3 const p = mesh.points[k];
-        Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
         if (!is_finite(p.x) || !is_finite(p.y) || !is_finite(p.z)) {
             return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
         }
+        Real const size = larger(larger(absolute(p.x), absolute(p.y)), absolute(p.z));
         if (size <= largest_coordinate) continue;
         return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100",
                             Counts::mesh, k, none, size);
@@ -100,12 +100,13 @@ Status check_space_mesh(SpaceMesh const& mesh, Fault& fault) noexcept {
     if (mesh.n_sides > 0 && (mesh.side_points == nullptr || mesh.side_markers == nullptr)) {
         return fault.refuse(Status::bad_argument, "space.side_points or space.side_markers is NULL");
     }
-    if (!(mesh.tolerance >= 0 && is_finite(mesh.tolerance))) {
+    if (!is_finite(mesh.tolerance) || mesh.tolerance < 0) {
         return fault.refuse(Status::bad_argument, "space.tolerance must be a length, not ~", Counts::from_zero, none,
                             none, mesh.tolerance);
     }
-    bool const has_axis = length(mesh.axis) > 0 || length(mesh.axis_point) > 0;
-    if (!are_finite(mesh.axis) || !are_finite(mesh.axis_point) || (has_axis && mesh.kind != SpaceKind::wedge)) {
+    bool const finite = are_finite(mesh.axis) && are_finite(mesh.axis_point);
+    bool const has_axis = finite && (length(mesh.axis) > 0 || length(mesh.axis_point) > 0);
+    if (!finite || (has_axis && mesh.kind != SpaceKind::wedge)) {
         return fault.refuse(Status::bad_argument,
                             "space.axis or axis_point is not finite, or the kind is not HM_WEDGE");
     }

@@ -165,7 +165,6 @@ TEST_CASE("a periodic curve is smooth at its seam") {
 }
 
 TEST_CASE("what is wrong with a curve is said, and where") {
-    Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN();
     Spline const good = fixtures::clamped(3, 8, 10);
     Fault fault;
@@ -187,6 +186,18 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     bad = good;
     bad.knots.assign(12, 2);
     CHECK(refusal(bad, "no length") == Status::bad_curve);
+    for (double const factor : {1e-104, 1e100}) {   // too short, too long for derivatives
+        bad = good;
+        for (double& knot : bad.knots) knot *= factor;
+        CHECK(refusal(bad, "no length") == Status::bad_curve);
+    }
+    bad = good;
+    for (double& knot : bad.knots) knot -= good.knots[6];
+    bad.knots[7] = 1e-19;
+    CHECK(refusal(bad, "less than 1e-18", &fault) == Status::bad_curve);
+    CHECK(fault.item == 7);
+    bad.knots[7] = 1e-16;
+    CHECK(check_curve(bad.curve(), 7, fault) == Status::ok);
     bad = good;
     for (std::size_t k = 4; k < 8; ++k) bad.knots[k] = 2;
     CHECK(refusal(bad, "repeated", &fault) == Status::bad_curve);
@@ -206,7 +217,7 @@ TEST_CASE("what is wrong with a curve is said, and where") {
     CHECK(refusal(bad, "control point #", &fault) == Status::bad_curve);
     CHECK(fault.item == 4);
     CHECK(fault.counts == Counts::curves);
-    for (double const weight : {0.0, -1.0, nan, 1e308 * 10}) {
+    for (double const weight : {0.0, -1.0, 1e-11, 1e11, nan, HUGE_VAL}) {
         bad = with_weights(good);
         bad.weights[3] = weight;
         CHECK(refusal(bad, "weight", &fault) == Status::bad_curve);

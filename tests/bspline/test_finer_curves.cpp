@@ -198,7 +198,6 @@ TEST_CASE("ties and common ends persist, points that the change does not touch k
 }
 
 TEST_CASE("knots that cannot be inserted are refused by name, with nothing written") {
-    Untrapped const untrapped;
     CurveSet set(fixtures::clamped(3, 9, 9));
     auto const refusal = [&](std::vector<double> const& u, std::string const& word) {
         Finer const finer = refined(set.view(), 0, u);

@@ -262,7 +262,6 @@ TEST_CASE("the maximum over stations is no smaller than any station, and is one 
 }
 
 TEST_CASE("what cannot be measured is refused with the reason, outputs untouched") {
-    Untrapped const untrapped;
     CurveSet set = section(false, false), ring(fixtures::ring(3, 9, 1, 0.4)), line(fixtures::clamped(1, 2, 1));
     auto const refusal = [&](CurveSet& of, hm_quantity const& asked, std::string const& word,
                              hm_section const* with = nullptr) {

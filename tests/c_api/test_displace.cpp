@@ -62,7 +62,6 @@ struct Spoiled {
 }  // namespace
 
 TEST_CASE("spoiled arguments of displacements and of the adjoint") {
-    Untrapped const untrapped;
     constexpr std::int32_t any = -2;
     std::vector<Spoiled> const all = {
         {HM_BAD_ARGUMENT, "n_fields", 0, Call::either, [](Arguments& a) { a.n_fields = 0; }},

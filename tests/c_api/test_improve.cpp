@@ -194,7 +194,6 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
 }
 
 TEST_CASE("hm_improve: what cannot be improved is refused by name, and nothing has moved") {
-    Untrapped const untrapped;
     Case its = sliding_block();
     Morphed out(its, similarity_move(its.curves, std::polar(1.0, 0.5), {0.5, 0.5}));
     std::vector<double> const untouched = out.better_x;

@@ -7,7 +7,14 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#if __has_include(<valgrind/memcheck.h>)
+#include <valgrind/memcheck.h>
+#else
+#define VALGRIND_MAKE_MEM_UNDEFINED(begin, bytes) (void)0
+#endif
+
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 namespace fuzz {
@@ -23,6 +30,8 @@ public:
         end_ = memory_ + mapped_ - page;
         if (fill != 0) std::memset(data(), fill, bytes);
         std::memset(end_ - shift, mark, shift);
+        static bool const undefined = std::getenv("HARMORPH_UNDEFINED") != nullptr;   // what valgrind is to think of it
+        if (undefined) VALGRIND_MAKE_MEM_UNDEFINED(data(), bytes);
     }
     ~Block() { munmap(memory_, mapped_); }
     Block(Block const&) = delete;

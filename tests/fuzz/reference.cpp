@@ -14,12 +14,16 @@ WidePoint operator-(WidePoint a, WidePoint b) { return {a.x - b.x, a.y - b.y}; }
 Wide cross(WidePoint a, WidePoint b) { return a.x * b.y - a.y * b.x; }
 Wide dot(WidePoint a, WidePoint b) { return a.x * b.x + a.y * b.y; }
 
-// Twice the area of a corner, of the cell as it is listed. Products of differences of doubles need 128 bits.
-__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here, std::int32_t after) {
+// Twice the area of a corner, of the cell as it is listed, less `sine` times the lengths of its sides. Products of
+// differences of doubles need 128 bits.
+__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here, std::int32_t after,
+                  double sine = 0) {
     auto const p = [&](std::int32_t k) { return at[static_cast<std::size_t>(k)]; };
     __float128 const ax = __float128(p(here).x) - p(before).x, ay = __float128(p(here).y) - p(before).y;
     __float128 const bx = __float128(p(after).x) - p(here).x, by = __float128(p(after).y) - p(here).y;
-    return ax * by - ay * bx;
+    __float128 const area = ax * by - ay * bx;
+    if (sine == 0) return area;
+    return area - sine * (std::hypot(Wide(ax), Wide(ay)) * __float128(std::hypot(Wide(bx), Wide(by))));
 }
 template <class Take>
 void for_each_corner(Cell const& cell, Take const& take) {
@@ -30,12 +34,12 @@ int sign(__float128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 }   // namespace
 
-std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at) {
+std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at, double sine) {
     std::int32_t n = 0;   // domain.cells all run counter-clockwise
     for (Cell const& cell : domain.cells) {
         bool is_inverted = false;
         for_each_corner(cell, [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-            is_inverted = is_inverted || !(corner(at, a, b, c) > 0);
+            is_inverted = is_inverted || !(corner(at, a, b, c, sine) > 0);
         });
         n += is_inverted ? 1 : 0;
     }

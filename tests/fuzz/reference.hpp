@@ -7,8 +7,9 @@ namespace fuzz {
 
 using Wide = long double;
 
-// Cells with a corner whose area is not positive, as the header defines it. Cells may run either way round.
-std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at);
+// Cells with a corner whose area, divided by the lengths of its two sides, is not above `sine`; 0: as the header defines
+// inverted cells, without rounding.
+std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at, double sine = 0);
 
 // Faces that have inner points in common with another face, transversally; and whether faces without a common end
 // touch.

@@ -6,8 +6,8 @@
 dir=$BUILD/fuzz
 mkdir -p "$dir"
 checks="address,undefined,float-cast-overflow"
-targets="problem basis sequence files"
-each=$((FUZZ_SECONDS / 4 > 0 ? FUZZ_SECONDS / 4 : 1))
+targets="problem basis sequence files shape"
+each=$((FUZZ_SECONDS / 5 > 0 ? FUZZ_SECONDS / 5 : 1))
 flags="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 
@@ -40,7 +40,10 @@ run_random() {   # target
 
 echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' >"$dir/probe.cpp"
 if $CLANG -fsanitize=fuzzer,$checks "$dir/probe.cpp" -o "$dir/probe" 2>/dev/null; then
-    build "$CLANG" "-DLIBFUZZER -fsanitize=fuzzer-no-link,$checks" "-fsanitize=fuzzer,$checks"
+    # clang 14 takes hours to instrument these two: their vectors are compared without an end.
+    printf 'src:*/residual_table.cpp\nsrc:*/dense_table.cpp\n' >"$dir/not_followed"
+    build "$CLANG" "-DLIBFUZZER -fsanitize=fuzzer-no-link,$checks -fsanitize-coverage-ignorelist=$dir/not_followed" \
+        "-fsanitize=fuzzer,$checks"
     for target in $targets; do run_libfuzzer $target; done
 else
     echo "no libFuzzer: $CLANG is not installed or has none (Debian: clang); cases are random"

@@ -19,29 +19,11 @@ void Solution::expect_intact() const {
     for (Block const& its : blocks_) its.expect_intact();
 }
 
-// The size, one byte less, exactly that.
-template <class Size, class Init>
-bool Solution::make(Size const& size, Init const& init) {
-    std::size_t bytes = 0;
-    status = size(&bytes);
-    expect_told(status, error);
-    if (status < 0) return false;
-    expect(bytes > 0, "an object without a size");
-    if (bytes > std::size_t{1} << 28) return status = HM_BAD_ARGUMENT, false;   // of counts that were made wrong
-    Block& its = block(bytes);
-    hm_status const less = init(its.data(), bytes - 1);
-    expect_told(less, error);
-    expect(less < 0, "a block that is one byte too small is taken");
-    bool const was_too_small = less == HM_BLOCK_TOO_SMALL;
-    status = init(its.data(), bytes);
-    expect_told(status, error);
-    its.expect_intact();
-    if (status >= 0) expect(was_too_small, "one byte less: another reason");
-    expect(status != HM_BLOCK_TOO_SMALL, "a block of the stated size is too small");
-    return status >= 0;
-}
-
 Solution::Solution(Problem const& its_problem, Input& input) : problem(its_problem), input_(input) {
+    auto const make = [&](auto const& size, auto const& init) {
+        status = make_object([this](std::size_t bytes) -> Block& { return block(bytes); }, error, size, init);
+        return status >= 0;
+    };
     bool const made =
         make([&](std::size_t* bytes) { return hm_analysis_size(&problem.problem, &problem.options, bytes, &error); },
              [&](void* memory, std::size_t bytes) {

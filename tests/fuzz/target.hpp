@@ -12,12 +12,14 @@ Outcome run_problem(Input& input);
 Outcome run_basis(Input& input);
 Outcome run_sequence(Input& input);
 Outcome run_files(Input& input);
+Outcome run_shape(Input& input);
 
 struct Target {
     const char* name;
     Outcome (*run)(Input& input);
 };
 inline constexpr Target targets[] = {
-    {"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files}};
+    {"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files},
+    {"shape", run_shape}};
 
 }   // namespace fuzz

@@ -15,17 +15,18 @@ struct MeshImprovement {
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
 
-    // reference, from: coordinates of the plan's mesh before and after a movement; to: the better ones; may be `from`.
+    // Refuses coordinates out of range and inverted cells.
+    static Status check(Plan const& plan, Points reference, Points from, Fault& fault) noexcept;
+    // reference, from: coordinates of the plan's mesh before and after a movement, as check() accepts them; to: the
+    // better ones; may be `from`.
     // The tops of the first layer (the ends of the edges that leave walls most normal to them) are put where the wall
     // carries them, at the height and the angle that they had, as far as no cell inverts, and held there; only a top of
     // a cell that has less than half of its quality then may move on. If the smallest quality ends below that of `from`,
     // all is done again with the tops where they are in `from`. The plan's distances are left at the reference.
-    // Refused, with `to` as it was: an inverted cell, a coordinate out of range.
-    Status run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
-               ImproveReport& report, Fault& fault) noexcept;
+    void run(Plan& plan, ImproveOptions const& options, Points reference, Points from, MutablePoints to,
+             ImproveReport& report) noexcept;
 
 private:
-    Status check(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) const noexcept;
     void carry_first_layer(Points reference, Points from) noexcept;
     bool try_top(Index top, Vec2 at, Points from) noexcept;
     Vec2 position(Index point, Points from) const noexcept;

@@ -1,0 +1,64 @@
+#!/bin/sh
+# Called by `make coverage`: which branches of the core and of the C interface the C++ tests and the random problems
+# take, by gcc and gcov. A branch of a template counts as taken if one of its instances takes it. $BUILD/coverage/missed
+# lists the others by line. The last line counts branches, and the places where something is refused.
+: "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${GCOV:=gcov}"
+dir=$BUILD/coverage
+$MAKE -s BUILD="$BUILD" JOBS="$JOBS" all fuzzer tests-only || exit 1
+$MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O0 --coverage" library-only || exit 1
+rm -f "$dir"/objects/core/*.gcda
+$CXX --coverage -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o "$dir/libharmorph.a" || exit 1
+$CXX --coverage -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o \
+    $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$dir/libharmorph.a" || exit 1
+"$dir/tests" >"$dir/log" || { cat "$dir/log"; exit 1; }
+for run in "problem 2000" "basis 1000" "sequence 500"; do "$dir/fuzzer" $run 1 >>"$dir/log" || exit 1; done
+for notes in "$dir"/objects/core/*.gcno; do
+    $GCOV -b -c -t "$notes" 2>/dev/null
+done | awk -F: '
+    $2 + 0 == 0 && $3 == "Source" {
+        file = $4
+        ours = file ~ /^(src|include|c_api)\//
+    }
+    !ours { next }
+    /^ *([0-9]+\*?|#####|=====|-): *[1-9][0-9]*:/ {
+        line = file ":" $2 + 0
+        text = $0
+        sub(/^[^:]*:[^:]*:/, "", text)
+        of[line] = text
+        if (text ~ /refuse\(/ && text !~ /auto const refuse|Status refuse/ && $1 !~ /-/) {
+            refusal[line] += 0
+            if ($1 !~ /#####|=====/) refusal[line] = 1
+        }
+        next
+    }
+    /^branch/ {
+        split($0, word, " ")
+        # Where a kernel is inlined many times into one line, its copies count as one: taken or not.
+        key = line " " (word[2] < 8 ? word[2] : word[2] % 2)
+        if (!(key in taken)) taken[key] = 0
+        if ($0 ~ /taken/ && word[4] + 0 > 0) taken[key] = 1
+    }
+    END {
+        for (key in taken) {
+            split(key, part, " ")
+            split(part[1], place, ":")
+            ++all
+            ++of_file[place[1]]
+            hit += taken[key]
+            hit_of[place[1]] += taken[key]
+            if (!taken[key]) missed[part[1]] = missed[part[1]] " " part[2]
+        }
+        for (line in missed) print "missed " line ": branch" missed[line] ":" of[line]
+        for (line in refusal) {
+            ++refusals
+            seen += refusal[line]
+            if (!refusal[line]) print "refusal " line ": never reached:" of[line]
+        }
+        for (file in of_file) printf "file %s %d of %d\n", file, hit_of[file], of_file[file]
+        printf "%d of %d branches taken (%.1f %%), %d of %d refusals reached\n", hit, all, 100 * hit / all, seen, refusals
+    }' | sort -V >"$dir/all"
+grep '^missed\|^refusal' "$dir/all" >"$dir/missed"
+sed -n 's/^file //p' "$dir/all" | awk '$2 < 0.95 * $4'
+tail=$(grep 'branches taken' "$dir/all")
+echo "$tail"
+echo "$tail" | awk -F'[(%]' '{ exit !($2 >= 95) }'

@@ -1,0 +1,57 @@
+#!/bin/sh
+# Called by `make sanitize`. Memory that is used before it is written: random problems, whose blocks valgrind is told to
+# hold no values yet, and tests/use.c with clang's memory sanitizer. Races: the program with four threads, all operators
+# and engines, under the thread sanitizer. (`make fuzz` has the address and undefined-behaviour sanitizers.)
+# PARTS="memcheck memory threads": some of these. The last line counts.
+: "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${CLANG:=clang}" "${PARTS:=memcheck memory threads}"
+passed=0 failed=0
+wanted() { case " $PARTS " in *" $1 "*) return 0 ;; esac; return 1; }
+verdict() {   # what, exit code, log
+    if [ "$2" = 0 ]; then passed=$((passed + 1)); return; fi
+    failed=$((failed + 1))
+    echo "$1"
+    tail -n 40 "$3"
+}
+mkdir -p "$BUILD"
+
+if wanted memcheck && echo '#include <valgrind/memcheck.h>' | $CXX -x c++ -E - >/dev/null 2>&1; then
+    $MAKE -s BUILD="$BUILD" JOBS="$JOBS" fuzzer || exit 1
+    for run in "problem 150" "basis 60" "sequence 30" "files 60"; do
+        HARMORPH_UNDEFINED=1 valgrind -q --error-exitcode=9 --track-origins=no "$BUILD/fuzzer" $run 1 >"$BUILD/memcheck.log" 2>&1
+        verdict "valgrind: fuzzer $run 1" $? "$BUILD/memcheck.log"
+    done
+elif wanted memcheck; then
+    echo "skipped: valgrind is not installed"
+fi
+
+if wanted memory && echo 'int main(void) { return 0; }' >"$BUILD/probe.c" &&
+    $CLANG -fsanitize=memory "$BUILD/probe.c" -o "$BUILD/probe" 2>/dev/null; then
+    dir=$BUILD/memory
+    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CLANG++" CXXFLAGS="-O1 -g1 -fsanitize=memory" library-only || exit 1
+    $CLANG -std=c99 -O1 -g1 -fsanitize=memory -Ic_api tests/use.c "$dir/libharmorph.a" -lm -o "$dir/use" &&
+        "$dir/use" >"$dir/log" 2>&1
+    verdict "memory sanitizer: tests/use.c" $? "$dir/log"
+elif wanted memory; then
+    echo "skipped: $CLANG has no memory sanitizer"
+fi
+
+if wanted threads; then
+    dir=$BUILD/threads
+    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O1 -g1 -fsanitize=thread" LDFLAGS=-fsanitize=thread all || exit 1
+    "$dir/harmorph" fit tests/meshes/naca0012.su2 --marker airfoil -o "$dir/a.curve" >"$dir/log" 2>&1
+    echo "3 0.05 0.1" >"$dir/moves.txt"
+    for options in "--operator laplace" "--operator weighted" "--operator conformal" "--operator laplace --engine multigrid" \
+        "--operator laplace --engine fas" "--operator laplace --scheme bounded" "--operator conformal --precision single"; do
+        "$dir/harmorph" solve tests/meshes/naca0012.su2 --curve airfoil="$dir/a.curve" $options --threads 4 -o "$dir/a.basis" \
+            >"$dir/log" 2>&1 &&
+            "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \
+                -o "$dir/m.su2" >>"$dir/log" 2>&1
+        verdict "thread sanitizer: solve $options, morph" $? "$dir/log"
+    done
+    echo "3 0.3 0.6" >"$dir/moves.txt"
+    "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --safe --threads 4 \
+        -o "$dir/m.su2" >"$dir/log" 2>&1
+    verdict "thread sanitizer: morph --safe" $? "$dir/log"
+fi
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]
