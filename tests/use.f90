@@ -481,8 +481,8 @@ contains
         real(dp) :: x_new(n_points), y_new(n_points)
         integer, allocatable :: rows(:), start(:), types(:)
         integer :: i, k, a, b
-        rows = [integer :: ]
-        start = [1]
+        allocate(rows(0))
+        allocate(start(1), source=1)
         do k = 0, around / 2 - 1                                ! the first ring in pairs of cells, the others as they are
             a = 2 * k
             b = modulo(2 * k + 2, around)
