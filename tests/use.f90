@@ -490,7 +490,7 @@ contains
             start = [start, size(rows) + 1]
         end do
         do i = around + 1, size(cells, 2)
-            rows = [rows, cells(:, i)]
+            rows = [rows, int(cells(:, i))]
             start = [start, size(rows) + 1]
         end do
         call joined%points(x, y)
@@ -512,8 +512,8 @@ contains
         call basis%quality(joined, x_new, y_new, quality)
         call check(quality%inverted == 0 .and. quality%min_quality > 0, "polygons are not inverted when they turn")
         allocate(types(n_points), source=0)
-        types(faces(1, :)) = markers
-        types(faces(2, :)) = markers
+        types(faces(1, :)) = int(markers)
+        types(faces(2, :)) = int(markers)
         call by_types%points(x, y)
         call by_types%polygons(rows, start)
         call by_types%point_types(types)
