@@ -100,7 +100,7 @@ rules:
 	@objects() { \
 	    part=$$1 headers=$$2; shift 2; list=; \
 	    for source do \
-	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | tr / -`.o; list="$$list $$object"; \
+	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | sed "s,^$(BUILD)/,," | tr / -`.o; list="$$list $$object"; \
 	        level='$(LEVEL)'; \
 	        for loops in $(LOOPS); do if [ $$source = $$loops ]; then level='$(LEVEL_OF_LOOPS)'; fi; done; \
 	        printf '%s: %s %s $(BUILD)/flags\n' $$object $$source "$$headers"; \

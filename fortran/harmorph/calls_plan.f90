@@ -3,10 +3,10 @@
 
     public :: hm_c_tabulate_size, hm_c_tabulate, hm_c_analysis_size, hm_c_analysis_init, hm_c_analysis_report, &
         hm_c_analysis_boundary, hm_c_plan_size, hm_c_plan_init, hm_c_basis_size, hm_c_basis_init, hm_c_plan_factor, &
-        hm_c_plan_solve, hm_c_given_points, hm_c_displace_size, hm_c_displace, hm_c_displace_adjoint, hm_c_plan_level, &
-        hm_c_displace_safe_size, hm_c_displace_safe, &
-        hm_c_transfer_size, hm_c_transfer, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_morph_safe_size, &
-        hm_c_morph_safe, hm_c_improve_size, hm_c_improve
+        hm_c_plan_solve, hm_c_plan_points, hm_c_given_points, hm_c_displace_size, hm_c_displace, &
+        hm_c_displace_adjoint, hm_c_plan_level, hm_c_displace_safe_size, hm_c_displace_safe, hm_c_transfer_size, &
+        hm_c_transfer, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_morph_safe_size, hm_c_morph_safe, &
+        hm_c_improve_size, hm_c_improve
 
     interface
         integer(c_int32_t) function hm_c_tabulate_size(plan, basis, n_modes, numbers, bytes, work_bytes, err) &
@@ -94,6 +94,12 @@
             import
             type(c_ptr), value, intent(in) :: plan, basis
             type(hm_solve_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_plan_points(plan, n_points, index_base, err) bind(c, name="hm_plan_points")
+            import
+            type(c_ptr), value, intent(in) :: plan
+            integer(c_int32_t), intent(inout) :: n_points, index_base
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_given_points(plan, points, capacity, n, err) bind(c, name="hm_given_points")

@@ -13,6 +13,7 @@ using namespace fixtures;
 using harmorph::Assessment;
 using harmorph::Cell;
 using harmorph::CellCorners;
+using harmorph::CellMeasure;
 using harmorph::CellLayout;
 using harmorph::CellShape;
 using harmorph::Index;
@@ -138,13 +139,13 @@ void check_all(Grid const& grid) {
         to.limit.add(i, now, by, corners);
         CellShape then = now;
         for (Index k = 0; k < 4; ++k) then.at[k] = now.at[k] + by.at[k];
-        to.quality.add(i, cell.n, CellCorners(then), corners.cell_area(cell.n));
+        to.quality.add(i, CellMeasure(cell.n, CellCorners(then)), corners.cell_area(cell.n));
     });
     Assessment const skew = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
-        to.quality.add(i, cell.n, CellCorners(CellShape(cell, points, false)), 0);
+        to.quality.add(i, CellMeasure(cell.n, CellCorners(CellShape(cell, points, false))), 0);
     });
     Assessment const compared = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
-        to.quality.add(i, cell.n, CellCorners(CellShape(cell, points, false)), cell_area(cell, change));
+        to.quality.add(i, CellMeasure(cell.n, CellCorners(CellShape(cell, points, false))), cell_area(cell, change));
     });
     for (harmorph::Kernel const kernel : usable_kernels()) {
         harmorph::Executor executor;

@@ -154,7 +154,7 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
             work.coordinates.find(graph, grid.points(), {});
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::Division const its = harmorph::Dissector(graph, work, order).divide(0, graph.n);
+            harmorph::DividedRange const its = harmorph::Dissector(graph, work, order).divide(0, graph.n);
             REQUIRE(its.pivots < graph.n);
             std::vector<char> is_next(grid.x.size(), 0);
             for (Index k = its.pivots; k < graph.n; ++k)
@@ -183,7 +183,7 @@ TEST_CASE("large parts share what borders on separators above: fewer multiplicat
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
-            harmorph::Division const its = dissector.divide(0, graph.n);
+            harmorph::DividedRange const its = dissector.divide(0, graph.n);
             REQUIRE(its.middle >= harmorph::Parts::large);
             REQUIRE(its.pivots - its.middle >= harmorph::Parts::large);
             for (Index u = 0; u < graph.n && !is_marked; ++u) work.coordinates.of[u].at[harmorph::border_lane] = 0;
