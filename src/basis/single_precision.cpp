@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Real largest_single = 0x1.fffffep+127;
+constexpr Real largest_float = 0x1.fffffep+127;
 
 // All that lies between header and values is the same in both.
 void copy_problem(Basis const& from, Basis const& to) noexcept {
@@ -24,7 +24,7 @@ BasisCounts single_counts(Basis const& from) noexcept {
 
 Status store_single(Basis const& from, Basis const& to, Fault& fault) noexcept {
     Real const largest = from.header->largest;  // of the whole, also where this is a part of it: so it stays
-    if (!(largest <= largest_single)) {
+    if (!(largest <= largest_float)) {
         return fault.refuse(Status::unsupported, "a value of the functions is too large for single precision: ~",
                             Counts::from_zero, none, none, largest);
     }

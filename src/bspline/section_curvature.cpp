@@ -9,25 +9,39 @@ namespace {
 constexpr Vec2 right_of(Vec2 v) noexcept { return {v.y, -v.x}; }
 
 // Curvature k = C' x C'' / |C'|^3 and its derivative by the parameter, of derivatives c[1..3] of a curve; and the
-// derivatives of both by C', C'' and C'''.
+// derivatives of both by C', C'' and C'''. In terms of t = C' / |C'|, a = C'' / |C'|^2 and b = C''' / |C'|^3, so that no
+// power of the speed overflows. Where the curve stands still, or nearly so, there is none, and all numbers are 0: within
+// these bounds no measure overflows.
 struct Curvature {
+    bool exists = false;
     Real value = 0, slope = 0, speed = 0;
     Vec2 value_by[3], slope_by[4];
 
     explicit Curvature(const Vec2* c) noexcept {
-        Real const q = square(c[1]), d = dot(c[1], c[2]), x = cross(c[1], c[2]), y = cross(c[1], c[3]);
-        speed = square_root(q);
-        Real const q3 = 1 / (q * speed), q5 = q3 / q, q7 = q5 / q;
-        value = x * q3;
-        slope = y * q3 - 3 * x * d * q5;
+        Real const size = larger(absolute(c[1].x), absolute(c[1].y));
+        if (!(size > 1e-30 && size < 1e60)) return;
+        Real const found = length(c[1]), per = 1 / found;
+        if (!is_at_most(c[2], 1e40 * found * found) || !is_at_most(c[3], 1e90 * found * found * found)) return;
+        Vec2 const t = per * c[1], a = per * (per * c[2]), b = per * (per * (per * c[3]));
+        Real const d = dot(t, a), x = cross(t, a), y = cross(t, b);
+        if (!(absolute(y) + 3 * absolute(x * d) <= 1e100 * per)) return;
+        exists = true;
+        speed = found;
+        value = x;
+        slope = speed * (y - 3 * x * d);
         // Of the cross products by their factors: of C' x C'' by C' it is C'' turned right, by C'' it is C' turned
         // left.
-        Vec2 const x1 = right_of(c[2]), x2 = left_of(c[1]), y1 = right_of(c[3]);
-        value_by[1] = q3 * x1 - 3 * x * q5 * c[1];
-        value_by[2] = q3 * x2;
-        slope_by[1] = q3 * y1 - 3 * y * q5 * c[1] - 3 * q5 * (d * x1 + x * c[2]) + 15 * x * d * q7 * c[1];
-        slope_by[2] = -3 * q5 * (d * x2 + x * c[1]);
-        slope_by[3] = q3 * x2;
+        Vec2 const by_second = per * (per * left_of(t));
+        value_by[1] = per * (right_of(a) - 3 * x * t);
+        value_by[2] = by_second;
+        slope_by[1] = right_of(b) - 3 * y * t - 3 * (d * right_of(a) + x * a) + 15 * x * d * t;
+        slope_by[2] = (-3 * per) * (d * left_of(t) + x * t);
+        slope_by[3] = by_second;
+    }
+
+private:
+    static bool is_at_most(Vec2 derivative, Real size) noexcept {
+        return absolute(derivative.x) <= size && absolute(derivative.y) <= size;
     }
 };
 
@@ -35,6 +49,11 @@ Curvature curvature_at(CurvePlace const& place) noexcept {
     Vec2 c[4];
     place.derivatives(3, c);
     return Curvature(c);
+}
+
+Status refuse_still(Section const& section, CurvePlace const& place, Fault& fault) noexcept {
+    return fault.refuse(Status::bad_curve, "curve @ (from 0) stands still at parameter ~: it has no curvature there",
+                        Counts::from_zero, none, static_cast<Index>(place.curve - section.curve), place.u);
 }
 
 Status check_speed(Section const& section, Fault& fault) noexcept {
@@ -46,9 +65,7 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
             Vec2 point[2];
             curve_point_in(section.curve[c], span, low + (high - low) * j / n, 1, point);
             if (length(point[1]) * (high - low) > smallest) continue;
-            status = fault.refuse(Status::bad_curve,
-                                  "curve @ (from 0) stands still at parameter ~: it has no curvature there",
-                                  Counts::from_zero, none, c, low + (high - low) * j / n);
+            status = refuse_still(section, {&section.curve[c], span, low + (high - low) * j / n}, fault);
         }
     });
     return status;
@@ -59,7 +76,7 @@ Status check_speed(Section const& section, Fault& fault) noexcept {
 Status nose_radius(Section const& section, Real& radius, ControlGradient const& gradient, Fault& fault) noexcept {
     Curvature const at = curvature_at(section.nose_place);
     Real const bend = section.sign * (section.backwards[section.nose_place.curve - section.curve] ? -1 : 1) * at.value;
-    if (!section.nose_is_smooth || !is_finite(bend) || !(absolute(bend) * section.extent() > 1e-12)) {
+    if (!section.nose_is_smooth || !at.exists || !(absolute(bend) * section.extent() > 1e-12)) {
         return fault.refuse(Status::bad_curve,
                             "the leading edge is a corner or straight: it has no radius of curvature");
     }
@@ -74,13 +91,15 @@ Status nose_radius(Section const& section, Real& radius, ControlGradient const& 
 Status smallest_radius(Section const& section, Bend& bend, ControlGradient const& gradient, Fault& fault) noexcept {
     HARMORPH_TRY(check_speed(section, fault));
     Real largest = 0;
+    CurvePlace still;  // where there is no curvature
     section.for_each_span(0, section.n_curves, [&](Index c, Index span, Real low, Real high) {
         Curve const& curve = section.curve[c];
         auto const include = [&](Real u) {
             CurvePlace const place{&curve, span, u};
-            Real const found = absolute(curvature_at(place).value);
-            if (!(found > largest)) return;
-            largest = found;
+            Curvature const at = curvature_at(place);
+            if (!at.exists) still = place;
+            if (absolute(at.value) <= largest) return;
+            largest = absolute(at.value);
             bend.place = place;
         };
         Index const n = 8 * curve.degree;
@@ -98,6 +117,7 @@ Status smallest_radius(Section const& section, Bend& bend, ControlGradient const
             before = after;
         }
     });
+    if (still.curve != nullptr) return refuse_still(section, still, fault);
     if (!(largest * section.extent() > 1e-12)) {
         return fault.refuse(Status::bad_curve, "the outline is straight: it has no radius of curvature");
     }
@@ -118,9 +138,15 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
     }
     HARMORPH_TRY(check_speed(section, fault));
     variation = 0;
+    CurvePlace still;
     section.for_each_span(0, section.n_sides, [&](Index c, Index span, Real low, Real high) {
         auto const integrand = [&](Real u) {
-            Curvature const at = curvature_at({&section.curve[c], span, u});
+            CurvePlace const place{&section.curve[c], span, u};
+            Curvature const at = curvature_at(place);
+            if (!at.exists) {
+                still = place;
+                return Sums<2>{};
+            }
             Real const square_value = at.value * at.value;
             return Sums<2>{{at.slope * at.slope / at.speed, square_value * square_value * at.speed}};
         };
@@ -130,6 +156,10 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
                 Vec2 point[4];
                 place.derivatives(3, point);
                 Curvature const at(point);
+                if (!at.exists) {
+                    still = place;
+                    return;
+                }
                 variation += weight * at.slope * at.slope / at.speed;
                 Real const by_slope = 2 * weight * at.slope / at.speed;
                 Real const by_square_speed = -0.5 * weight * at.slope * at.slope / (at.speed * at.speed * at.speed);
@@ -139,6 +169,7 @@ Status curvature_variation(Section const& section, Real& variation, ControlGradi
             });
         });
     });
+    if (still.curve != nullptr) return refuse_still(section, still, fault);
     return Status::ok;
 }
 

@@ -35,7 +35,7 @@ Status raise_by_negative(Multifrontal& factor, Matrix const& matrix, Span<Real> 
 }
 
 // Room is left for sums of products of entries and values, which become residuals in single precision.
-constexpr Real largest_single = 1e36;
+constexpr Real most_in_single = 1e36;
 
 Status refuse_single(const char* sentence, Index point, Real size, Fault& fault) noexcept {
     return fault.refuse(Status::unsupported, sentence, Counts::mesh, point, none, size);
@@ -44,7 +44,7 @@ Status refuse_single(const char* sentence, Index point, Real size, Fault& fault)
 Status check_entries(Equations const& equations, Fault& fault) noexcept {
     Span<Real> const diagonal = equations.matrix.diagonal;
     for (Index i = 0; i < diagonal.count(); ++i) {
-        if (absolute(diagonal[i]) <= largest_single) continue;
+        if (absolute(diagonal[i]) <= most_in_single) continue;
         return refuse_single("the diagonal at point # is ~: single precision takes 1e36", equations.point_of(i),
                              diagonal[i], fault);
     }
@@ -54,7 +54,7 @@ Status check_entries(Equations const& equations, Fault& fault) noexcept {
 Status check_right_hand_sides(Equations const& equations, DofValues const& dofs, Fault& fault) noexcept {
     for (Index i = 0; i < equations.matrix.n; ++i) {
         for (Real const number : Span<const Real>(dofs.at(i), static_cast<Size>(dofs.length()))) {
-            if (absolute(number) <= largest_single) continue;
+            if (absolute(number) <= most_in_single) continue;
             return refuse_single("a right-hand side at point # is ~: single precision takes 1e36", equations.point_of(i),
                                  number, fault);
         }
