@@ -48,9 +48,9 @@ if wanted threads; then
                 -o "$dir/m.su2" >>"$dir/log" 2>&1
         verdict "thread sanitizer: solve $options, morph" $? "$dir/log"
     done
-    echo "3 0.3 0.6" >"$dir/moves.txt"
-    "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --safe --threads 4 \
-        -o "$dir/m.su2" >"$dir/log" 2>&1
+    "$dir/harmorph" demo "$dir/demo" --mesh tests/meshes/naca0012.su2 >"$dir/log" 2>&1 &&
+        "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe --threads 4 \
+            -o "$dir/m.su2" >>"$dir/log" 2>&1
     verdict "thread sanitizer: morph --safe" $? "$dir/log"
 fi
 echo "$passed passed, $failed failed"
