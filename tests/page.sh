@@ -27,6 +27,8 @@ solve "$naca" --curve "airfoil=$tmp/airfoil.curve" -o "$tmp/conformal.basis"
 solve "$naca" --curve "airfoil=$tmp/airfoil.curve" --operator laplace -o "$tmp/laplace.basis"
 solve "$naca" --rigid airfoil=.25,0 -o "$tmp/rigid.basis"
 solve "$meshes/block.su2" --rigid block --slip outer -o "$tmp/slip.basis"
+awk -f "$meshes/merge_cells.awk" "$naca" >"$tmp/merged.vtk"
+solve "$tmp/merged.vtk" --curve "boundary1=$tmp/airfoil.curve" -o "$tmp/merged.basis"
 if explore "$naca" "$tmp/conformal.basis" -o "$tmp/whole.html"; then ok; else fail "explore"; fi
 if grep -E '(src|href)=|https?:' "$tmp/whole.html" | grep -v 'link.href = URL' >/dev/null; then
     fail "the page refers to something outside"
@@ -49,7 +51,7 @@ if [ -z "$chromium" ]; then
 fi
 
 browse() { # browse PAGE: the page's elements as text, once it is loaded
-    timeout 120 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
+    timeout 300 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
         --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" --use-angle=swiftshader \
         --enable-unsafe-swiftshader --window-size=1280,800 --dump-dom "file://$1" 2>"$tmp/browser.log"
     rm -rf "$tmp/profile"
@@ -78,9 +80,9 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
     grep '^check .*FAILED' "$tmp/$case.result" >"$tmp/log"
     while read -r line; do fail "$case: $line"; done <"$tmp/log"
     sed -n '/^moves$/,/^end$/p' "$tmp/$case.result" | sed '1d;$d' >"$tmp/$case.moves"
-    "$harmorph" morph "$mesh" "$basis" --move "$tmp/$case.moves" -o "$tmp/$case.su2" --force --json >"$tmp/$case.json" 2>/dev/null
-    # Coordinates that have not changed keep their text, which is in the mesh's own precision.
-    awk '/^NPOIN=/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside { print "at", n++, $1, $2 }' "$tmp/$case.su2" |
+    "$harmorph" morph "$mesh" "$basis" --move "$tmp/$case.moves" -o "$tmp/$case.moved" --force --json >"$tmp/$case.json" 2>/dev/null
+    # SU2 or VTK. Coordinates that have not changed keep their text, which is in the mesh's own precision.
+    awk '/^(NPOIN=|POINTS )/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside { print "at", n++, $1, $2 }' "$tmp/$case.moved" |
         cat - "$tmp/$case.result" | awk '
         function off(a, b) { return a > b ? a - b : b - a }
         $1 == "at" { x[$2] = $3; y[$2] = $4; next }
@@ -116,11 +118,17 @@ page rigid "$naca" "$tmp/rigid.basis" 0
 judged_alike
 page slip "$meshes/block.su2" "$tmp/slip.basis" 0
 judged_alike
-# The report of the movement that inverts cells: the same numbers, in double precision, and its pictures.
-case=report
-cp "$tmp/inverted.json" "$tmp/report.json"
-"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --report "$tmp/report.html" >/dev/null 2>&1
-cat >>"$tmp/report.html" <<'END'
+page polygons "$tmp/merged.vtk" "$tmp/merged.basis" 30
+judged_alike
+page polygons-inverted "$tmp/merged.vtk" "$tmp/merged.basis" -2000
+judged_alike
+if [ "$(value inverted)" -gt 0 ]; then ok; else fail "a large movement inverts no polygon"; fi
+# The reports of movements that invert cells: the same numbers, in double precision, and their pictures.
+report() { # report CASE MESH BASIS DRAGGED: of the movement of the page DRAGGED
+case=$1
+cp "$tmp/$4.json" "$tmp/$case.json"
+"$harmorph" morph "$2" "$3" --move "$tmp/$4.moves" --report "$tmp/$case.html" >/dev/null 2>&1
+cat >>"$tmp/$case.html" <<'END'
 <script>
 const table = (id) => {
     const [, text] = document.querySelector(`#${id} a`).href.split(",");
@@ -136,17 +144,20 @@ const lines = [`value percent_before ${percent(2).toFixed(9)}`, `value percent_a
 document.body.innerHTML = `<pre>\n\nresult begins\n${lines.join("\n")}\nresult ends\n</pre>`;
 </script>
 END
-browse "$tmp/report.html" | sed -n '/^result begins/,/^result ends/p' >"$tmp/report.result"
+browse "$tmp/$case.html" | sed -n '/^result begins/,/^result ends/p' >"$tmp/$case.result"
 judged_alike
 if [ "$(value close_ups) $(value charts)" = "10 3" ]; then ok; else
-    fail "report: $(value close_ups) worst cells, $(value charts) charts"
+    fail "$case: $(value close_ups) worst cells, $(value charts) charts"
 fi
 if [ "$(value percent_before) $(value percent_after)" = "100.000000000 100.000000000" ]; then ok; else
-    fail "report: the table of qualities has $(value percent_before) and $(value percent_after) % of the cells"
+    fail "$case: the table of qualities has $(value percent_before) and $(value percent_after) % of the cells"
 fi
 if [ "$(value first_layer_missing)" = 0 ]; then ok; else
-    fail "report: $(value first_layer_missing) edges of the first layer are not in the table"
+    fail "$case: $(value first_layer_missing) edges of the first layer are not in the table"
 fi
+}
+report report "$naca" "$tmp/laplace.basis" inverted
+report polygons-report "$tmp/merged.vtk" "$tmp/merged.basis" polygons-inverted
 "$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" >/dev/null 2>&1
 if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000

@@ -59,7 +59,6 @@ public:
 
     // All but what is asked for afterwards.
     JsonObject& run() {
-        mesh_.refuse_polygons("the page");
         const auto name = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
         object_.add("version", std::string(hm_version())).add("mesh", name(mesh_.file.path()));
         object_.add("basis", name(basis_.path()));
@@ -120,24 +119,23 @@ private:
         add_array("y", y);
     }
 
-    // Four points each, counter-clockwise; a triangle repeats its last one.
     void add_cells() {
-        std::vector<std::int32_t> slot(mesh_.x.size(), -1), cells;
+        std::vector<std::int32_t> slot(mesh_.x.size(), -1), start = {0}, points;
         for (std::size_t k = 0; k < selection_.points.size(); ++k) {
             slot[static_cast<std::size_t>(selection_.points[k])] = static_cast<std::int32_t>(k);
         }
         for (const std::int32_t cell : selection_.cells) {
-            const std::int32_t begin = mesh_.cell_start[static_cast<std::size_t>(cell)];
-            const std::int32_t n = mesh_.cell_start[static_cast<std::size_t>(cell) + 1] - begin;
-            const bool reversed = twice_area(begin, n) < 0;
-            for (std::int32_t k = 0; k < 4; ++k) {
-                const std::int32_t corner = std::min(k, n - 1);
-                const auto at = static_cast<std::size_t>(begin + (reversed ? n - 1 - corner : corner));
-                cells.push_back(slot[static_cast<std::size_t>(mesh_.cell_points[at])]);
+            const auto c = static_cast<std::size_t>(cell);
+            for (std::int32_t i = mesh_.cell_start[c]; i < mesh_.cell_start[c + 1]; ++i) {
+                const std::int32_t point = mesh_.cell_points[static_cast<std::size_t>(i)];
+                points.push_back(slot[static_cast<std::size_t>(point)]);
             }
+            start.push_back(static_cast<std::int32_t>(points.size()));
         }
         add_array("cell", selection_.cells);
-        add_array("cell_points", cells);
+        object_.add("has_polygons", mesh_.has_polygons);
+        add_array("cell_start", start);
+        add_array("cell_points", points);
         std::vector<std::int32_t> faces, markers, edges;
         for (const std::int32_t face : selection_.faces) {
             for (std::int32_t end = 0; end < 2; ++end) {
@@ -150,19 +148,6 @@ private:
         add_array("face_points", faces);
         add_array("face_markers", markers);
         add_array("thin_edges", edges);
-    }
-
-    double twice_area(std::int32_t begin, std::int32_t n) const {
-        double sum = 0;
-        const auto at = [&](std::int32_t k) {
-            const auto point = static_cast<std::size_t>(mesh_.cell_points[static_cast<std::size_t>(begin + k)]);
-            return Point{mesh_.x[point], mesh_.y[point]};
-        };
-        for (std::int32_t k = 1; k + 1 < n; ++k) {
-            const Point a = at(0), b = at(k), c = at(k + 1);
-            sum += (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-        }
-        return sum;
     }
 
     // Markers in the numbering of the faces: what is asked of each.

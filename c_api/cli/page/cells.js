@@ -1,6 +1,6 @@
 "use strict";
 // What becomes of the cells: inverted ones, the admissible step in closed form, and size-skew quality; the formulas of
-// hm_admissible_step and hm_quality.
+// hm_admissible_step and hm_quality. Cells that are divided (see polygons.js) are judged in divided_cell.js.
 
 // Smallest s > 0 with c + b s + a s^2 = 0, where c > 0, without cancellation; infinite if there is none.
 function smallest_positive_root(a, b, c) {
@@ -18,7 +18,8 @@ class Cells {
     constructor(data, model) {
         this.model = model;
         this.n = data.cell.length;
-        this.points = data.cell_points;
+        this.data = data;
+        this.pieces = data.pieces;
         this.quality = new Float32Array(this.n); // 0: inverted
         this.inverted = 0;
         this.step = Infinity; // in parts of the movement
@@ -30,34 +31,37 @@ class Cells {
         this.sides = new Float64Array(16); // of one cell: 4 of the mesh as it was, 4 of the movement
     }
 
-    is_triangle(cell) {
-        return this.points[4 * cell + 3] === this.points[4 * cell + 2];
+    corners(cell) {
+        const { cell_start, cell_points } = this.data;
+        return cell_points.subarray(cell_start[cell], cell_start[cell + 1]);
     }
 
     area(cell, x, y) {
-        const p = this.points,
-            k = 4 * cell,
-            a = p[k],
-            b = p[k + 1],
-            c = p[k + 2],
-            d = p[k + 3];
-        return 0.5 * ((x[c] - x[a]) * (y[d] - y[b]) - (x[d] - x[b]) * (y[c] - y[a]));
+        const { start, points } = this.pieces;
+        let sum = 0;
+        for (let k = 4 * start[cell]; k < 4 * start[cell + 1]; k += 4) {
+            const [a, b, c, d] = [points[k], points[k + 1], points[k + 2], points[k + 3]];
+            sum += 0.5 * ((x[c] - x[a]) * (y[d] - y[b]) - (x[d] - x[b]) * (y[c] - y[a]));
+        }
+        return sum;
     }
 
     centre(cell, x, y) {
-        const corners = this.is_triangle(cell) ? 3 : 4;
+        const corners = this.corners(cell);
         let cx = 0,
             cy = 0;
-        for (let k = 0; k < corners; ++k) {
-            cx += x[this.points[4 * cell + k]] / corners;
-            cy += y[this.points[4 * cell + k]] / corners;
+        for (const point of corners) {
+            cx += x[point] / corners.length;
+            cy += y[point] / corners.length;
         }
         return [cx, cy];
     }
 
     judge() {
         const { x0, y0, dx, dy } = this.model,
-            { points, sides } = this;
+            { pieces, sides } = this,
+            { start, points } = pieces,
+            divided = new DividedCell(pieces, this.model);
         let inverted = 0,
             step = Infinity,
             limiting = -1,
@@ -65,8 +69,16 @@ class Cells {
             worst = -1,
             sum = 0;
         for (let cell = 0; cell < this.n; ++cell) {
-            const begin = 4 * cell,
-                corners = points[begin + 3] === points[begin + 2] ? 3 : 4;
+            const begin = 4 * start[cell],
+                is_divided = start[cell + 1] - start[cell] > 1,
+                corners = is_divided ? 0 : points[begin + 3] === points[begin + 2] ? 3 : 4;
+            if (is_divided) {
+                divided.judge(cell, step);
+                if (divided.step < step) {
+                    step = divided.step;
+                    limiting = cell;
+                }
+            }
             for (let k = 0; k < corners; ++k) {
                 const a = points[begin + k],
                     b = points[begin + (k + 1 === corners ? 0 : k + 1)];
@@ -120,11 +132,16 @@ class Cells {
                     skew += Math.sqrt((px * px + py * py) * (qx * qx + qy * qy)) / now;
                 }
             }
+            if (is_divided) smallest = divided.smallest;
             let quality = 0;
             if (smallest > 0) {
-                const its_area = 0.5 * (corners === 3 ? first_area : first_area + third_area);
+                let its_area = 0.5 * (corners === 3 ? first_area : first_area + third_area);
                 const size = this.reference_area[cell];
                 quality = corners === 3 ? (2 * 1.7320508075688772 * first_area) / skew : 4 / skew;
+                if (is_divided) {
+                    its_area = divided.area;
+                    quality = divided.quality;
+                }
                 quality *= Math.sqrt(Math.min(its_area, size) / Math.max(its_area, size));
             } else {
                 ++inverted;

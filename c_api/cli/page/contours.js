@@ -1,5 +1,5 @@
 "use strict";
-// Contour lines of values at the points of the cells, each cell as one or two triangles.
+// Contour lines of values at the points of the cells' pieces, each as one or two triangles.
 
 class Contours {
     constructor() {
@@ -8,10 +8,10 @@ class Contours {
     }
 
     // screen: pixel pairs of the points; levels are the multiples of `distance`.
-    find(cell_points, screen, values, distance) {
+    find(points, screen, values, distance) {
         this.n = 0;
-        for (let i = 0; i < cell_points.length; i += 4) {
-            const [a, b, c, d] = [cell_points[i], cell_points[i + 1], cell_points[i + 2], cell_points[i + 3]];
+        for (let i = 0; i < points.length; i += 4) {
+            const [a, b, c, d] = [points[i], points[i + 1], points[i + 2], points[i + 3]];
             this.triangle(a, b, c, screen, values, distance);
             if (d !== c) this.triangle(a, c, d, screen, values, distance);
         }

@@ -5,7 +5,8 @@
 //   all_points, all_cells     of the whole mesh; points, in_cells, cells: of those on this page
 //   point [points]            their places in the mesh, from 0; the first in_cells are points of whole cells
 //   x, y [points]             coordinates before anything moves, in double precision
-//   cell [cells]              their places in the mesh; cell_points [4*cells]: counter-clockwise; a triangle repeats one
+//   cell [cells]              their places in the mesh; cell_start [cells+1], cell_points: rows of points
+//   has_polygons              the mesh is one of HM_CELLS_POLYGONS: cells of four corners may be divided, too
 //   face_points, face_markers boundary; markers: name, kind, and which curves or which body
 //   thin_edges [2*]           what is drawn of the mesh beyond the cells
 //   control, weights, curves  the B-spline as it was, see curve.js
@@ -24,7 +25,7 @@ function decode_base64(text, Numbers) {
 function decode(raw) {
     const data = Object.assign({}, raw);
     for (const name of ["x", "y", "control", "weights"]) data[name] = decode_base64(raw[name], Float64Array);
-    for (const name of ["point", "cell", "cell_points", "face_points", "face_markers", "thin_edges"]) {
+    for (const name of ["point", "cell", "cell_start", "cell_points", "face_points", "face_markers", "thin_edges"]) {
         data[name] = decode_base64(raw[name], Int32Array);
     }
     data.functions = decode_base64(raw.functions, Float32Array);
@@ -35,5 +36,6 @@ function decode(raw) {
     }));
     data.n_control = data.control.length / 2;
     data.n_functions = data.n_control + 2 * raw.bodies.length;
+    data.pieces = new Pieces(data);
     return data;
 }

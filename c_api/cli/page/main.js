@@ -212,8 +212,7 @@ class App {
         const { cells, model, camera } = this,
             cell = cells.limiting >= 0 ? cells.limiting : cells.worst;
         if (cell < 0) return;
-        const corners = this.data.cell_points.subarray(4 * cell, 4 * cell + 4);
-        camera.fit(box_of_points(model.x, model.y, corners), 0.35);
+        camera.fit(box_of_points(model.x, model.y, cells.corners(cell)), 0.35);
         this.draw_soon();
     }
 

@@ -8,7 +8,7 @@ class Picture {
         this.screen_before = new Float32Array(2 * model.n);
         this.edges = Picture.edges_of(data);
         this.thin_edges = new Uint32Array(data.thin_edges);
-        const most = 2 * cells.n;
+        const most = 2 * (data.pieces.points.length / 4);
         this.positions = new Float32Array(6 * most);
         this.colours = new Uint8Array(12 * most);
         this.contours = new Contours();
@@ -19,16 +19,13 @@ class Picture {
     static edges_of(data) {
         const seen = new Set(),
             pairs = [],
-            p = data.cell_points,
             n = data.x.length;
-        for (let i = 0; i < p.length; ++i) {
-            const a = p[i],
-                b = i % 4 === 3 ? p[i - 3] : p[i + 1],
-                key = Math.min(a, b) * n + Math.max(a, b);
-            if (a === b || seen.has(key)) continue;
+        for_each_side(data, (a, b) => {
+            const key = Math.min(a, b) * n + Math.max(a, b);
+            if (seen.has(key)) return;
             seen.add(key);
             pairs.push(a, b);
-        }
+        });
         return new Uint32Array(pairs);
     }
 
@@ -80,7 +77,7 @@ class Picture {
     }
 
     draw_contours() {
-        this.contours.find(this.data.cell_points, this.screen, this.values, this.level_distance());
+        this.contours.find(this.data.pieces.points, this.screen, this.values, this.level_distance());
         this.painter.segments(this.contours.positions, this.contours.n, [...colour_of("--ink"), 0.9]);
     }
 
@@ -120,15 +117,17 @@ class Picture {
 
     // The triangles of some cells, each cell in the bytes of its colour; their number.
     fill(is_wanted, bytes_of) {
-        const p = this.data.cell_points;
+        const { start, points } = this.data.pieces;
         let n = 0;
         for (let cell = 0; cell < this.cells.n; ++cell) {
             if (!is_wanted(cell)) continue;
             const [red, green, blue] = bytes_of(cell),
-                k = 4 * cell,
                 first = n;
-            this.put_triangle(n++, p[k], p[k + 1], p[k + 2]);
-            if (p[k + 3] !== p[k + 2]) this.put_triangle(n++, p[k], p[k + 2], p[k + 3]);
+            for (let k = 4 * start[cell]; k < 4 * start[cell + 1]; k += 4) {
+                const [a, b, c, d] = [points[k], points[k + 1], points[k + 2], points[k + 3]];
+                this.put_triangle(n++, a, b, c);
+                if (d !== c) this.put_triangle(n++, a, c, d);
+            }
             for (let corner = 3 * first; corner < 3 * n; ++corner) this.put_colour(corner, red, green, blue);
         }
         return n;
@@ -152,7 +151,7 @@ class Picture {
     }
 
     colour_points(scale) {
-        const p = this.data.cell_points,
+        const p = this.data.pieces.points,
             [low, high] = this.value_range(),
             n = this.fill(
                 () => true,

@@ -304,7 +304,7 @@ class Report {
             { after, cells, data } = this;
         figure.append(canvas, caption);
         element("worst").append(figure);
-        const corners = data.cell_points.subarray(4 * cell, 4 * cell + 4),
+        const corners = cells.corners(cell),
             digits = Math.max(0, 5 - Math.floor(Math.log10(this.extent || 1))),
             [x, y] = cells.centre(cell, after.x, after.y).map((at) => fixed(at, digits));
         const { context, path } = this.map(canvas, after, cells, box_of_points(after.x, after.y, corners), 0.3, {

@@ -24,7 +24,6 @@ class Wall {
 
     static directed_faces(data) {
         const markers = new Map(),
-            p = data.cell_points,
             key = (a, b) => a * data.x.length + b,
             faces = [];
         data.face_markers.forEach((marker, face) => {
@@ -32,13 +31,10 @@ class Wall {
                 b = data.face_points[2 * face + 1];
             markers.set(key(Math.min(a, b), Math.max(a, b)), marker);
         });
-        for (let i = 0; i < p.length; ++i) {
-            const a = p[i],
-                b = i % 4 === 3 ? p[i - 3] : p[i + 1];
-            if (a === b) continue;
+        for_each_side(data, (a, b) => {
             const marker = markers.get(key(Math.min(a, b), Math.max(a, b)));
             if (marker !== undefined) faces.push({ a, b, marker });
-        }
+        });
         return faces;
     }
 
@@ -87,8 +83,7 @@ class Wall {
 
     // The mesh edge from each wall point that is nearest to the normal.
     find_first_layer(data) {
-        const { x0: x, y0: y } = this.model,
-            p = data.cell_points;
+        const { x0: x, y0: y } = this.model;
         const slope = (wall, to) => {
             const [tx, ty] = this.tangent(wall, x, y),
                 ux = x[to] - x[wall.point],
@@ -96,15 +91,14 @@ class Wall {
             return (tx * uy - ty * ux) / Math.hypot(ux, uy) / Math.hypot(tx, ty);
         };
         const offer = (from, to) => {
-            if (from === to || this.slot[from] < 0 || this.slot[to] >= 0) return;
+            if (this.slot[from] < 0 || this.slot[to] >= 0) return;
             const wall = this.points[this.slot[from]];
             if (slope(wall, to) > (wall.above < 0 ? 0 : slope(wall, wall.above))) wall.above = to;
         };
-        for (let i = 0; i < p.length; ++i) {
-            const next = i % 4 === 3 ? p[i - 3] : p[i + 1];
-            offer(p[i], next);
-            offer(next, p[i]);
-        }
+        for_each_side(data, (a, b) => {
+            offer(a, b);
+            offer(b, a);
+        });
     }
 
     // By what the wall turned at a point: the angles of its faces, weighted as in the tangent.

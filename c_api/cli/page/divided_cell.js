@@ -1,0 +1,57 @@
+"use strict";
+// One cell that is divided into triangles (see polygons.js): its triangles, and its corners with the angle that each may
+// bend, have to keep positive areas. Formulas as in harmorph.h, HM_CELLS_POLYGONS.
+
+class DividedCell {
+    constructor(pieces, model) {
+        Object.assign(this, { pieces, model });
+        const half = Math.SQRT1_2;
+        this.turns = [[1, 0], [half, half], [-half, half]]; // of corners that were convex, flat, reflex: 0, 45, 135 degrees
+        this.length_product = 0;
+    }
+
+    // Sets smallest (twice the area of the worst corner, as moved), area, quality, and step: where the first triangle
+    // loses its area, or what was the limit before.
+    judge(cell, step) {
+        const { start, points, guard_start, guards, kinds } = this.pieces;
+        this.step = step;
+        this.smallest = Infinity;
+        this.area = 0;
+        let convex = 0,
+            sum = 0;
+        for (let k = 4 * start[cell]; k < 4 * start[cell + 1]; k += 4) {
+            const twice_area = this.triangle(points[k], points[k + 1], points[k + 2], this.turns[0]);
+            this.smallest = Math.min(this.smallest, twice_area);
+            this.area += 0.5 * twice_area;
+        }
+        for (let guard = guard_start[cell]; guard < guard_start[cell + 1]; ++guard) {
+            const k = 3 * guard,
+                is_convex = kinds[guard] === corner_kind.convex,
+                twice_area = this.triangle(guards[k], guards[k + 1], guards[k + 2], this.turns[kinds[guard]]);
+            if (is_convex || !(twice_area > 0)) this.smallest = Math.min(this.smallest, twice_area);
+            if (!is_convex) continue;
+            sum += this.length_product / twice_area;
+            ++convex;
+        }
+        this.quality = convex < 3 ? 1 : Math.min(1, convex / (sum * Math.sin((2 * Math.PI) / convex)));
+    }
+
+    // Twice the area between the sides from a to b, turned back, and from b to c, after the movement; bounds the step.
+    triangle(a, b, c, [cosine, sine]) {
+        const { x0, y0, dx, dy } = this.model,
+            [ux, uy] = [x0[b] - x0[a], y0[b] - y0[a]],
+            [mx, my] = [dx[b] - dx[a], dy[b] - dy[a]],
+            [px, py] = [cosine * ux + sine * uy, cosine * uy - sine * ux],
+            [qx, qy] = [cosine * mx + sine * my, cosine * my - sine * mx],
+            [vx, vy] = [x0[c] - x0[b], y0[c] - y0[b]],
+            [nx, ny] = [dx[c] - dx[b], dy[c] - dy[b]];
+        const area = px * vy - py * vx,
+            slope = px * ny - py * nx + qx * vy - qy * vx,
+            curvature = qx * ny - qy * nx;
+        this.step = Math.min(this.step, smallest_positive_root(curvature, slope, area));
+        const [sx, sy] = [px + qx, py + qy],
+            [tx, ty] = [vx + nx, vy + ny];
+        this.length_product = Math.hypot(sx, sy) * Math.hypot(tx, ty);
+        return sx * ty - sy * tx;
+    }
+}
