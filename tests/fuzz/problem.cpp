@@ -1,4 +1,4 @@
-#include "problem.hpp"
+#include "polygons.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,16 +29,21 @@ void write_cells(Problem& its, Input& input) {
     hm_mesh& mesh = its.mesh;
     std::vector<Cell> cells = its.domain.cells;
     bool all_triangles = true;
-    for (Cell& cell : cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        Cell& cell = cells[c];
         all_triangles = all_triangles && cell.size() == 3;
-        if (input.one_in(4)) std::reverse(cell.begin(), cell.end());
+        bool const reversed = input.one_in(4);
+        if (reversed) std::reverse(cell.begin(), cell.end());
         std::rotate(cell.begin(), cell.begin() + input.from(0, 2), cell.end());
+        // Which of several equally good divisions a polygon gets depends on its first point.
+        its.domain.cells[c] = cell;
+        if (reversed) std::reverse(its.domain.cells[c].begin(), its.domain.cells[c].end());
     }
     mesh.n_cells = count(cells.size());
     auto const put = [&](std::vector<std::int32_t>& to, Cell const& cell, std::size_t width) {
         for (std::size_t k = 0; k < width; ++k) to.push_back(cell[std::min(k, cell.size() - 1)] + mesh.index_base);
     };
-    std::uint32_t const layout = input.below(4);
+    std::uint32_t const layout = its.domain.has_polygons ? 3 : input.below(4);
     if (its.domain.ni > 0 && layout == 0) {
         mesh.cell_layout = HM_CELLS_STRUCTURED;
         mesh.ni = its.domain.ni;
@@ -58,7 +63,7 @@ void write_cells(Problem& its, Input& input) {
         std::stable_partition(its.domain.cells.begin(), its.domain.cells.end(),
                               [](Cell const& cell) { return cell.size() == 3; });
     } else {
-        mesh.cell_layout = HM_CELLS_ROWS;
+        mesh.cell_layout = its.domain.has_polygons ? HM_CELLS_POLYGONS : HM_CELLS_ROWS;
         its.cell_start.push_back(mesh.index_base);
         for (Cell const& cell : cells) {
             put(its.cells, cell, cell.size());
@@ -231,10 +236,11 @@ double Problem::size() const {
     return size;
 }
 
-std::unique_ptr<Problem> make_problem(Input& input) {
+std::unique_ptr<Problem> make_problem(Input& input, Cells cells) {
     std::unique_ptr<Problem> out = std::make_unique<Problem>();
     Problem& its = *out;
     its.domain = make_domain(input);
+    if (cells == Cells::polygons) make_polygons(its.domain, input);
     its.mesh = sized<hm_mesh>();
     its.mesh.index_base = input.from(0, 1);
     its.mesh.n_points = count(its.domain.points.size());

@@ -1,4 +1,5 @@
-// A random problem: a mesh of quadrilaterals and triangles in any layout of the header, curves, conditions, options.
+// A random problem: a mesh of quadrilaterals and triangles in any layout of the header, or of polygons; curves,
+// conditions, options.
 #pragma once
 
 #include "block.hpp"
@@ -18,7 +19,7 @@ struct Point {
 struct Face {
     std::int32_t from, to, marker;
 };
-using Cell = std::vector<std::int32_t>;   // 3 or 4 points, counted from 0
+using Cell = std::vector<std::int32_t>;   // its points, counted from 0; counter-clockwise
 
 // The domain as a list, whatever the arrays of the mesh look like.
 struct Domain {
@@ -28,6 +29,7 @@ struct Domain {
     std::vector<std::vector<std::int32_t>>
         walls;   // the points of marker 5, 6, ...: a loop each, or marker 5 is a side
     bool walls_are_loops = true, has_seam = false;
+    bool has_polygons = false;     // given as HM_CELLS_POLYGONS, and judged as those are
     std::int32_t ni = 0, nj = 0;   // if all of its cells are those of a structured mesh
 };
 Domain make_domain(Input& input);
@@ -51,7 +53,8 @@ struct Problem {
     std::int32_t functions() const;   // of all control points and bodies
     double size() const;              // the largest coordinate
 };
-std::unique_ptr<Problem> make_problem(Input& input);
+enum class Cells { triangles_and_quads, polygons };
+std::unique_ptr<Problem> make_problem(Input& input, Cells cells = Cells::triangles_and_quads);
 
 // One thing about it is made wrong, or strange. Arrays are never shorter than the counts say: these the library trusts.
 void break_something(Problem& problem, Input& input);

@@ -1,7 +1,7 @@
 #include "reference.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace fuzz {
 namespace {
@@ -14,36 +14,28 @@ WidePoint operator-(WidePoint a, WidePoint b) { return {a.x - b.x, a.y - b.y}; }
 Wide cross(WidePoint a, WidePoint b) { return a.x * b.y - a.y * b.x; }
 Wide dot(WidePoint a, WidePoint b) { return a.x * b.x + a.y * b.y; }
 
-// Twice the area of a corner, of the cell as it is listed, less `sine` times the lengths of its sides. Products of
+// Twice the area of a corner, its first side turned back, less `sine` times the lengths of its sides. Products of
 // differences of doubles need 128 bits.
-__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here, std::int32_t after,
-                  double sine = 0) {
+__float128 corner(std::vector<Point> const& at, JudgedCorner const& its, double sine = 0) {
     auto const p = [&](std::int32_t k) { return at[static_cast<std::size_t>(k)]; };
-    __float128 const ax = __float128(p(here).x) - p(before).x, ay = __float128(p(here).y) - p(before).y;
-    __float128 const bx = __float128(p(after).x) - p(here).x, by = __float128(p(after).y) - p(here).y;
-    __float128 const area = ax * by - ay * bx;
+    __float128 const ax = __float128(p(its.here).x) - p(its.before).x, ay = __float128(p(its.here).y) - p(its.before).y;
+    __float128 const bx = __float128(p(its.after).x) - p(its.here).x, by = __float128(p(its.after).y) - p(its.here).y;
+    __float128 const area = its.cosine * (ax * by - ay * bx) + its.sine * (ax * bx + ay * by);
     if (sine == 0) return area;
     return area - sine * (std::hypot(Wide(ax), Wide(ay)) * __float128(std::hypot(Wide(bx), Wide(by))));
 }
-template <class Take>
-void for_each_corner(Cell const& cell, Take const& take) {
-    std::size_t const n = cell.size();
-    for (std::size_t k = 0; k < n; ++k) take(cell[(k + n - 1) % n], cell[k], cell[(k + 1) % n]);
+__float128 corner(std::vector<Point> const& at, std::int32_t before, std::int32_t here, std::int32_t after) {
+    return corner(at, {0, before, here, after});
 }
 int sign(__float128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 }   // namespace
 
-std::int32_t inverted_cells(Domain const& domain, std::vector<Point> const& at, double sine) {
-    std::int32_t n = 0;   // domain.cells all run counter-clockwise
-    for (Cell const& cell : domain.cells) {
-        bool is_inverted = false;
-        for_each_corner(cell, [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-            is_inverted = is_inverted || !(corner(at, a, b, c, sine) > 0);
-        });
-        n += is_inverted ? 1 : 0;
-    }
-    return n;
+std::int32_t inverted_cells(Judged const& judged, std::vector<Point> const& at, double sine) {
+    std::vector<bool> is_inverted(judged.is_divided.size(), false);
+    for (JudgedCorner const& its : judged.corners)
+        if (!(corner(at, its, sine) > 0)) is_inverted[its.cell] = true;
+    return static_cast<std::int32_t>(std::count(is_inverted.begin(), is_inverted.end(), true));
 }
 
 Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
@@ -66,20 +58,20 @@ Crossings find_crossings(Domain const& domain, std::vector<Point> const& at) {
     return out;
 }
 
-double smallest_sine(Domain const& domain, std::vector<Point> const& at, std::vector<Point> const& by, double step) {
+double smallest_sine(Judged const& judged, std::vector<Point> const& at, std::vector<Point> const& by, double step) {
     Wide least = 1;
     // From one point to another; differences first: of large numbers nothing would be left.
     auto const edge = [](std::vector<Point> const& of, std::int32_t from, std::int32_t to) {
         return wide(of[static_cast<std::size_t>(to)]) - wide(of[static_cast<std::size_t>(from)]);
     };
     auto const lengths = [](WidePoint a, WidePoint b) { return std::sqrt(dot(a, a)) * std::sqrt(dot(b, b)); };
-    for (Cell const& cell : domain.cells)
-        for_each_corner(cell, [&](std::int32_t before, std::int32_t here, std::int32_t after) {
-            WidePoint const a0 = edge(at, before, here), b0 = edge(at, here, after);
-            WidePoint const u = edge(by, before, here), v = edge(by, here, after);
-            WidePoint const a{a0.x + step * u.x, a0.y + step * u.y}, b{b0.x + step * v.x, b0.y + step * v.y};
-            least = std::min(least, cross(a, b) / std::max(lengths(a, b), lengths(a0, b0)));
-        });
+    for (JudgedCorner const& its : judged.corners) {
+        WidePoint const a0 = edge(at, its.before, its.here), b0 = edge(at, its.here, its.after);
+        WidePoint const u = edge(by, its.before, its.here), v = edge(by, its.here, its.after);
+        WidePoint const a{a0.x + step * u.x, a0.y + step * u.y}, b{b0.x + step * v.x, b0.y + step * v.y};
+        Wide const area = its.cosine * cross(a, b) + its.sine * dot(a, b);
+        least = std::min(least, area / std::max(lengths(a, b), lengths(a0, b0)));
+    }
     return static_cast<double>(least);
 }
 
@@ -114,7 +106,8 @@ std::vector<double> basis_functions(hm_curves const& curves, std::int32_t number
     return out;
 }
 
-double laplace_residual(Domain const& domain, std::vector<double> const& values, std::vector<bool> const& inside) {
+double laplace_residual(Domain const& domain, Judged const& judged, std::vector<double> const& values,
+                        std::vector<bool> const& inside) {
     std::vector<Wide> sum(values.size(), 0), size(values.size(), 0);
     Wide largest = 0;
     for (double const value : values) largest = std::max(largest, std::abs(Wide(value)));
@@ -132,7 +125,10 @@ double laplace_residual(Domain const& domain, std::vector<double> const& values,
                 size[end] += std::abs(weight) * (std::abs(values[l]) + std::abs(values[j]) + 1e-3L * largest);
         }
     };
-    for (Cell const& cell : domain.cells) {
+    for (auto const& [a, b, c] : judged.triangles) add_triangle(a, b, c, 1);
+    for (std::size_t c = 0; c < domain.cells.size(); ++c) {
+        Cell const& cell = domain.cells[c];
+        if (judged.is_divided[c]) continue;
         if (cell.size() == 3) {
             add_triangle(cell[0], cell[1], cell[2], 1);
             continue;

@@ -6,8 +6,8 @@
 dir=$BUILD/fuzz
 mkdir -p "$dir"
 checks="address,undefined,float-cast-overflow"
-targets="problem basis sequence files shape"
-each=$((FUZZ_SECONDS / 5 > 0 ? FUZZ_SECONDS / 5 : 1))
+targets="problem polygons basis sequence files shape"
+each=$((FUZZ_SECONDS / 6 > 0 ? FUZZ_SECONDS / 6 : 1))
 flags="-O1 -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 

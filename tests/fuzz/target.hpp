@@ -9,6 +9,7 @@ enum class Outcome { done, refused };
 
 // These throw a Failure if a property does not hold.
 Outcome run_problem(Input& input);
+Outcome run_polygons(Input& input);   // problems with meshes of polygons
 Outcome run_basis(Input& input);
 Outcome run_sequence(Input& input);
 Outcome run_files(Input& input);
@@ -19,7 +20,7 @@ struct Target {
     Outcome (*run)(Input& input);
 };
 inline constexpr Target targets[] = {
-    {"problem", run_problem}, {"basis", run_basis}, {"sequence", run_sequence}, {"files", run_files},
-    {"shape", run_shape}};
+    {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis},
+    {"sequence", run_sequence}, {"files", run_files},       {"shape", run_shape}};
 
 }   // namespace fuzz

@@ -1,12 +1,12 @@
 "use strict";
-// One cell that is divided into triangles (see polygons.js): its triangles, and its corners with the angle that each may
-// bend, have to keep positive areas. Formulas as in harmorph.h, HM_CELLS_POLYGONS.
+// One cell that is divided into triangles (see polygons.js): its triangles, and its corners with the angle that each
+// may bend, have to keep positive areas. Formulas as in harmorph.h, HM_CELLS_POLYGONS.
 
 class DividedCell {
     constructor(pieces, model) {
         Object.assign(this, { pieces, model });
         const half = Math.SQRT1_2;
-        this.turns = [[1, 0], [half, half], [-half, half]]; // of corners that were convex, flat, reflex: 0, 45, 135 degrees
+        this.turns = [[1, 0], [half, half], [-half, half]]; // 0, 45, 135 degrees for convex, flat, reflex corners
         this.length_product = 0;
     }
 

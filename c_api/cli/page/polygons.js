@@ -1,12 +1,12 @@
 "use strict";
-// Cells of any number of corners in triangles and quadrilaterals, as harmorph.h has it for HM_CELLS_POLYGONS. The triangles
-// are those of the library: the same operations in the same order as in src/mesh/division.cpp.
+// Cells of any number of corners in triangles and quadrilaterals, as harmorph.h has it for HM_CELLS_POLYGONS. The
+// triangles are those of the library: the same operations in the same order as in src/mesh/division.cpp.
 
 const corner_kind = { convex: 0, flat: 1, reflex: 2 };
 
-// start [cells + 1]: first piece of each cell; points [4*pieces]: a triangle repeats its last point. Of cells in more than
-// one piece, guard_start [cells + 1], guards [3*corners]: each corner between its neighbours; kinds [corners]: what it
-// was. All, and the rows of the cells, are counter-clockwise afterwards.
+// start [cells + 1]: first piece of each cell; points [4*pieces]: a triangle repeats its last point. Of cells in more
+// than one piece, guard_start [cells + 1], guards [3*corners]: each corner between its neighbours; kinds [corners]: what
+// the corner was. All, and the rows of the cells, are counter-clockwise afterwards.
 class Pieces {
     constructor(data) {
         const { cell_start, cell_points } = data,
