@@ -17,9 +17,6 @@ Status view_part_mesh(const hm_part_mesh* given, PartMesh& part, CallFault& faul
     if (!read_struct(given, p)) return fault.refuse(Status::bad_argument, "the struct_size of the part is not set");
     HARMORPH_TRY(require({{"part.numbers", p.numbers}}, fault));
     HARMORPH_TRY(view_mesh(p.mesh, part.mesh, fault));
-    if (part.mesh.layout == CellLayout::polygons) {
-        return fault.refuse(Status::unsupported, "a part has triangles and quadrilaterals, not HM_CELLS_POLYGONS");
-    }
     part.number = p.numbers;
     part.ghosts = p.ghosts;
     return Status::ok;
@@ -166,13 +163,14 @@ hm_status hm_part_cells(const hm_part* part, hm_mesh* own, const int32_t** cell,
         HARMORPH_TRY(open_part(part, of, fault));
         HARMORPH_TRY(require({{"cell", cell}}, fault));
         HARMORPH_TRY(check_report(own, fault));
-        Mesh const& mesh = of->own();
+        Mesh const& mesh = of->cells;
         hm_mesh filled = {};
         filled.index_base = mesh.index_base;
         filled.n_points = mesh.n_points;
         filled.points = {mesh.points.x, mesh.points.y, mesh.points.stride};
-        filled.cell_layout = HM_CELLS_QUADS;
+        filled.cell_layout = mesh.layout == CellLayout::polygons ? HM_CELLS_POLYGONS : HM_CELLS_QUADS;
         filled.n_cells = mesh.n_cells;
+        filled.cell_start = mesh.cell_start;
         filled.cell_points = mesh.cell_points;
         write_struct(filled, own);
         *cell = of->given_cell.empty() ? nullptr : of->given_cell.data();

@@ -44,11 +44,12 @@ typedef struct hm_part_mesh {
 
 /* The arrays of `mesh` must exist as long as the part, and must not change before hm_equations_init. Refused
  * (HM_BAD_MESH): what hm_analysis_init refuses of cells, and a global number that is negative, too large or repeated;
- * error.item counts from mesh.index_base. HM_CELLS_POLYGONS: HM_UNSUPPORTED. */
+ * error.item counts from mesh.index_base. Polygons (HM_CELLS_POLYGONS) are divided as in the whole mesh if each part gives
+ * their points in the same order: each is the own cell of one part, which alone divides it. */
 HM_API hm_status hm_part_size(const hm_part_mesh *mesh, size_t *bytes, hm_error *err);
 HM_API hm_status hm_part_init(hm_part **part, void *block, size_t bytes, const hm_part_mesh *mesh, hm_error *err);
 /* The own cells as a mesh for hm_quality, hm_admissible_step and hm_assess with the basis of this part (hm_rows_init):
- * HM_CELLS_QUADS, counter-clockwise, with the caller's points. cell [n_cells] of this mesh are their numbers in the
+ * HM_CELLS_QUADS, or HM_CELLS_POLYGONS of polygons, counter-clockwise, with the caller's points. cell [n_cells] of this mesh are their numbers in the
  * caller's mesh, or NULL: the same. own->struct_size is set by the caller. */
 HM_API hm_status hm_part_cells(const hm_part *part, hm_mesh *own, const int32_t **cell, hm_error *err);
 

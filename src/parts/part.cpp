@@ -1,18 +1,28 @@
 #include "harmorph/parts/part.hpp"
 
 #include "harmorph/base/sort.hpp"
-#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/guard_shape.hpp"
 
 namespace harmorph {
 namespace {
 
-// The cells that the part's own arrays will hold: the counts alone matter to lay_out.
-Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_points) noexcept {
-    mesh.layout = CellLayout::quads;
+// The cells that the part's own arrays hold.
+Mesh with_cells(Mesh mesh, Index n_own, const Index* cell_start, const Index* cell_points) noexcept {
+    if (mesh.layout != CellLayout::polygons) mesh.layout = CellLayout::quads;
     mesh.n_cells = n_own;
     mesh.cell_points = cell_points;
-    mesh.cell_start = nullptr;
+    mesh.cell_start = cell_start;
     return mesh;
+}
+
+// Points of a piece or guard the other way round.
+void turn(Index* points) noexcept {
+    bool const is_triangle = points[2] == points[3];
+    Index const a = points[0], b = points[1], c = points[2], d = points[3];
+    points[0] = is_triangle ? c : d;
+    points[1] = is_triangle ? b : c;
+    points[2] = is_triangle ? a : b;
+    points[3] = a;
 }
 
 }  // namespace
@@ -23,12 +33,24 @@ Index PartMesh::n_own() const noexcept {
     return n;
 }
 
+Offset PartMesh::n_own_corners() const noexcept {
+    Offset n = 0;
+    for (Index cell = 0; cell < mesh.n_cells; ++cell) {
+        n += is_ghost(cell) ? 0 : mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+    }
+    return n;
+}
+
 void Part::lay_out(Arena& arena, PartMesh const& mesh) noexcept {
     Index const n_own = mesh.n_own(), n_points = mesh.mesh.n_points;
-    Mesh const counts = with_cells(mesh.mesh, n_own, nullptr);
-    arena.take(cell_points, Offset{4} * n_own);
+    bool const polygons = mesh.mesh.layout == CellLayout::polygons;
+    arena.take(cell_start, polygons ? n_own + Offset{1} : 0);
+    arena.take(cell_points, polygons ? mesh.n_own_corners() : Offset{4} * n_own);
     arena.take(given_cell, n_own < mesh.mesh.n_cells ? n_own : 0);
-    arena.take(topology.reversed, n_own);
+    // Of polygons the ghost cells are counted, too: a bound.
+    Mesh const counts =
+        polygons ? division.lay_out(arena, mesh.mesh) : with_cells(mesh.mesh, n_own, nullptr, nullptr);
+    arena.take(topology.reversed, counts.n_checked());
     topology.edges.lay_out(arena, counts);
     arena.take(topology.representative, n_points);
     boundary.lay_out(arena, counts);
@@ -41,7 +63,9 @@ Status Part::init(PartMesh const& mesh, Fault& fault) noexcept {
     given = mesh;
     HARMORPH_TRY(check_mesh(mesh.mesh, fault));
     HARMORPH_TRY(sort_numbers(fault));
-    HARMORPH_TRY(take_cells(fault));
+    fill(in_cell, std::uint8_t{0});
+    fill(topology.reversed, std::uint8_t{0});
+    HARMORPH_TRY(mesh.mesh.layout == CellLayout::polygons ? take_polygons(fault) : take_cells(fault));
     for (Index k = 0; k < own().n_points; ++k) topology.representative[k] = k;
     HARMORPH_TRY(topology.edges.build(own(), {}, fault));
     HARMORPH_TRY(check_overlap(fault));
@@ -70,38 +94,96 @@ Status Part::sort_numbers(Fault& fault) noexcept {
     return Status::ok;
 }
 
+void Part::note_points(const Index* points, Index n, bool ghost) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        std::uint8_t& its = in_cell[points[k]];
+        its = larger<std::uint8_t>(its, ghost ? 1 : 2);
+    }
+}
+
 // Own cells, turned counter-clockwise each by its own area.
 Status Part::take_cells(Fault& fault) noexcept {
     Mesh const& mesh = given.mesh;
-    fill(in_cell, std::uint8_t{0});
-    fill(topology.reversed, std::uint8_t{0});
     Index n = 0;
-    Real height = 0;
-    bool inverted = false;
     Index const bad = mesh.find_cell([&](Index i, Cell cell) {
         bool const ghost = given.is_ghost(i);
-        for (Index k = 0; k < cell.n; ++k) {
-            in_cell[cell.point[k]] = larger<std::uint8_t>(in_cell[cell.point[k]], ghost ? 1 : 2);
-        }
+        note_points(cell.point, cell.n, ghost);
         if (ghost) return false;
         if (cell_area(cell, mesh.points) < 0) cell.reverse();
-        CellShape const shape(cell, mesh.points, false);
-        CellCorners const corners(shape);
-        inverted = !(corners.smallest() > 0);
-        height = inverted ? 0.5 * corners.smallest() : corners.smallest_height(shape.n);
-        if (inverted || !(height >= resolved_height(shape))) return true;
+        if (!is_whole(CellShape(cell, mesh.points, false))) return true;
         Index* const its = cell_points.data() + 4 * Offset{n};
         for (Index k = 0; k < 4; ++k) its[k] = cell.point[k < cell.n ? k : 2] + mesh.index_base;
         if (!given_cell.empty()) given_cell[n] = i;
         ++n;
         return false;
     });
-    topology.mesh = with_cells(mesh, n, cell_points.data());
-    if (bad == none) return Status::ok;
+    topology.mesh = cells = with_cells(mesh, n, nullptr, cell_points.data());
+    return bad == none ? Status::ok : refuse_shape(bad, fault);
+}
+
+// Own polygons, divided as they are given, so that parts have the triangles of the whole mesh; turned after that.
+Status Part::take_polygons(Fault& fault) noexcept {
+    Mesh const& mesh = given.mesh;
+    Index n = 0, filled = 0;
+    for (Index i = 0; i < mesh.n_cells; ++i) {
+        const Index* const its = mesh.cell_points + (Offset{mesh.cell_start[i]} - mesh.index_base);
+        Index const corners = mesh.cell_start[i + 1] - mesh.cell_start[i];
+        bool const ghost = given.is_ghost(i);
+        for (Index k = 0; k < corners; ++k) {
+            Index const point = from_zero(its[k], mesh.index_base);
+            note_points(&point, 1, ghost);
+            if (!ghost) cell_points[filled + k] = its[k];
+        }
+        if (ghost) continue;
+        if (!given_cell.empty()) given_cell[n] = i;
+        cell_start[n++] = filled + mesh.index_base;
+        filled += corners;
+    }
+    cell_start[n] = filled + mesh.index_base;
+    cells = with_cells(mesh, n, cell_start.data(), cell_points.data());
+    Pieces& pieces = division.pieces;
+    pieces.start = pieces.start.first(n + Offset{1});
+    pieces.guard_start = pieces.guard_start.first(n + Offset{1});
+    division.run(cells);
+    topology.mesh = pieces.mesh(cells);
+    topology.reversed = topology.reversed.first(topology.mesh.n_checked());
+    for (Index i = 0; i < n; ++i) {
+        Index* const its = cell_points.data() + (cell_start[i] - mesh.index_base);
+        Index const corners = cell_start[i + 1] - cell_start[i];
+        Real area = 0;
+        for (Index piece = pieces.start[i]; piece < pieces.start[i + 1]; ++piece) {
+            area += cell_area(topology.mesh.cell(piece), mesh.points);
+        }
+        if (!(area < 0)) continue;
+        for (Index k = 0; 2 * k + 1 < corners; ++k) {
+            Index const other = its[corners - 1 - k];
+            its[corners - 1 - k] = its[k];
+            its[k] = other;
+        }
+        for (Index k = pieces.start[i]; k < pieces.start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
+        for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
+    }
+    for (Index k = 0; k < topology.mesh.n_checked(); ++k) {
+        if (is_whole(shape_of(topology, k, mesh.points))) continue;
+        Index const cell = topology.mesh.number(k);
+        return refuse_shape(given_cell.empty() ? cell : given_cell[cell], fault);
+    }
+    return Status::ok;
+}
+
+// Neither inverted nor too thin for the digits of its coordinates.
+bool Part::is_whole(CellShape const& shape) noexcept {
+    CellCorners const corners(shape);
+    inverted_ = !(corners.smallest() > 0);
+    height_ = inverted_ ? 0.5 * corners.smallest() : corners.smallest_height(shape.n);
+    return !inverted_ && height_ >= resolved_height(shape);
+}
+
+Status Part::refuse_shape(Index cell, Fault& fault) const noexcept {
     return fault.refuse(Status::bad_mesh,
-                        inverted ? "cell # is inverted or empty: its smallest corner area is ~"
-                                 : "cell # has a height of ~, too small for the digits of its coordinates",
-                        Counts::mesh, bad, none, height);
+                        inverted_ ? "cell # is inverted or empty: its smallest corner area is ~"
+                                  : "cell # has a height of ~, too small for the digits of its coordinates",
+                        Counts::mesh, cell, none, height_);
 }
 
 // Cells that are all counter-clockwise run along a common edge in opposite directions, unless they overlap.

@@ -148,9 +148,9 @@ Status PartEquations::assemble(Fault& fault) noexcept {
 }
 
 BasisSource PartEquations::basis_source() const noexcept {
-    MeshFingerprint const mesh = fingerprint_of(part.own());
+    MeshFingerprint const mesh = fingerprint_of(part.cells);
     return {topology, mesh, fingerprint_of(kinds, wall), problem.method, problem.demands, shared.curves,
-            shared.conditions, no_loops, wall, slot};
+            shared.conditions, no_loops, wall, slot, &part.division.pieces};
 }
 
 void PartEquations::get(DofValues const& values, Index column, Real* numbers) const noexcept {

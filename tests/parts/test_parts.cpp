@@ -1,5 +1,6 @@
 // Parts of meshes, cut in any way, together have the equations of the whole mesh and its functions.
 #include "fixtures/parted.hpp"
+#include "fixtures/polygons.hpp"
 
 using namespace fixtures;
 
@@ -24,6 +25,82 @@ void check_agreement(Case& its, hm_options const& options, Partition const& part
     parted.solve();
     CHECK(parted.difference(whole) < within);
     for (PartOfMesh const& part : parted.parts) CHECK(info_of(part.rows).solved == 1);
+}
+
+// Morph, step and quality of parts, after a movement of this size, and the sum of their adjoints.
+void check_judgement(Case& its, hm_options const& options, double size, double within = 1e-13) {
+    Solved const whole(its, &options);
+    Parted parted(cut(its.mesh, stripes(its.mesh, 3), true));
+    REQUIRE(parted.match());
+    REQUIRE(parted.equate(its.problem(), options));
+    parted.solve();
+    std::vector<double> const move = some_move(whole.info().control_points, size, 3);
+    std::size_t const n = its.mesh.x.size();
+    std::vector<double> x(n), y(n), gradient(move.size(), 0.0);
+    hm_points_out const all{x.data(), y.data(), 1};
+    REQUIRE(hm_morph(whole.basis, move.data(), nullptr, &all, nullptr, nullptr) == HM_OK);
+    hm_step_report step{};
+    hm_quality_report quality{};
+    step.struct_size = sizeof step;
+    quality.struct_size = sizeof quality;
+    hm_points const moved{x.data(), y.data(), 1};
+    REQUIRE(hm_assess(whole.basis, &its.mesh_view(), nullptr, &moved, nullptr, &step, &quality, nullptr) == HM_OK);
+    double admissible = 1e300, least = 1;
+    std::int32_t cells = 0, inverted = 0;
+    for (PartOfMesh& part : parted.parts) {
+        std::size_t const own = part.mesh.x.size();
+        std::vector<double> dx(own), dy(own);
+        hm_points_out const to{dx.data(), dy.data(), 1};
+        REQUIRE(hm_morph(part.rows, move.data(), nullptr, &to, nullptr, nullptr) == HM_OK);
+        double worst = 0;
+        for (std::size_t k = 0; k < own; ++k) {
+            std::size_t const at = static_cast<std::size_t>(part.global_point[k]);
+            worst = std::max({worst, std::fabs(dx[k] - x[at]), std::fabs(dy[k] - y[at])});
+        }
+        CHECK(worst < within);
+        hm_mesh mesh{};
+        mesh.struct_size = sizeof mesh;
+        const std::int32_t* cell = nullptr;
+        REQUIRE(hm_part_cells(part.part, &mesh, &cell, nullptr) == HM_OK);
+        cells += mesh.n_cells;
+        hm_step_report its_step{};
+        hm_quality_report its_quality{};
+        its_step.struct_size = sizeof its_step;
+        its_quality.struct_size = sizeof its_quality;
+        hm_points const displacement{dx.data(), dy.data(), 1};
+        REQUIRE(hm_assess(part.rows, &mesh, nullptr, &displacement, nullptr, &its_step, &its_quality, nullptr) ==
+                HM_OK);
+        admissible = std::min(admissible, its_step.admissible);
+        least = std::min(least, its_quality.min_quality);
+        inverted += its_quality.inverted;
+    }
+    // Every point of the mesh counts in the first part that has it.
+    std::vector<double> dj_x(n), dj_y(n), expected(move.size()), sum(move.size(), 0.0);
+    for (std::size_t k = 0; k < n; ++k) {
+        dj_x[k] = std::sin(1.7 * static_cast<double>(k));
+        dj_y[k] = std::cos(2.3 * static_cast<double>(k));
+    }
+    hm_points const dj{dj_x.data(), dj_y.data(), 1};
+    REQUIRE(hm_adjoint(whole.basis, &dj, expected.data(), nullptr, nullptr) == HM_OK);
+    std::vector<bool> counted(n, false);
+    for (PartOfMesh& part : parted.parts) {
+        std::vector<double> own_x, own_y;
+        for (std::int32_t const point : part.global_point) {
+            std::size_t const at = static_cast<std::size_t>(point);
+            own_x.push_back(counted[at] ? 0 : dj_x[at]);
+            own_y.push_back(counted[at] ? 0 : dj_y[at]);
+            counted[at] = true;
+        }
+        hm_points const own{own_x.data(), own_y.data(), 1};
+        REQUIRE(hm_adjoint(part.rows, &own, gradient.data(), nullptr, nullptr) == HM_OK);
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += gradient[k];
+    }
+    for (std::size_t k = 0; k < sum.size(); ++k) CHECK(std::fabs(sum[k] - expected[k]) < 1e-9);
+
+    CHECK(cells == its.mesh.n_cells());
+    CHECK(inverted == quality.inverted);
+    CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-9));
+    CHECK(least == doctest::Approx(quality.min_quality).epsilon(1e-9));
 }
 
 // Two ellipses, projected parameters.
@@ -145,78 +222,30 @@ TEST_CASE("given displacements in parts") {
 
 TEST_CASE("morph, adjoint, step and quality of parts are those of the whole mesh") {
     Case its = airfoils();
-    hm_options const options = with(HM_CONFORMAL);
-    Solved const whole(its, &options);
-    Parted parted(cut(its.mesh, stripes(its.mesh, 3), true));
-    REQUIRE(parted.match());
-    REQUIRE(parted.equate(its.problem(), options));
-    parted.solve();
-    std::vector<double> const move = some_move(whole.info().control_points, 0.02, 3);
-    std::size_t const n = its.mesh.x.size();
-    std::vector<double> x(n), y(n), gradient(move.size(), 0.0);
-    hm_points_out const all{x.data(), y.data(), 1};
-    REQUIRE(hm_morph(whole.basis, move.data(), nullptr, &all, nullptr, nullptr) == HM_OK);
-    hm_step_report step{};
-    hm_quality_report quality{};
-    step.struct_size = sizeof step;
-    quality.struct_size = sizeof quality;
-    hm_points const moved{x.data(), y.data(), 1};
-    REQUIRE(hm_assess(whole.basis, &its.mesh_view(), nullptr, &moved, nullptr, &step, &quality, nullptr) == HM_OK);
-    double admissible = 1e300, least = 1;
-    std::int32_t cells = 0;
-    for (PartOfMesh& part : parted.parts) {
-        std::size_t const own = part.mesh.x.size();
-        std::vector<double> dx(own), dy(own);
-        hm_points_out const to{dx.data(), dy.data(), 1};
-        REQUIRE(hm_morph(part.rows, move.data(), nullptr, &to, nullptr, nullptr) == HM_OK);
-        double worst = 0;
-        for (std::size_t k = 0; k < own; ++k) {
-            std::size_t const at = static_cast<std::size_t>(part.global_point[k]);
-            worst = std::max({worst, std::fabs(dx[k] - x[at]), std::fabs(dy[k] - y[at])});
-        }
-        CHECK(worst < 1e-13);
-        hm_mesh mesh{};
-        mesh.struct_size = sizeof mesh;
-        const std::int32_t* cell = nullptr;
-        REQUIRE(hm_part_cells(part.part, &mesh, &cell, nullptr) == HM_OK);
-        cells += mesh.n_cells;
-        hm_step_report its_step{};
-        hm_quality_report its_quality{};
-        its_step.struct_size = sizeof its_step;
-        its_quality.struct_size = sizeof its_quality;
-        hm_points const displacement{dx.data(), dy.data(), 1};
-        REQUIRE(hm_assess(part.rows, &mesh, nullptr, &displacement, nullptr, &its_step, &its_quality, nullptr) ==
-                HM_OK);
-        admissible = std::min(admissible, its_step.admissible);
-        least = std::min(least, its_quality.min_quality);
-        CHECK(its_quality.inverted == 0);
-    }
-    // Every point of the mesh counts in the first part that has it.
-    std::vector<double> dj_x(n), dj_y(n), expected(move.size()), sum(move.size(), 0.0);
-    for (std::size_t k = 0; k < n; ++k) {
-        dj_x[k] = std::sin(1.7 * static_cast<double>(k));
-        dj_y[k] = std::cos(2.3 * static_cast<double>(k));
-    }
-    hm_points const dj{dj_x.data(), dj_y.data(), 1};
-    REQUIRE(hm_adjoint(whole.basis, &dj, expected.data(), nullptr, nullptr) == HM_OK);
-    std::vector<bool> counted(n, false);
-    for (PartOfMesh& part : parted.parts) {
-        std::vector<double> own_x, own_y;
-        for (std::int32_t const point : part.global_point) {
-            std::size_t const at = static_cast<std::size_t>(point);
-            own_x.push_back(counted[at] ? 0 : dj_x[at]);
-            own_y.push_back(counted[at] ? 0 : dj_y[at]);
-            counted[at] = true;
-        }
-        hm_points const own{own_x.data(), own_y.data(), 1};
-        REQUIRE(hm_adjoint(part.rows, &own, gradient.data(), nullptr, nullptr) == HM_OK);
-        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += gradient[k];
-    }
-    for (std::size_t k = 0; k < sum.size(); ++k) CHECK(std::fabs(sum[k] - expected[k]) < 1e-9);
+    check_judgement(its, with(HM_CONFORMAL), 0.02);
+    check_judgement(its, with(HM_CONFORMAL), 2);   // inverts cells
+}
 
-    CHECK(cells == its.mesh.n_cells());
-    CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-9));
-    CHECK(least == doctest::Approx(quality.min_quality).epsilon(1e-9));
+TEST_CASE("polygons in parts: divided as in the whole mesh, and judged so") {
+    Case honeycombs, hanging;
+    honeycombs.mesh = honeycomb(6, 24, 0.5, 4);
+    honeycombs.curves = ring(3, 8, 0.5, 0.5);
+    honeycombs.put_on_curves(body);
+    hanging.mesh = refined(square(12, Cells::quads, 4, 4),
+                           [](Point p) { return std::fabs(p.x - 0.5) < 0.3 && std::fabs(p.y - 0.5) < 0.3; });
+    hanging.curves = polyline({{1.0 / 3, 1.0 / 3}, {2.0 / 3, 1.0 / 3}, {2.0 / 3, 2.0 / 3}, {1.0 / 3, 2.0 / 3}});
+    hanging.put_on_curves(body);
+    for (Case* const its : {&honeycombs, &hanging}) {
+        its->mesh.cell_layout = HM_CELLS_POLYGONS;
+        for (std::int32_t const operator_kind : {HM_LAPLACE, HM_CONFORMAL, HM_WEIGHTED}) {
+            CAPTURE(operator_kind);
+            check_agreement(*its, with(operator_kind), stripes(its->mesh, 1), false);
+            check_agreement(*its, with(operator_kind), at_random(its->mesh, 3), false);
+            check_agreement(*its, with(operator_kind), stripes(its->mesh, 3), true);
+        }
+        check_judgement(*its, with(HM_CONFORMAL), 0.02);
+        check_judgement(*its, with(HM_CONFORMAL), 0.4);   // inverts cells
+    }
 }
 
 TEST_CASE("rows of a part are combined like any basis") {

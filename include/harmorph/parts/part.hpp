@@ -7,6 +7,8 @@
 #pragma once
 
 #include "harmorph/mesh/boundary.hpp"
+#include "harmorph/mesh/cell_shape.hpp"
+#include "harmorph/mesh/pieces.hpp"
 
 namespace harmorph {
 
@@ -28,15 +30,19 @@ struct PartMesh {
 
     bool is_ghost(Index cell) const noexcept { return ghosts != nullptr && ghosts[cell] != 0; }
     Index n_own() const noexcept;
+    Offset n_own_corners() const noexcept;  // of polygons
 };
 
 struct Part {
     static constexpr Offset largest_number = Offset{1} << 61;
 
     PartMesh given;
-    Topology topology;            // of the own cells: quads, counter-clockwise, none reversed; points are not joined
+    Mesh cells;                   // the own cells, counter-clockwise: quads, or polygons
+    Topology topology;            // of the own cells, or of their pieces: quads, none reversed; points are not joined
     Boundary boundary;            // marked faces alone: not in order
-    Span<Index> cell_points;      // [4 * own cells] counted from index_base
+    Span<Index> cell_start;       // [own cells + 1] of polygons
+    Span<Index> cell_points;      // of `cells`; both counted from index_base
+    PolygonDivision division;     // of polygons
     Span<Index> given_cell;       // [own cells] numbers in the given mesh; empty where there are no ghosts
     Span<std::uint8_t> in_cell;   // [n_points] 1: of a ghost cell only, 2: of an own cell
     Span<std::uint8_t> on_border; // [n_points] 1: an end of an edge with one own cell
@@ -57,9 +63,15 @@ struct Part {
 
 private:
     Status take_cells(Fault& fault) noexcept;
+    Status take_polygons(Fault& fault) noexcept;
+    bool is_whole(CellShape const& shape) noexcept;
+    Status refuse_shape(Index cell, Fault& fault) const noexcept;
+    void note_points(const Index* points, Index n, bool ghost) noexcept;
     Status sort_numbers(Fault& fault) noexcept;
     Status check_overlap(Fault& fault) const noexcept;
     void count_pairs() noexcept;
+    Real height_ = 0;        // of the last cell that was no whole one
+    bool inverted_ = false;
 };
 
 template <class Visit>
