@@ -1288,8 +1288,9 @@ HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *e
  * Points on walls and on fixed and free boundaries keep their bits. The outer ends of the first-layer edges at walls
  * are put where the wall carries them, at the heights and angles of the reference, as far as no cell inverts, and
  * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
- * below that of `from`, they are held as in `from`. Sliding points stay on their lines; points of a cut or of a
- * periodic pair move together.
+ * below that of `from`, they are held as in `from`. If that does not help, `to` is `from`: the smallest quality, as
+ * hm_quality reports it, never falls. Sliding points stay on their lines; points of a cut or of a periodic pair move
+ * together.
  * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
  * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */
 HM_API hm_status hm_improve(hm_plan *plan, const hm_points *from, const hm_points_out *to, void *work, size_t bytes,

@@ -6,6 +6,12 @@
 
 namespace harmorph::block {
 
+// A step along a direction: 0 where the direction has no energy, or so little that the quotient would overflow.
+inline Real per_energy(Real product, Real energy) noexcept {
+    constexpr Real smallest = 1e-150;
+    return energy > 0 && smallest * absolute(product) <= energy ? product / energy : 0;
+}
+
 template <Index W>
 class Cycle {
 public:
@@ -57,7 +63,7 @@ private:
         PerFunction<W> const along = multiply<W>(rows, c, v);
         PerFunction<W> step, minus_step;
         for (Index k = 0; k < W; ++k) {
-            step[k] = along[k] > 0 ? along_r[k] / along[k] : 0;
+            step[k] = per_energy(along_r[k], along[k]);
             minus_step[k] = -step[k];
         }
         add_multiple<W>(minus_step, v, r, rows.n);
@@ -68,9 +74,8 @@ private:
         PerFunction<W> const second = energy<W>(rows, d);
         PerFunction<W> second_step;
         for (Index k = 0; k < W; ++k) {
-            Real const projection = along[k] > 0 ? across[k] / along[k] : 0;
-            Real const left = second[k] - projection * across[k];
-            second_step[k] = left > 0 ? second_r[k] / left : 0;
+            Real const projection = per_energy(across[k], along[k]);
+            second_step[k] = per_energy(second_r[k], second[k] - projection * across[k]);
             step[k] -= projection * second_step[k];
         }
         combine<W>(step, c, second_step, d, rows.n);
@@ -109,9 +114,8 @@ public:
             for (Index k = 0; k < W; ++k) row[k] = k < width_ ? given[k] : 0;
         }
         clear<W>(x(), rows_.n);
-        squares_ = wanted_ = dot<W>(r(), r(), rows_.n);
+        squares_ = first_squares_ = dot<W>(r(), r(), rows_.n);
         errors_ = {};
-        for (Index k = 0; k < W; ++k) wanted_[k] *= engine_.iteration.tolerance * engine_.iteration.tolerance;
         HARMORPH_TRY(after(0, largest_residual()));
         // The recursively updated residual drifts from the true one: a function has converged only if the true one
         // agrees.
@@ -140,7 +144,10 @@ private:
     // Thin cells have by far the largest entries, so elsewhere a small norm of the residual, or a small energy, may
     // hide a large error. B r approximates the error: its maximum must be small relative to the largest value.
     bool is_settled(Index k) const noexcept { return errors_[k] <= engine_.iteration.tolerance * sizes_[k]; }
-    bool is_done(Index k) const noexcept { return is_confirmed_[k] || (squares_[k] <= wanted_[k] && is_settled(k)); }
+    bool is_small(Index k) const noexcept {
+        return square_root(squares_[k]) <= engine_.iteration.tolerance * square_root(first_squares_[k]);
+    }
+    bool is_done(Index k) const noexcept { return is_confirmed_[k] || (is_small(k) && is_settled(k)); }
     bool converged() const noexcept {
         for (Index k = 0; k < W; ++k) {
             if (!is_done(k)) return false;
@@ -150,10 +157,10 @@ private:
     Real largest_residual() const noexcept {
         Real largest = 0;
         for (Index k = 0; k < width_; ++k) {
-            Real const ratio = wanted_[k] > 0 ? squares_[k] / wanted_[k] : 0;
+            Real const ratio = first_squares_[k] > 0 ? squares_[k] / first_squares_[k] : 0;
             if (exceeds(ratio, largest)) largest = ratio;
         }
-        return square_root(largest) * engine_.iteration.tolerance;
+        return square_root(largest);
     }
 
     template <class After>
@@ -169,7 +176,7 @@ private:
             // The step to the minimum of the energy along p: the energy of the error never grows, whatever p is.
             PerFunction<W> step = dot<W>(p(), r(), n), minus_step;
             for (Index k = 0; k < W; ++k) {
-                step[k] = !is_done(k) && along[k] > 0 ? step[k] / along[k] : 0;  // converged functions stay
+                step[k] = is_done(k) ? 0 : per_energy(step[k], along[k]);  // converged functions stay
                 minus_step[k] = -step[k];
             }
             add_multiple<W>(step, p(), x(), n);
@@ -179,7 +186,7 @@ private:
             cycle_.precondition(r(), z());
             estimate_errors();
             PerFunction<W> turn = dot<W>(z(), q(), n);
-            for (Index k = 0; k < W; ++k) turn[k] = along[k] > 0 ? -turn[k] / along[k] : 0;
+            for (Index k = 0; k < W; ++k) turn[k] = per_energy(-turn[k], along[k]);
             combine<W>(turn, p(), one, z(), n);
         }
         return Status::ok;
@@ -208,9 +215,9 @@ private:
     Cycle<W> cycle_;
     Rows const& values_;
     Index first_, width_;
-    PerFunction<W> squares_, wanted_;            // squared norms of the residuals, and their targets
-    PerFunction<W> errors_, sizes_;              // maxima of |B r| and |x|
-    bool is_confirmed_[W] = {};            // converged by the true residual: not changed any more
+    PerFunction<W> squares_, first_squares_;  // squared norms of the residuals, now and at the beginning
+    PerFunction<W> errors_, sizes_;           // maxima of |B r| and |x|
+    bool is_confirmed_[W] = {};               // converged by the true residual: not changed any more
 };
 
 }  // namespace harmorph::block

@@ -49,14 +49,19 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
         return measure_quality(plan.equations.cells, points, reference, plan.executor).min_quality;
     };
     MutablePoints const result{&start.data()->x, &start.data()->y, 2};
+    auto const stay = [&] {
+        for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
+    };
+    Real const given = smallest(from);
     carry_first_layer(reference, from);
     hold_first_layer(plan, reference);
     improvement.run(options, result, result, report);
-    if (smallest(result) < smallest(from)) {  // what the first layer gained is not worth that
+    if (smallest(result) < given) {  // what the first layer gained is not worth that
         mobility.find(plan);
-        for (Index k = 0; k < start.count(); ++k) start[k] = from[k];
+        stay();
         hold_first_layer(plan, reference);
         improvement.run(options, result, result, report);
+        if (smallest(result) < given) stay();  // the targets' measure is another one than the reported quality
     }
     for (Index k = 0; k < start.count(); ++k) to.set(k, start[k]);
 }

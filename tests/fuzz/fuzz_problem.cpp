@@ -236,6 +236,7 @@ private:
         }
         expect(inverted_cells(judged_, moved(x, y), rounding_of_turns()) == 0, "an improved mesh has inverted cells");
         expect(report.min_quality > 0, "the report of an improvement has inverted cells");
+        expect(report.min_quality >= report.min_quality_before, "an improvement lowers the smallest quality");
     }
 
     void safe_morph() {
