@@ -141,8 +141,8 @@ Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     return Status::ok;
 }
 
-Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
-    if (mesh.layout != CellLayout::polygons) return Status::ok;
+// Cells whose points begin at cell_start[i]: 3 to most_corners of them, or the refusal says how many.
+Status check_rows(Mesh const& mesh, Index most_corners, const char* refusal, Fault& fault) noexcept {
     if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
     if (mesh.cell_start[0] != mesh.index_base) {
         return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
@@ -150,10 +150,16 @@ Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
     }
     for (Index i = 0; i < mesh.n_cells; ++i) {
         Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
-        if (n >= 3 && n <= Mesh::most_corners) continue;
-        return fault.refuse(Status::bad_mesh, "polygon # has ~ points; 3 to 1024 are possible", Counts::mesh, i, none,
-                            static_cast<Real>(n));
+        if (n >= 3 && n <= most_corners) continue;
+        return fault.refuse(Status::bad_mesh, refusal, Counts::mesh, i, none, static_cast<Real>(n));
     }
+    return Status::ok;
+}
+
+// The polygons are counted before the arrays of their triangles are laid out.
+Status check_polygons(Mesh const& mesh, Fault& fault) noexcept {
+    if (mesh.layout != CellLayout::polygons) return Status::ok;
+    HARMORPH_TRY(check_rows(mesh, Mesh::most_corners, "polygon # has ~ points; 3 to 1024 are possible", fault));
     if (mesh.n_corners() <= Mesh::max_cells) return Status::ok;
     return fault.refuse(Status::bad_mesh, "the polygons have more than 2^29 corners together");
 }
@@ -179,19 +185,7 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "mesh.quad_points is NULL");
     }
     if (mesh.layout != CellLayout::rows) return Status::ok;
-    if (mesh.cell_start == nullptr) return fault.refuse(Status::bad_argument, "mesh.cell_start is NULL");
-    if (mesh.cell_start[0] != mesh.index_base) {
-        return fault.refuse(Status::bad_mesh, "mesh.cell_start must begin with index_base, not #", Counts::from_zero,
-                            mesh.cell_start[0]);
-    }
-    for (Index i = 0; i < mesh.n_cells; ++i) {
-        Offset const n = Offset{mesh.cell_start[i + 1]} - mesh.cell_start[i];
-        if (n != 3 && n != 4) {
-            return fault.refuse(Status::bad_mesh, "cell # has ~ points; only 3 or 4 are possible", Counts::mesh, i, none,
-                                static_cast<Real>(n));
-        }
-    }
-    return Status::ok;
+    return check_rows(mesh, 4, "cell # has ~ points; only 3 or 4 are possible", fault);
 }
 
 Status check_mesh(Mesh const& mesh, Fault& fault) noexcept {
