@@ -5,15 +5,8 @@ harmorph=$1 meshes=$2 tmp=$3 here=$(dirname "$0")
 : "${FC:=gfortran}"
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
-passed=0 failed=0
-check() { # check NAME COMMAND...: the command succeeds
-    name=$1; shift
-    if "$@" >"$tmp/log" 2>&1; then passed=$((passed + 1)); else
-        echo "FAIL $name"
-        sed 's/^/     | /' "$tmp/log" | head -5
-        failed=$((failed + 1))
-    fi
-}
+topic=airfoils log=$tmp/log
+. "$(dirname "$0")/count.sh"
 refuses() { # refuses NAME TEXT ARGUMENTS...
     name=$1 text=$2; shift 2
     if "$harmorph" "$@" >"$tmp/message" 2>&1; then echo "accepted" >>"$tmp/message"; fi
@@ -199,7 +192,6 @@ if $FC --version >/dev/null 2>&1; then
         { d = $2 - value[FNR]; bad += $1 != name[FNR] || d > 1e-15 || d < -1e-15; ++m } END { print n, m, bad; exit !(n == m && n > 60 && !bad) }' \
         "$tmp/two.wanted" "$tmp/two.numbers"
 else
-    echo "SKIPPED: namelists, as there is no Fortran compiler"
+    skip namelists "there is no Fortran compiler"
 fi
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -6,17 +6,8 @@
 build=$(cd "$1" && pwd)
 source=$(pwd)
 dir=$build/amalgamation-test
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "amalgamation: $what failed:"
-        head -n 40 "$dir/log" | sed 's/^/    /'
-    fi
-}
+topic=amalgamation log=$dir/log
+. "$(dirname "$0")/count.sh"
 exported() { nm -g --defined-only "$1" | awk 'NF == 3 && $3 ~ /^_?hm_/ { print $3 }' | sort -u; }
 same_names() { exported "$build/libharmorph.a" >"$dir/names" && exported harmorph.o | diff "$dir/names" - && [ -s "$dir/names" ]; }
 rm -rf "$dir"
@@ -30,6 +21,4 @@ check "compilation" $CXX -std=c++17 -O0 -Wall -Wextra -Wconversion -Werror -fno-
 check "the names that it exports" same_names
 check "a C program" $CC -std=c99 -pedantic $CFLAGS -I. -o use "$source/tests/use.c" harmorph.o -lm
 check "the C program runs" ./use
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

@@ -4,12 +4,8 @@
 # only hm_*; a small program links a small part; and the C compiler, which knows no C++ runtime, links a program with it.
 build=$1
 : "${CC:=cc}" "${CFLAGS:=-O2}"
-passed=0 failed=0
-verdict() {   # what, offenders
-    if [ -z "$2" ]; then passed=$((passed + 1)); return; fi
-    failed=$((failed + 1))
-    echo "check-link: $1:" $2
-}
+topic=check-link
+. "$(dirname "$0")/count.sh"
 for tool in ld nm objdump size; do
     command -v $tool >/dev/null || { echo "$tool not found: install Debian's binutils"; exit 1; }
 done
@@ -17,28 +13,26 @@ command -v "${CC%% *}" >/dev/null || { echo "$CC not found: install Debian's gcc
 
 merged=$build/merged.o
 ld -r -o "$merged" --whole-archive "$build/libharmorph.a" || exit 1   # merged, only foreign symbols stay undefined
-verdict "symbols needed from outside" \
+is_empty "symbols needed from outside" \
     "$(nm -u "$merged" | awk '{ print $NF }' | grep -vE '^(memcpy|memmove|memset|memcmp|_GLOBAL_OFFSET_TABLE_)$')"
 # Constant tables of pointers lie in .data.rel.ro, which the loader makes read-only: they are no writable data.
 objdump -t "$merged" >"$build/symbols"
-verdict "writable data" \
+is_empty "writable data" \
     "$(grep -E '[ 	](\.t?(data|bss)|\*COM\*)[. 	]' "$build/symbols" | grep -vE '\.data\.rel\.ro| d[ 	]' |
         awk '{ print $NF }')"
-verdict "sections that run code before main" \
+is_empty "sections that run code before main" \
     "$(size -A "$merged" | awk '$1 ~ /^\.(init_array|ctors)/ && $2 > 0 { print $1 }')"
-verdict "visible names without hm_" \
+is_empty "visible names without hm_" \
     "$(grep -E '^[0-9a-f]+ [gu]' "$build/symbols" | grep -v '\.hidden' | awk '{ print $NF }' | grep -v '^hm_')"
 if $CC -std=c99 -pedantic $CFLAGS -Ic_api -o "$build/use" tests/use.c "$build/libharmorph.a"; then
-    passed=$((passed + 1))
+    ok
 else
-    failed=$((failed + 1))
-    echo "check-link: tests/use.c does not link with $CC"
+    fail "tests/use.c does not link with $CC"
 fi
 # A program that attaches a basis, morphs and takes the adjoint links this much of the library; engines stay outside.
 most=65536
 $CC -std=c99 $CFLAGS -Ic_api -c -o "$build/small.o" tests/small.c && ld -r -o "$build/small_linked.o" "$build/small.o" \
     "$build/libharmorph.a" || exit 1
 bytes=$(size "$build/small_linked.o" | awk 'NR == 2 { print $1 + $2 + $3 }')
-verdict "bytes in a program that morphs, of at most $most" "$([ "$bytes" -le $most ] || echo "$bytes")"
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+is_empty "bytes in a program that morphs, of at most $most" "$([ "$bytes" -le $most ] || echo "$bytes")"
+finish

@@ -1,6 +1,5 @@
 #!/bin/sh
 # Tests of the program: sh tests/cli.sh path/to/harmorph path/to/meshes folder/for/output
-# One line per check; the last line counts them. Exit status 1 if any failed.
 if [ $# -ne 3 ]; then
     echo "usage: sh tests/cli.sh HARMORPH MESHES OUTPUT" >&2
     exit 2
@@ -8,14 +7,9 @@ fi
 harmorph=$1 meshes=$2 tmp=$3/cli-test
 rm -rf "$tmp" # some checks look for files that must not be there
 mkdir -p "$tmp" || exit 2
-passed=0 failed=0
+topic=program log=$tmp/log
+. "$(dirname "$0")/count.sh"
 
-ok() { echo "ok   $1"; passed=$((passed + 1)); }
-fail() { echo "FAIL $1"; failed=$((failed + 1)); }
-check() { # check NAME COMMAND...: the command succeeds
-    name=$1; shift
-    if "$@" >/dev/null 2>&1; then ok "$name"; else fail "$name"; fi
-}
 says() { grep -F -e "$1" "$tmp/out" "$tmp/err" >/dev/null; }
 runs() { # runs NAME EXIT-CODE ARGUMENTS...: the program ends with this code; its output is in out and err
     name=$1 wanted=$2; shift 2
@@ -819,5 +813,4 @@ refuses "a mode that is zero" 2 'mode 0 (from 0) is zero' solve "$tmp/demo/mesh.
 echo 'mode 3 1' >"$tmp/values"
 refuses "a mode that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/modes.basis" --move "$tmp/values"
 
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+finish

@@ -7,26 +7,18 @@
 : "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
 build=$(cd "$1" && pwd)
 dir=$build/compilers
-passed=0 failed=0 skipped=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1 && [ ! -s "$dir/log" ]; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "$what failed, or warned:"
-        head -n 20 "$dir/log" | sed 's/^/    /'
-    fi
-}
-skip() { skipped=$((skipped + 1)); echo "skipped: $1, which is not installed"; }
+topic=compilers log=$dir/log
+. "$(dirname "$0")/count.sh"
+silent() { said=$("$@" 2>&1) && [ -z "$said" ] && return; echo "$said"; return 1; }   # warns of nothing
+missing() { skip "$1" "it is not installed"; }
 rm -rf "$dir"
 mkdir -p "$dir"
 sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
 for compiler in $COMPILERS; do
-    command -v $compiler >/dev/null || { skip $compiler; continue; }
+    command -v $compiler >/dev/null || { missing $compiler; continue; }
     for standard in c++17 c++20; do
         for level in $LEVELS; do
-            check "$compiler -std=$standard $level" $compiler -std=$standard $level -fno-exceptions -fno-rtti -fno-math-errno \
+            check "$compiler -std=$standard $level" silent $compiler -std=$standard $level -fno-exceptions -fno-rtti -fno-math-errno \
                 -ffp-contract=off -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
         done
     done
@@ -39,12 +31,12 @@ for header in harmorph.h harmorph_pages.h harmorph_distributed.h; do
             command -v $compiler >/dev/null || continue
             # C89 has no keyword inline, which harmorph_pages.h needs.
             case "$standard $header" in c89*pages*) continue ;; esac
-            check "$header, $compiler -std=$standard" $compiler -std=$standard -Wall -Wextra -Werror -Ic_api -fsyntax-only "$dir/header.c"
+            check "$header, $compiler -std=$standard" silent $compiler -std=$standard -Wall -Wextra -Werror -Ic_api -fsyntax-only "$dir/header.c"
         done
     done
     for compiler in tcc pcc; do
-        command -v $compiler >/dev/null || { skip $compiler; continue; }
-        check "$header, $compiler" $compiler -Ic_api -c -o "$dir/header.o" "$dir/header.c"
+        command -v $compiler >/dev/null || { missing $compiler; continue; }
+        check "$header, $compiler" silent $compiler -Ic_api -c -o "$dir/header.o" "$dir/header.c"
     done
 done
 
@@ -54,27 +46,24 @@ same_rules() {   # up to the name of the folder, which also stands in names of o
     make -s BUILD="$dir/gnu" rules && sed "s|compilers\([-/]\)$1|compilers\1gnu|g" "$dir/$1/rules.mk" | cmp - "$dir/gnu/rules.mk"
 }
 if command -v bmake >/dev/null; then
-    check "bmake: rules" makes bmake -s BUILD="$dir/bmake" rules
-    check "bmake: the same rules as make's" same_rules bmake
-    check "bmake: the amalgamation" makes bmake -s BUILD="$dir/bmake" amalgamation
+    check "bmake: rules" silent makes bmake -s BUILD="$dir/bmake" rules
+    check "bmake: the same rules as make's" silent same_rules bmake
+    check "bmake: the amalgamation" silent makes bmake -s BUILD="$dir/bmake" amalgamation
 else
-    skip bmake
+    missing bmake
 fi
 if command -v busybox >/dev/null; then
     mkdir -p "$dir/bin"
     for tool in $(busybox --list); do ln -sf "$(command -v busybox)" "$dir/bin/$tool"; done
-    check "busybox: rules" makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" rules
-    check "busybox: the same rules" same_rules busybox
-    check "busybox: the amalgamation" makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" amalgamation
-    check "busybox: the same file" cmp "$dir/busybox/amalgamation/harmorph.cpp" "$dir/harmorph.cpp"
+    check "busybox: rules" silent makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" rules
+    check "busybox: the same rules" silent same_rules busybox
+    check "busybox: the amalgamation" silent makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" amalgamation
+    check "busybox: the same file" silent cmp "$dir/busybox/amalgamation/harmorph.cpp" "$dir/harmorph.cpp"
 else
-    skip busybox
+    missing busybox
 fi
 for compiler in gfortran-11 gfortran-12 flang-16 flang-19 flang-22; do
-    command -v $compiler >/dev/null || { skip $compiler; continue; }
-    check "the Fortran module, $compiler" sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" $compiler "$build"
+    command -v $compiler >/dev/null || { missing $compiler; continue; }
+    check "the Fortran module, $compiler" silent sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" $compiler "$build"
 done
-echo "$skipped skipped"
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

@@ -6,24 +6,15 @@
 : "${ARM_CXX:=arm-none-eabi-g++}" "${ARM_EMULATOR:=qemu-system-arm}" "${CC:=cc}"
 build=$(cd "$1" && pwd)
 dir=$build/cortex
-passed=0 failed=0
+topic=Cortex-M7 log=$dir/log
+. "$(dirname "$0")/count.sh"
 probe='#include <cstring>
 #include <cstdint>'
 if ! echo "$probe" | $ARM_CXX -x c++ -fsyntax-only - 2>/dev/null; then
-    echo "skipped: bare Cortex-M7, as $ARM_CXX is not installed"
+    skip "the bare processor" "$ARM_CXX is not installed"
     echo "    (Debian: gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev, libnewlib-arm-none-eabi, qemu-system-arm)"
     exit 0
 fi
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "Cortex-M7: $what failed:"
-        head -n 20 "$dir/log" | sed 's/^/    /'
-    fi
-}
 processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off -ffunction-sections
     -fdata-sections"
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Ic_api"
@@ -49,12 +40,10 @@ if command -v "${ARM_EMULATOR%% *}" >/dev/null; then
     check "the same bits as here" sh -c 'head -n 1 "$0/said" | cmp - "$0/expected"' "$dir"
     sed -n 2p "$dir/said"
 else
-    echo "skipped: running on a Cortex-M7, as ${ARM_EMULATOR%% *} is not installed (Debian: qemu-system-arm)"
+    skip "running" "${ARM_EMULATOR%% *} is not installed (Debian: qemu-system-arm)"
 fi
 size=${ARM_CXX%g++}size
 if command -v $size >/dev/null; then
     $size -A "$dir/cortex" | awk '$1 == ".text" { print $2 " bytes of code and constants" } $1 == ".basis" { print $2 " bytes of basis" }'
 fi
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

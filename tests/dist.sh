@@ -5,17 +5,8 @@
 : "${MAKE:=make}"
 build=$(cd "$1" && pwd)
 dir=$build/dist-test
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "distribution: $what failed:"
-        head -n 20 "$dir/log" | sed 's/^/    /'
-    fi
-}
+topic=distribution log=$dir/log
+. "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir/first" "$dir/second"
 name=harmorph-$(sed -n 's/^#define HM_VERSION "\(.*\)"/\1/p' c_api/harmorph.h)
@@ -29,7 +20,7 @@ if tar --version 2>/dev/null | grep -q GNU; then
     check "the same bytes again" cmp "$dir/first/$name.tar.gz" "$dir/$name/build/$name.tar.gz"
     check "the rules of the unpacked Makefile" sh -c 'cd "$1" && $2 -s BUILD="$1/build" rules' sh "$dir/$name" "$MAKE"
 else
-    echo "skipped: the tarball, as tar is not GNU's"
+    skip "the tarball" "tar is not GNU's"
 fi
 
 check "make manual" $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" manual
@@ -47,8 +38,6 @@ quietly() { ! "$@" 2>&1 | grep .; }
 if command -v groff >/dev/null; then
     check "groff's judgement of the manual page" quietly groff -man -ww -z "$build/harmorph.1"
 else
-    echo "skipped: the setting of the manual page, as groff is not installed"
+    skip "the setting of the manual page" "groff is not installed"
 fi
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

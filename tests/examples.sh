@@ -5,18 +5,8 @@
 : "${MAKE:=make}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 build=$(cd "$1" && pwd)
 dir=$build/examples
-log=$dir/log
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "examples: $what failed:"
-        sed 's/^/    /' "$log"
-    fi
-}
+topic=examples log=$dir/log
+. "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir"
 # CMake's own makefiles must hear nothing of the make that runs the tests, nor of its flags.
@@ -57,6 +47,4 @@ check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30
 check "C, CMake" by_cmake c
 check "Fortran, CMake" by_cmake fortran
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

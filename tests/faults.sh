@@ -5,22 +5,18 @@
 harmorph=$1 meshes=$2 tmp=$3
 case $harmorph in /*) ;; *) harmorph=$PWD/$harmorph ;; esac
 mesh=$(cd "$meshes" && pwd)/naca0012.su2
+topic=faults
+. "$(dirname "$0")/count.sh"
 rm -rf "$tmp"
 mkdir -p "$tmp" && cd "$tmp" || exit 1
-passed=0 failed=0
-verdict() {   # what, holds (0) or not
-    if [ "$2" = 0 ]; then passed=$((passed + 1)); return; fi
-    failed=$((failed + 1))
-    echo "faults: $1"
-}
 run() { "$harmorph" "$@" >out 2>err; }   # leaves the exit code
 
 # The good files, in a folder of their own; every command below must leave these bytes or nothing.
 mkdir good
-run fit "$mesh" --marker airfoil -o good/a.curve; verdict "fit" $?
-run solve "$mesh" --curve airfoil=good/a.curve -o good/a.basis; verdict "solve" $?
+run fit "$mesh" --marker airfoil -o good/a.curve; passes "fit" $?
+run solve "$mesh" --curve airfoil=good/a.curve -o good/a.basis; passes "solve" $?
 echo "3 0.002 0.004" >moves.txt
-run morph "$mesh" good/a.basis --move moves.txt -o good/m.su2; verdict "morph" $?
+run morph "$mesh" good/a.basis --move moves.txt -o good/m.su2; passes "morph" $?
 
 command_for() {   # name of an output: the words of the command that writes it as $2
     case $1 in
@@ -46,11 +42,11 @@ for name in a.curve a.basis m.su2; do
                 )
                 status=$?
             } 2>shell_says
-            verdict "$name in $room blocks, $way: exit code $status" "$([ $status -gt 1 ]; echo $?)"
+            passes "$name in $room blocks, $way: exit code $status" "$([ $status -gt 1 ]; echo $?)"
             if [ "$(cat place/$name)" = old ] || cmp -s place/$name good/$name; then whole=0; else whole=1; fi
-            verdict "$name in $room blocks, $way: neither the old file nor the new one" $whole
+            passes "$name in $room blocks, $way: neither the old file nor the new one" $whole
             if [ $way = fails ]; then
-                verdict "$name in $room blocks: something is left beside" "$([ "$(ls -A place)" = $name ]; echo $?)"
+                passes "$name in $room blocks: something is left beside" "$([ "$(ls -A place)" = $name ]; echo $?)"
             fi
         done
     done
@@ -58,8 +54,8 @@ done
 if [ -c /dev/full ]; then
     command_for m.su2 /dev/full
     status=$?
-    verdict "/dev/full: exit code $status" "$([ $status = 3 ]; echo $?)"
-    verdict "/dev/full is not named" "$(grep -q /dev/full err; echo $?)"
+    passes "/dev/full: exit code $status" "$([ $status = 3 ]; echo $?)"
+    passes "/dev/full is not named" "$(grep -q /dev/full err; echo $?)"
 fi
 
 # Killed at each system call that has to do with files, and each write refused because the disk is full.
@@ -87,7 +83,7 @@ if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>er
             under_strace "$system_calls:signal=KILL:when=$call" $(arguments $name place/$name) 2>shell_says
             [ "$(cat place/$name)" = old ] || cmp -s place/$name good/$name || bad=$((bad + 1))
         done 2>shell_says
-        verdict "$name, killed at each of the calls $begin to $n: $bad times neither the old file nor the new one" $((bad > 0))
+        passes "$name, killed at each of the calls $begin to $n: $bad times neither the old file nor the new one" $((bad > 0))
         writes=$(grep -c 'write(' trace) bad=0
         for call in $(seq 1 "$writes"); do
             rm -rf place && mkdir place && echo old >place/$name
@@ -98,10 +94,10 @@ if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>er
                     [ "$(ls -A place)" = $name ] || bad=$((bad + 1))
             fi
         done
-        verdict "$name, the disk full at each of $writes writes: $bad times not the old file alone and exit code 3" $((bad > 0))
+        passes "$name, the disk full at each of $writes writes: $bad times not the old file alone and exit code 3" $((bad > 0))
     done
 else
-    echo "skipped: kills at each system call and full disks at each write, as strace is not installed or may not trace"
+    skip "kills at each system call and full disks at each write" "strace is not installed or may not trace"
 fi
 
 # Places that are no files.
@@ -110,22 +106,22 @@ for name in a.curve a.basis m.su2; do
     for place in folder missing/$name "$(printf '%0300d' 0)" "$(printf 'missing/%.0s' $(seq 700))$name" /dev/null/$name; do
         command_for $name "$place"
         status=$?
-        verdict "$name to $place: exit code $status" "$([ $status = 3 ]; echo $?)"
-        verdict "$name to $place: no reason" "$([ "$(wc -l <err)" -ge 1 ]; echo $?)"
+        passes "$name to $place: exit code $status" "$([ $status = 3 ]; echo $?)"
+        passes "$name to $place: no reason" "$([ "$(wc -l <err)" -ge 1 ]; echo $?)"
     done
 done
 if [ "$(id -u)" != 0 ]; then
     mkdir -p sealed && chmod 555 sealed
     command_for a.curve sealed/a.curve
-    verdict "an unwritable folder" "$([ $? = 3 ]; echo $?)"
+    passes "an unwritable folder" "$([ $? = 3 ]; echo $?)"
 else
-    echo "skipped: unwritable folders, in which the superuser writes"
+    skip "unwritable folders" "the superuser writes there"
 fi
 for input in folder /dev/null missing.su2; do
     run check "$input"
     status=$?
-    verdict "$input as a mesh: exit code $status" "$([ $status = 3 ]; echo $?)"
-    verdict "$input is not named" "$(grep -q "$input" err; echo $?)"
+    passes "$input as a mesh: exit code $status" "$([ $status = 3 ]; echo $?)"
+    passes "$input is not named" "$(grep -q "$input" err; echo $?)"
     for what in curve basis moves; do
         case $what in
             curve) run solve "$mesh" --curve airfoil="$input" -o never ;;
@@ -133,37 +129,36 @@ for input in folder /dev/null missing.su2; do
             moves) run morph "$mesh" good/a.basis --move "$input" -o never ;;
         esac
         status=$?
-        verdict "$input as a file of $what: exit code $status" "$([ $status = 3 ]; echo $?)"
-        verdict "$input as a file of $what is not named" "$(grep -q "$input" err; echo $?)"
-        verdict "$input as a file of $what: something is written" "$([ ! -e never ]; echo $?)"
+        passes "$input as a file of $what: exit code $status" "$([ $status = 3 ]; echo $?)"
+        passes "$input as a file of $what is not named" "$(grep -q "$input" err; echo $?)"
+        passes "$input as a file of $what: something is written" "$([ ! -e never ]; echo $?)"
         rm -f never
     done
 done
 
 # The same mesh through a pipe to and from the program, with CR LF, and where the decimal sign is a comma.
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | cat >piped
-verdict "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
+passes "a mesh to a pipe" "$(head -c "$(wc -c <good/m.su2)" piped | cmp -s - good/m.su2; echo $?)"
 mkfifo fifo
 cat "$mesh" >fifo &
 run check fifo
 status=$?
-verdict "a mesh from a pipe: exit code $status" "$([ $status = 0 ] || [ $status = 3 ]; echo $?)"
+passes "a mesh from a pipe: exit code $status" "$([ $status = 0 ] || [ $status = 3 ]; echo $?)"
 kill $! 2>/dev/null
 "$harmorph" morph "$mesh" good/a.basis --move moves.txt -o /dev/stdout 2>/dev/null | head -c 100 >beginning
-verdict "a pipe that nobody reads on from" "$([ "$(wc -c <beginning)" = 100 ]; echo $?)"
+passes "a pipe that nobody reads on from" "$([ "$(wc -c <beginning)" = 100 ]; echo $?)"
 sed 's/$/\r/' "$mesh" >crlf.su2
 sed 's/$/\r/' moves.txt >crlf.txt
 run morph crlf.su2 good/a.basis --move crlf.txt -o crlf_moved.su2
-verdict "lines that end with CR LF" $?
+passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
-verdict "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
+passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
 locale -a 2>/dev/null | grep -E '^(de|fr|es|it)_.*(utf8|UTF-8)$' | head -n 1 >locale
 if [ -s locale ]; then
     LC_ALL=$(cat locale) run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
-    verdict "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
+    passes "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
 else
-    echo "skipped: a locale with a decimal comma, which is not installed"
+    skip "a locale with a decimal comma" "none is installed"
 fi
 
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -3,11 +3,8 @@
 tmp=${1:?folder for output} driver=$2
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
-passed=0 failed=0
-check() { # check NAME COMMAND...: the command succeeds
-    name=$1; shift
-    if "$@" >/dev/null 2>&1; then echo "ok   $name"; passed=$((passed + 1)); else echo "FAIL $name"; failed=$((failed + 1)); fi
-}
+topic=figures log=$tmp/log
+. "$(dirname "$0")/count.sh"
 count() { grep -c -e "$1" "$tmp/index.html"; }
 
 cat >"$tmp/command" <<'END'
@@ -65,5 +62,4 @@ if [ -n "$driver" ]; then
     check "deform: no raw output of other commands" sh -c "! grep -q '{' '$tmp/out'"
 fi
 
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -1,6 +1,5 @@
 #!/bin/sh
 # Tests of mesh files: sh tests/formats.sh path/to/harmorph folder/for/output
-# One line per check; the last line counts them. Exit status 1 if any failed.
 if [ $# -ne 2 ]; then
     echo "usage: sh tests/formats.sh HARMORPH OUTPUT" >&2
     exit 2
@@ -9,24 +8,19 @@ harmorph=$1 tmp=$2/formats-test
 : "${CXX:=c++}"
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
-passed=0 failed=0
+topic="mesh files" log=$tmp/out
+. "$(dirname "$0")/count.sh"
 
-ok() { echo "ok   $1"; passed=$((passed + 1)); }
-fail() { echo "FAIL $1"; failed=$((failed + 1)); }
-check() { # check NAME COMMAND...: the command succeeds
-    name=$1; shift
-    if "$@" >"$tmp/out" 2>"$tmp/err"; then ok "$name"; else fail "$name"; sed 's/^/     | /' "$tmp/err" | head -5; fi
-}
 says() { # says NAME TEXT: the last command checked, on either output
-    if grep -F -e "$2" "$tmp/out" "$tmp/err" >/dev/null; then ok "$1"; else fail "$1: does not say '$2'"; fi
+    if grep -F -e "$2" "$tmp/out" >/dev/null; then ok "$1"; else fail "$1: does not say '$2'"; fi
 }
 refuses() { # refuses NAME TEXT COMMAND...: exit code 3, and the message contains the text
     name=$1 text=$2; shift 2
-    "$@" >"$tmp/out" 2>"$tmp/err"
+    "$@" >"$tmp/out" 2>&1
     code=$?
-    if [ $code -eq 3 ] && grep -F -e "$text" "$tmp/err" >/dev/null; then ok "$name"; else
+    if [ $code -eq 3 ] && grep -F -e "$text" "$tmp/out" >/dev/null; then ok "$name"; else
         fail "$name: exit code $code, does not say '$text'"
-        sed 's/^/     | /' "$tmp/err" | head -5
+        sed 's/^/     | /' "$tmp/out" | head -5
     fi
 }
 alike() { # alike TOLERANCE A B: all numbers of two files are the same to this tolerance, all else is the same
@@ -93,7 +87,7 @@ done
 # ---- What is particular ----------------------------------------------------------------------------------------------
 
 refuses "several zones: which" "zones.su2:1: the file has 3 zones: choose one with --zone" "$harmorph" check "$tmp/zones.su2"
-"$harmorph" check "$tmp/zones.su2" --zone 4 >"$tmp/out" 2>"$tmp/err"
+"$harmorph" check "$tmp/zones.su2" --zone 4 >"$tmp/out" 2>&1
 says "several zones: one that does not exist" 'between 1 and 3'
 sed 's/^IZONE= 3/IZONE= 4/' "$tmp/zones.su2" >"$tmp/bad.su2"
 refuses "several zones: out of order" 'expected IZONE= 3' "$harmorph" check "$tmp/bad.su2" --zone 2
@@ -102,13 +96,13 @@ refuses "several zones: one is missing" 'bad.su2:1: NZONE= announces 3 zones' "$
 sed 's/MARKER_TAG= far/MARKERTAG= far/' "$tmp/ring.su2" >"$tmp/bad.su2"
 line=$(grep -n MARKERTAG "$tmp/bad.su2" | cut -d: -f1)
 refuses "MARKERTAG" "bad.su2:$line: expected MARKER_TAG=" "$harmorph" check "$tmp/bad.su2"
-"$harmorph" check "$tmp/odd.su2" >"$tmp/out" 2>"$tmp/err"
+"$harmorph" check "$tmp/odd.su2" >"$tmp/out" 2>&1
 says "faces between cells are ignored, and said" "24 faces of marker 'inside line' between two cells"
 echo 'hello world' >"$tmp/bad.mesh"
 refuses "no mesh at all" "bad.mesh:1: no mesh file that is known begins with 'hello world'" "$harmorph" check "$tmp/bad.mesh"
 : >"$tmp/bad.mesh"
 refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
-"$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>"$tmp/err"
+"$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>&1
 says "an unknown format" "unknown format 'cgnz'"
 
 # Gmsh
@@ -281,7 +275,7 @@ sed -n '/^NPOIN/,/^NMARK/p' "$tmp/again.su2" | awk '{ print $1, $2 }' >"$tmp/poi
 check "vtu: what convert writes: the same coordinates" alike 0 "$tmp/points-before" "$tmp/points-after"
 
 # Fluent
-"$harmorph" check "$tmp/fluent.msh" --json >"$tmp/out" 2>"$tmp/err"
+"$harmorph" check "$tmp/fluent.msh" --json >"$tmp/out" 2>&1
 says "fluent: zones are markers" '"body", "faces": 24}, {"name": "far", "faces": 24}]'
 change() { sed "$1" "$tmp/fluent.msh" >"$tmp/bad.msh"; }
 change 's/^(2 2)/(2 3)/'
@@ -508,7 +502,6 @@ for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $stora
 check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
     $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ') $(cd "$tmp" && ls broken-*/constant/polyMesh/[pfob]* | tr '\n' ' ')"
 cat "$tmp/out"
-sh tests/openfoam.sh "$harmorph" "$2" || failed=$((failed + 1)) # its counts are its own
+sh tests/openfoam.sh "$harmorph" "$2" || fail "a case of OpenFOAM" # which counts its own checks
 
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -7,7 +7,8 @@ build=$(cd "${1:?usage: fortran.sh BUILD}" && pwd)
 dir=$build/fortran
 rm -rf "$dir"
 mkdir -p "$dir"
-passed=0 failed=0
+topic=Fortran log=$dir/log
+. "$(dirname "$0")/count.sh"
 strict=-std=f2008 legacy= checks= long= openmp= address=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
     strict="-std=f2008 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
@@ -15,16 +16,6 @@ if $FC --version 2>/dev/null | grep -q '^GNU'; then
     address="-fsanitize=address -fno-omit-frame-pointer"
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "Fortran: $what failed:"
-        sed 's/^/    /' "$dir/log"
-    fi
-}
 quietly() { "$@" 2>&1 | tee "$dir/warnings"; test ! -s "$dir/warnings"; }
 tests="use places plane"
 build_and_run() {   # where, flags...: its own modules and objects in each place
@@ -38,7 +29,7 @@ build_and_run() {   # where, flags...: its own modules and objects in each place
     for test in $tests; do
         check "link of $test with $*" $FC $FFLAGS "$@" "$place/$test.o" "$place/use_meshes.o" "$place/harmorph.o" \
             "$build/libharmorph.a" -o "$place/$test"
-        (cd "$place" && ./$test) || failed=$((failed + 1))
+        (cd "$place" && ./$test) || fail "$place/$test"
     done
 }
 stops() { ! "$dir/checked/$1" "$2" >"$dir/out" 2>&1 && grep -q "$3" "$dir/out"; }
@@ -66,7 +57,7 @@ if [ -n "$address" ]; then
     if $FC $address "$dir/empty.f90" -o "$dir/empty" 2>/dev/null && "$dir/empty"; then
         build_and_run address -O1 -g $address
     else
-        echo "skipped: the address sanitizer, which $FC has not"
+        skip "the address sanitizer" "$FC has none"
     fi
 fi
 
@@ -79,10 +70,9 @@ if [ -n "$flang" ]; then
     (strict= loose= FC=$flang FFLAGS=-O1 passed=0 failed=0
         quietly() { "$@"; }   # warnings of one compiler are not those of another
         build_and_run flang
-        echo "$passed passed, $failed failed"
-        [ $failed = 0 ]) || failed=$((failed + 1))
+        finish) || fail flang
 else
-    echo "skipped: flang, which is not installed (Debian: flang-19)"
+    skip flang "it is not installed (Debian: flang-19)"
 fi
 
 # What a mesh keeps must be an array that outlives the call: the compiler says so.
@@ -117,7 +107,7 @@ check "layout.c" $CC -std=c99 -pedantic -Wall -Wextra -Werror -Ic_api $CFLAGS -c
 check "layout.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$dir" -c tests/layout.f90 -o "$dir/layout.o"
 check "link of layout" $FC $FFLAGS "$dir/layout.o" "$dir/layout_c.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
     -o "$dir/layout"
-"$dir/layout" || failed=$((failed + 1))
+"$dir/layout" || fail layout
 
 # What the header has and the module has not: functions, then constants.
 missing() {
@@ -136,8 +126,6 @@ check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$
 check "legacy.f" $FC $legacy $FFLAGS $checks -c tests/legacy.f -o "$dir/legacy.o"
 check "link of legacy" $FC $FFLAGS "$dir/legacy.o" "$dir/harmorph77.o" "$dir/checked/harmorph.o" "$build/libharmorph.a" \
     -o "$dir/legacy"
-"$dir/legacy" || failed=$((failed + 1))
+"$dir/legacy" || fail legacy
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

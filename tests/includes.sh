@@ -5,12 +5,8 @@ rooms='base simd mesh space bspline boundary dense ordering basis operators part
 # Of the standard library the core may use what a freestanding compiler has, and mem*.
 freestanding='cstddef|cstdint|cfloat|climits|limits|type_traits|new|cstring|immintrin\.h|arm_neon\.h|cpuid\.h'
 
-passed=0 failed=0
-verdict() {   # file, offenders
-    if [ -z "$2" ]; then passed=$((passed + 1)); return; fi
-    failed=$((failed + 1))
-    echo "includes: $1:" $2
-}
+topic=includes
+. "$(dirname "$0")/count.sh"
 included() { sed -n 's|^ *# *include *[<"]\([^>"]*\)[>"].*|\1|p' "$1"; }
 floor() {   # the height of a room; nothing if there is no such room
     echo "$rooms" | awk -v name="$1" '{ for (k = 1; k <= NF; ++k) if ($k == name) print k }'
@@ -22,7 +18,7 @@ for file in include/harmorph/* include/harmorph/*/* src/* src/*/*; do
     [ -f "$file" ] || continue
     case $file in *.md) continue ;; esac
     room=$(basename "$(dirname "$file")") here=$(floor "$(basename "$(dirname "$file")")")
-    if [ -z "$here" ]; then verdict "$file" "is in no room of tests/includes.sh"; continue; fi
+    if [ -z "$here" ]; then is_empty "$file" "is in no room of tests/includes.sh"; continue; fi
     wrong=
     for name in $(included "$file"); do
         case $name in
@@ -37,26 +33,25 @@ for file in include/harmorph/* include/harmorph/*/* src/* src/*/*; do
         if [ -z "$there" ] || [ "$there" -gt "$here" ] || [ ! -f "$header" ]; then wrong="$wrong $name"; fi
         echo "$file $header" >>"$pairs"
     done
-    verdict "$file" "$wrong"
+    is_empty "$file" "$wrong"
 done
 # tsort names the files of a circle.
-verdict "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
+is_empty "circles" "$(tsort "$pairs" 2>&1 >/dev/null)"
 
 # The table of rooms in src/README.md is this list.
 described=$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md | head -n "$(echo "$rooms" | wc -w)" | tr '\n' ' ')
-verdict src/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
+is_empty src/README.md "$([ "$described" = "$rooms " ] || echo "has other rooms: $described")"
 
 # Tests lie in the rooms of what they test.
 for directory in tests/*/; do
     room=$(basename "$directory")
     ls "$directory" | grep -q '^test_' || continue
     case $room in c_api | fixtures) continue ;; esac
-    verdict "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
+    is_empty "$directory" "$([ -n "$(floor "$room")" ] || echo "is no room of the core")"
 done
 
 # The program is a client of the C header alone.
 for file in c_api/cli/*.[ch]pp c_api/cli/formats/* c_api/cli/pictures/*; do
-    verdict "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
+    is_empty "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
 done
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

@@ -6,18 +6,8 @@
 build=$(cd "$1" && pwd)
 source=$(pwd)
 dir=$build/install
-log=$dir/log
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "installation: $what failed:"
-        sed 's/^/    /' "$log"   # indented, so that no count in it is added up
-    fi
-}
+topic=installation log=$dir/log
+. "$(dirname "$0")/count.sh"
 rm -rf "$dir"
 mkdir -p "$dir/project" "$dir/later"
 make_in() { $MAKE BUILD="$1" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" "$2" DESTDIR="$3" PREFIX="$4"; }
@@ -94,6 +84,4 @@ check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f
 check "use by pkg-config, by cmake" by_pkg_config "$dir/second"
 check "use by find_package, by cmake" by_find_package "$dir/second"
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

@@ -21,17 +21,8 @@ if $FC --version 2>/dev/null | grep -q '^GNU'; then
 fi
 case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
 
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "MPI: $what failed:"
-        sed 's/^/    /' "$dir/log"
-    fi
-}
+topic=MPI log=$dir/log
+. "$(dirname "$0")/count.sh"
 fortran() { $MPIFC $strict $FFLAGS $checks -J"$dir" -I"$dir" -c "$1" -o "$dir/$(basename "$1" .f90)_f.o"; }
 c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS "$@"; }
 
@@ -41,9 +32,7 @@ for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 tests/o_mesh.f90 te
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do
-    for program in mpi_c mpi_f; do $MPIRUN $local -np $n "$dir/$program" 2>&1 || failed=$((failed + 1)); done
+    for program in mpi_c mpi_f; do $MPIRUN $local -np $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

@@ -2,13 +2,8 @@
 # OpenFOAM's own tutorial case airFoil2D on a morphed mesh: checkMesh judges the mesh as it judged the given one, and
 # simpleFoam runs on it (sh tests/openfoam.sh PROGRAM DIRECTORY). Skipped where OpenFOAM or its examples are missing.
 harmorph=$1 tmp=$2/openfoam-test
-passed=0 failed=0
-check() { # check NAME COMMAND...
-    name=$1; shift
-    if "$@" >"$tmp/out" 2>&1; then passed=$((passed + 1)); else
-        failed=$((failed + 1)); echo "FAIL $name"; sed 's/^/     | /' "$tmp/out" | tail -5
-    fi
-}
+topic=OpenFOAM log=$tmp/out
+. "$(dirname "$0")/count.sh"
 tutorial=
 for place in "${FOAM_TUTORIALS:-}" /usr/share/doc/openfoam-examples/examples; do
     case=$place/incompressible/simpleFoam/airFoil2D
@@ -47,5 +42,4 @@ check "airFoil2D: checkMesh: a verdict" test -s "$tmp/moved.verdict"
 residual() { awk '/Solving for p,/ { sub(/.*Initial residual = /, ""); sub(/,.*/, ""); r = $0 } END { print r }' "$tmp/$1.log"; }
 check "airFoil2D: the residual falls" awk -v r="`residual moved`" 'BEGIN { exit !(r > 0 && r < .2) }'
 check "airFoil2D: another flow" test "`residual given`" != "`residual moved`"
-echo "$passed passed, $failed failed"
-test $failed -eq 0
+finish

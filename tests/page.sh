@@ -7,9 +7,8 @@ harmorph=$1 meshes=$2 tmp=$3
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
 tmp=$(cd "$tmp" && pwd)
-passed=0 failed=0
-ok() { passed=$((passed + 1)); }
-fail() { echo "FAIL $1"; failed=$((failed + 1)); }
+topic=page
+. "$(dirname "$0")/count.sh"
 
 # ---- What needs no browser -------------------------------------------------------------------------------------------
 
@@ -45,9 +44,9 @@ for name in chromium chromium-browser google-chrome; do
     [ -n "$chromium" ] || chromium=$(command -v $name)
 done
 if [ -z "$chromium" ]; then
-    echo "SKIPPED: the page in a browser: no Chromium found (Debian's package chromium, or CHROMIUM=path)"
-    echo "$passed passed, $failed failed"
-    exit $((failed > 0))
+    skip "the page in a browser" "no Chromium is found (Debian's package chromium, or CHROMIUM=path)"
+    finish
+    exit
 fi
 
 browse() { # browse PAGE: the page's elements as text, once it is loaded
@@ -164,5 +163,4 @@ page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
 # As many points as a page shows without leaving any out: the demo's fine mesh.
 "$harmorph" demo "$tmp/demo" >"$tmp/log" 2>&1 || fail "demo: $(tail -n 1 "$tmp/log")"
 page fine "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" 30
-echo "$passed passed, $failed failed"
-[ $failed -eq 0 ]
+finish

@@ -18,17 +18,8 @@ petsc_flags=$(pkg-config --cflags petsc | sed 's/-I/-isystem /g') petsc_libs=$(p
 export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
 case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 900" ;; *) local= ;; esac
 
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "PETSc: $what failed:"
-        sed 's/^/    /' "$dir/log"
-    fi
-}
+topic=PETSc log=$dir/log
+. "$(dirname "$0")/count.sh"
 c() {
     $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS \
         $petsc_flags -Ic_api -Ic_api/examples -Itests "$@"
@@ -49,11 +40,9 @@ check "link of partitioned.f90" $MPIFC $FFLAGS -o "$dir/partitioned" "$dir"/*_f.
 for n in 1 2; do
     check "partitioned.f90 on $n processes" $MPIRUN $local -np $n "$dir/partitioned" tests/meshes/naca0012.su2
 done
-for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" 2>&1 || failed=$((failed + 1)); done
+for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" 2>&1 || fail "$n processes"; done
 for mesh in ${MESHES:+"$MESHES"/*.su2}; do
-    for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" "$mesh" 2>&1 || failed=$((failed + 1)); done
+    for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" "$mesh" 2>&1 || fail "$mesh on $n processes"; done
 done
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

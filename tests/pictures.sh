@@ -3,15 +3,8 @@
 harmorph=$1 meshes=$2 tmp=$3
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
-passed=0 failed=0
-check() { # check NAME COMMAND...: the command succeeds
-    name=$1; shift
-    if "$@" >"$tmp/log" 2>&1; then passed=$((passed + 1)); else
-        echo "FAIL $name"
-        sed 's/^/     | /' "$tmp/log" | head -5
-        failed=$((failed + 1))
-    fi
-}
+topic=pictures log=$tmp/log
+. "$(dirname "$0")/count.sh"
 refuses() { # refuses NAME TEXT ARGUMENTS...
     name=$1 text=$2; shift 2
     if "$harmorph" "$@" >"$tmp/message" 2>&1; then echo "accepted" >>"$tmp/message"; fi
@@ -68,7 +61,7 @@ check "a boundary is a picture" is_picture "$tmp/boundary.svg" "The boundary" 1
 refuses "a list that is none" "--function expects whole numbers between 1 and 20" export "$bodies" "$tmp/harmonic.basis" --function 1,,2 --svg "$tmp/x"
 refuses "a table of several functions" "--csv and --vtu take one --function" export "$bodies" "$tmp/harmonic.basis" --function 1,2 --csv "$tmp/x"
 refuses "an imaginary part of real functions" "--number" export "$bodies" "$tmp/harmonic.basis" --function 1 --number 2 --svg "$tmp/x"
-if [ -e "$tmp/x" ]; then echo "FAIL refused pictures leave a file"; failed=$((failed + 1)); fi
+if [ -e "$tmp/x" ]; then fail "refused pictures leave a file"; fi
 
 # Contour lines: each point lies on an edge of the mesh, where the function, linear along the edge, has the line's value,
 # which is a multiple of the step; each line of each value is there: as many points as edges that it crosses.
@@ -167,5 +160,4 @@ check "large: the picture says that it is drawn pixel by pixel" grep -q 'drawn p
 for file in large-mesh large-morph large-function; do
     check "large: $file.svg is small" test "$(wc -c <"$tmp/$file.svg")" -lt 2000000
 done
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

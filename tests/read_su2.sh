@@ -7,19 +7,10 @@ build=$(cd "${1:?usage: read_su2.sh BUILD}" && pwd)
 dir=$build/read_su2
 rm -rf "$dir"
 mkdir -p "$dir"
-passed=0 failed=0
+topic="SU2 readers" log=$dir/log
+. "$(dirname "$0")/count.sh"
 strict=-std=f2008
 if $FC --version 2>/dev/null | grep -q '^GNU'; then strict="-std=f2008 -Wall -Wextra -Werror -fcheck=all,no-array-temps"; fi
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "SU2 readers: $what:"
-        sed 's/^/    /' "$dir/log"
-    fi
-}
 both() {   # file: what both say is left in $dir/said
     "$dir/fortran" "$1" >"$dir/said" && "$dir/c" "$1" >"$dir/said_by_c" && diff "$dir/said" "$dir/said_by_c"
 }
@@ -97,6 +88,4 @@ refuses "a face names a point that the file has not" '18s/.*/3 -1 1/'
 nothing_there() { "$dir/fortran" "$dir/none.su2" | grep -q "^refused: " && "$dir/c" "$dir/none.su2" | grep -q "^refused: "; }
 check "a file that is not there" nothing_there
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

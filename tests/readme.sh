@@ -7,17 +7,8 @@
 build=$(cd "$1" && pwd)
 source=$(pwd)
 dir=$build/readme
-passed=0 failed=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "README: $what failed:"
-        sed 's/^/    /' "$dir/log"
-    fi
-}
+topic=README log=$dir/log
+. "$(dirname "$0")/count.sh"
 block() {   # language, number: the fenced block
     awk -v begin="\`\`\`$1" -v wanted="$2" '/^```/ && inside { inside = 0; next }
         $0 == begin { inside = 1; ++n; next } inside && n == wanted' README.md
@@ -69,7 +60,7 @@ from_python() {
 if command -v python3 >/dev/null && [ "$(uname -s)" = Linux ]; then
     check "from Python" from_python
 else
-    echo "skipped: the call from Python, which is not installed"
+    skip "the call from Python" "it is not installed"
 fi
 check "design variables from the command line" path 4 "^inverted cells   0"
 # The first block, where it lies: packages are there, and the tests are those that run.
@@ -105,6 +96,4 @@ several_processes() {
 }
 if command -v $MPIFC >/dev/null; then check "the lines for several processes" several_processes; fi
 
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

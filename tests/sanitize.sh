@@ -4,24 +4,19 @@
 # and engines, under the thread sanitizer. (`make fuzz` has the address and undefined-behaviour sanitizers.)
 # PARTS="memcheck memory threads": some of these. The last line counts.
 : "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${CXX:=c++}" "${CLANG:=clang}" "${PARTS:=memcheck memory threads}"
-passed=0 failed=0
+topic=sanitizers
+. "$(dirname "$0")/count.sh"
 wanted() { case " $PARTS " in *" $1 "*) return 0 ;; esac; return 1; }
-verdict() {   # what, exit code, log
-    if [ "$2" = 0 ]; then passed=$((passed + 1)); return; fi
-    failed=$((failed + 1))
-    echo "$1"
-    tail -n 40 "$3"
-}
 mkdir -p "$BUILD"
 
 if wanted memcheck && echo '#include <valgrind/memcheck.h>' | $CXX -x c++ -E - >/dev/null 2>&1; then
     $MAKE -s BUILD="$BUILD" JOBS="$JOBS" fuzzer || exit 1
     for run in "problem 150" "basis 60" "sequence 30" "files 60"; do
         HARMORPH_UNDEFINED=1 valgrind -q --error-exitcode=9 --track-origins=no "$BUILD/fuzzer" $run 1 >"$BUILD/memcheck.log" 2>&1
-        verdict "valgrind: fuzzer $run 1" $? "$BUILD/memcheck.log"
+        passes "valgrind: fuzzer $run 1" $? "$BUILD/memcheck.log"
     done
 elif wanted memcheck; then
-    echo "skipped: valgrind is not installed"
+    skip valgrind "it is not installed"
 fi
 
 if wanted memory && echo 'int main(void) { return 0; }' >"$BUILD/probe.c" &&
@@ -30,9 +25,9 @@ if wanted memory && echo 'int main(void) { return 0; }' >"$BUILD/probe.c" &&
     $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CLANG++" CXXFLAGS="-O1 -g1 -fsanitize=memory" library-only || exit 1
     $CLANG -std=c99 -O1 -g1 -fsanitize=memory -Ic_api tests/use.c "$dir/libharmorph.a" -lm -o "$dir/use" &&
         "$dir/use" >"$dir/log" 2>&1
-    verdict "memory sanitizer: tests/use.c" $? "$dir/log"
+    passes "memory sanitizer: tests/use.c" $? "$dir/log"
 elif wanted memory; then
-    echo "skipped: $CLANG has no memory sanitizer"
+    skip "the memory sanitizer" "$CLANG has none"
 fi
 
 if wanted threads; then
@@ -46,12 +41,11 @@ if wanted threads; then
             >"$dir/log" 2>&1 &&
             "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \
                 -o "$dir/m.su2" >>"$dir/log" 2>&1
-        verdict "thread sanitizer: solve $options, morph" $? "$dir/log"
+        passes "thread sanitizer: solve $options, morph" $? "$dir/log"
     done
     "$dir/harmorph" demo "$dir/demo" --mesh tests/meshes/naca0012.su2 >"$dir/log" 2>&1 &&
         "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe --threads 4 \
             -o "$dir/m.su2" >>"$dir/log" 2>&1
-    verdict "thread sanitizer: morph --safe" $? "$dir/log"
+    passes "thread sanitizer: morph --safe" $? "$dir/log"
 fi
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish

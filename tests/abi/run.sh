@@ -6,17 +6,8 @@
 : "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${CFLAGS:=-O2}" "${RELEASE=}"
 build=$(cd "$1" && pwd)
 dir=$build/abi
-passed=0 failed=0 skipped=0
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "binary interface: $what failed:"
-        head -n 40 "$dir/log" | sed 's/^/    /'
-    fi
-}
+topic="binary interface" log=$dir/log
+. "$(dirname "$0")/../count.sh"
 rm -rf "$dir"
 mkdir -p "$dir"
 abi=$(sed -n 's/^#define HM_ABI \([0-9]*\).*/\1/p' c_api/harmorph.h)
@@ -46,7 +37,7 @@ Linux)
     check "exported calls and their version" all_versioned
     check "no library but C's is needed" only_libc
     check "a C program with the shared library" runs_with_it ;;
-*) skipped=$((skipped + 1)); echo "skipped: the shared library, which is for ELF systems" ;;
+*) skip "the shared library" "it is for ELF systems" ;;
 esac
 
 # From the amalgamation with debugging information, of which abidiff reads the types.
@@ -64,11 +55,9 @@ if [ "${2-}" != quick ]; then
         fi
     fi
     if [ -z "$RELEASE" ]; then
-        skipped=$((skipped + 1))
-        echo "skipped: abidiff, as git has no tag v* here, and RELEASE= names no tarball"
+        skip abidiff "git has no tag v* here, and RELEASE= names no tarball"
     elif ! command -v abidiff >/dev/null; then
-        skipped=$((skipped + 1))
-        echo "skipped: abidiff, which is not installed (Debian: abigail-tools)"
+        skip abidiff "it is not installed (Debian: abigail-tools)"
     else
         check "unpacking $RELEASE" unpack "$RELEASE"
         check "the release" describe "$dir/release" old
@@ -81,11 +70,8 @@ if [ "${2-}" != quick ]; then
         else
             echo "HM_ABI is $old in the release and $abi here: the interface may change. What has changed:"
             abidiff "$dir/old.so" "$dir/new.so" | sed -n '1,3p'
-            passed=$((passed + 1))
+            ok
         fi
     fi
-    echo "$skipped skipped"
 fi
-echo "$passed passed, $failed failed"
-if [ $failed = 0 ]; then rm -rf "$dir"; fi
-[ $failed = 0 ]
+finish "$dir"

@@ -10,24 +10,15 @@
 : "${PARTS:=checksums tests demo}"
 build=$(cd "$1" && pwd)
 dir=$build/cross
-passed=0 failed=0 skipped=0
+topic=cross log=$dir/log
+. "$(dirname "$0")/../count.sh"
 units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_fixed_sum.cpp tests/base/test_predicates.cpp
     tests/base/test_sort.cpp tests/simd/test_registers.cpp tests/basis/test_basis.cpp tests/basis/test_single_precision.cpp
     tests/morph/test_adjoint.cpp tests/c_api/test_struct_size.cpp"
 core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector -ffp-contract=off"
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Ic_api"
 mkdir -p "$dir/include"
-check() {   # what, command...
-    what=$1; shift
-    if "$@" >"$dir/log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "$target: $what failed:"
-        tail -n 30 "$dir/log" | sed 's/^/    /'
-    fi
-}
-skip() { skipped=$((skipped + 1)); echo "skipped: $target, as $1 is not installed (Debian: $2)"; }
+missing() { skip "$topic" "$1 is not installed (Debian: $2)"; }
 same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }
 refused_by_name() { "$@" >"$dir/said"; cat "$dir/said"; grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"; }
 same_use() { "$@" attach here.basis | tr -d '\r' | diff "$dir/use" -; }
@@ -43,18 +34,18 @@ for folder in /usr/include /usr/local/include; do
     if [ -e "$folder/doctest/doctest.h" ]; then ln -sfn "$folder/doctest" "$dir/include/doctest"; fi
 done
 sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
-archive=$build/libharmorph.a suffix= target=here
+archive=$build/libharmorph.a suffix= topic=here
 $CC $strict -o "$dir/morphs" tests/cross/morphs.c "$archive" -lm && "$dir/morphs" >"$dir/sums" &&
     "$dir/morphs" save "$dir/here.basis" && "$dir/morphs" attach "$dir/here.basis" >"$dir/use" || exit 1
 echo "$(wc -l <"$dir/sums") checksums, $(wc -c <"$dir/here.basis") bytes of basis"
 
 on() {   # target, Debian's name of it, emulator, where that is found, flags
-    target=$1 triplet=$2 emulator=$3 package=$4 flags=$5 suffix=
+    topic=$1 triplet=$2 emulator=$3 package=$4 flags=$5 suffix=
     c=$triplet-gcc cxx=$triplet-g++
-    case $target in mingw-w64) c=$triplet-gcc-posix cxx=$triplet-g++-posix suffix=.exe ;; esac
-    command -v $cxx >/dev/null || { skip $cxx "$package"; return; }
-    command -v ${emulator%% *} >/dev/null || { skip "${emulator%% *}" "$package"; return; }
-    here=$dir/$target archive=$dir/$target/libharmorph.a
+    case $topic in mingw-w64) c=$triplet-gcc-posix cxx=$triplet-g++-posix suffix=.exe ;; esac
+    command -v $cxx >/dev/null || { missing $cxx "$package"; return; }
+    command -v ${emulator%% *} >/dev/null || { missing "${emulator%% *}" "$package"; return; }
+    here=$dir/$topic archive=$dir/$topic/libharmorph.a
     mkdir -p "$here" && cp "$dir/here.basis" "$here/" || exit 1
     before=$failed
     check "library" $cxx $flags $core -O2 -c -o "$here/harmorph.o" "$dir/harmorph.cpp"
@@ -74,7 +65,7 @@ checksums_there() {
     check "checksums: compilation" $c $flags -static $strict -o "$here/morphs$suffix" tests/cross/morphs.c "$archive" -lm
     check "checksums of fits, bases and morphs" same_sums $emulator "$here/morphs$suffix"
     cd "$here" || exit 1
-    if [ $target = s390x ]; then
+    if [ $topic = s390x ]; then
         check "a basis of this machine is refused there" refused_by_name $emulator ./morphs attach here.basis
         check "a basis of that machine is written" $emulator ./morphs save there.basis
         check "a basis of that machine is refused here" refused_by_name "$dir/morphs" attach there.basis
@@ -97,8 +88,8 @@ demo_there() {
     check "the demo's mesh" $emulator "$here/harmorph$suffix" check "$here/demo/morphed.su2"
 }
 with_musl() {
-    target=musl
-    command -v musl-gcc >/dev/null || { skip musl-gcc musl-tools; return; }
+    topic=musl
+    command -v musl-gcc >/dev/null || { missing musl-gcc musl-tools; return; }
     mkdir -p "$dir/musl"
     c_tests "$dir/musl" "" musl-gcc -static
     check "checksums: compilation" musl-gcc -static $strict -o "$dir/musl/morphs" tests/cross/morphs.c "$archive"
@@ -116,9 +107,7 @@ for name in $TARGETS; do
     i386) on $name i686-linux-gnu qemu-i386 "g++-i686-linux-gnu qemu-user" "-msse2 -mfpmath=sse" ;;
     mingw-w64) on $name x86_64-w64-mingw32 wine "g++-mingw-w64-x86-64-posix wine wine64" "" ;;
     musl) archive=$build/libharmorph.a suffix=; with_musl ;;
-    *) failed=$((failed + 1)); echo "there is no target $name" ;;
+    *) fail "there is no target $name" ;;
     esac
 done
-echo "$skipped skipped"
-echo "$passed passed, $failed failed"
-[ $failed = 0 ]
+finish
