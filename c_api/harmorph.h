@@ -181,7 +181,8 @@ enum {                        /* hm_mesh.cell_layout */
                                  cells from index_base + n_cells - n_quads on */
     HM_CELLS_BLOCKS = 5,      /* no list: structured blocks one after the other, points and cells of each as in
                                  HM_CELLS_STRUCTURED, behind those of the blocks before. Interfaces of blocks are cuts,
-                                 see below: their points exist once in each block, with equal coordinates */
+                                 see below: their points exist once in each block, with equal coordinates. Blocks in
+                                 separate arrays: hm_blocks_gather */
     HM_CELLS_POLYGONS = 6     /* cell_start, cell_points: compressed rows of 3 to 1024 points, hanging nodes among them;
                                  see below */
 };
@@ -234,6 +235,36 @@ typedef struct hm_mesh {
  * Quality of such a cell: with m convex corners of areas A_k between sides a_k and b_k,
  * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a rectangle with hanging
  * nodes; 0 if the cell is inverted. */
+
+/* ---- Structured blocks in arrays of their own -------------------------------------------------------------------- */
+
+/* Solvers with several blocks mostly have arrays for each of them, often with layers of ghost points around. The mesh
+ * (HM_CELLS_BLOCKS) and all calls with points of it have the blocks one after the other: keep one pair of arrays
+ * [n_points] for mesh.points, fill the pair by hm_blocks_gather, and hand results back by hm_blocks_scatter: coordinates
+ * after hm_morph, displacements, derivatives for hm_adjoint (in which the copies of a point on an interface all count).
+ *
+ * The numbers of the point i, j of one block, i and j from 0, are x[i*stride + j*row] and y[i*stride + j*row]. Fortran's
+ * x(0:ni+1, 0:nj+1), with the block inside one layer of ghost points: {&x(1,1), &y(1,1), 1, ni + 2}. A C array x[i][j],
+ * j the faster index: {x, y, nj, 1}. */
+typedef struct hm_block_points {   /* input; 32 bytes for ever */
+    const double *x, *y;
+    int64_t stride;                /* [doubles] from i to i+1, >= 1; 0 means 1 */
+    int64_t row;                   /* [doubles] from j to j+1, >= 1; 0 means ni*stride. Both at most 2^40 */
+} hm_block_points;
+
+typedef struct hm_block_points_out { /* output; the same layout. stride and row must keep the points apart */
+    double *x, *y;
+    int64_t stride, row;
+} hm_block_points_out;
+
+/* Copies the blocks first .. first+n-1, from 0, of a mesh with HM_CELLS_BLOCKS: from `blocks` [n] to their places in `to`
+ * [n_points], or from `from` [n_points] to `blocks` [n]. All other numbers stay as they are. Only the sizes of the blocks
+ * are read of the mesh; mesh.points need not have values yet. Arrays read and arrays written must have no number in
+ * common. */
+HM_API hm_status hm_blocks_gather(const hm_mesh *mesh, int32_t first, int32_t n, const hm_block_points *blocks,
+                                  const hm_points_out *to, hm_error *err);
+HM_API hm_status hm_blocks_scatter(const hm_mesh *mesh, int32_t first, int32_t n, const hm_points *from,
+                                   const hm_block_points_out *blocks, hm_error *err);
 
 /* ---- Curves ----------------------------------------------------------------------------------------------------- */
 

@@ -1,13 +1,15 @@
 #!/bin/sh
-# usage: join.sh >harmorph.f90
-# One file with one module for users to compile, of the parts in harmorph/ that the file `order` names. Each part has
-# declarations, a line `contains`, and procedures; manual.f90 begins the module. What stands between !@each WHAT and !@end
-# is there once for each line of `forms` that begins with WHAT: name, kind and shape.
-cd "$(dirname "$0")/harmorph" || exit 1
-parts=$(cat order)
+# usage: join.sh FOLDER >FOLDER.f90
+# One file for users to compile, of the parts in harmorph/ or harmorph77/: a module of those that the file `order` names,
+# and behind it those that `after` names, unchanged. Each part of a module has declarations, a line `contains`, and
+# procedures; the first ones are the manual and the begin of the module. What stands between !@each WHAT and !@end is there
+# once for each line of `forms` that begins with WHAT: name, kind and shape.
+cd "$(dirname "$0")/$1" || exit 1
+forms=/dev/null
+[ ! -f forms ] || forms=forms
 part() {   # file, declarations or procedures
-    awk -v wanted="$2" '
-        FILENAME == "forms" { of[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
+    awk -v wanted="$2" -v forms=$forms '
+        FILENAME == forms { of[++n] = $1; form[n] = $2; kind[n] = $3; shape[n] = $4; next }
         FNR == 1 { half = "declarations" }
         /^contains$/ { half = "procedures"; next }
         half != wanted { next }
@@ -25,9 +27,10 @@ part() {   # file, declarations or procedures
             next
         }
         each { text = text $0 "\n"; next }
-        { print }' forms "$1" || exit 1
+        { print }' $forms "$1" || exit 1
 }
-for file in $parts; do part $file declarations; done
+for file in $(cat order); do part $file declarations; done
 echo contains
-for file in $parts; do part $file procedures; done
+for file in $(cat order); do part $file procedures; done
 echo "end module"
+[ ! -f after ] || cat $(cat after)

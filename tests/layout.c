@@ -193,6 +193,12 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         PUT(HM_EDGE_ANGLE); PUT(HM_EDGE_GAP); PUT(HM_MIN_RADIUS); PUT(HM_CURVATURE_VARIATION); PUT(HM_CLEARANCE);
         PUT(HM_FFD); PUT(HM_CST); PUT(HM_HICKS_HENNE); PUT(HM_NACA4);
         break;
+#define TYPE hm_block_points
+    case 31: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); AT(row); break;
+#undef TYPE
+#define TYPE hm_block_points_out
+    case 32: PUT(sizeof(TYPE)); AT(x); AT(y); AT(stride); AT(row); break;
+#undef TYPE
     default: break;
     }
     return n;

@@ -21,6 +21,7 @@ program layout
     type(hm_c_mesh), target :: mesh
     type(hm_c_points), target :: points
     type(hm_c_space_points), target :: space_points
+    type(hm_c_block_points), target :: block_points
     type(hm_c_space_mesh), target :: space_mesh
     type(hm_c_plane_info), target :: plane_info
     type(hm_c_curve), target :: curve
@@ -163,6 +164,10 @@ program layout
     call compare("hm_points_out", 22, c_sizeof(points), c_loc(points), [c_loc(points%x), c_loc(points%y), &
         c_loc(points%stride)])
 
+    call compare("hm_block_points", 31, c_sizeof(block_points), c_loc(block_points), [c_loc(block_points%x), &
+        c_loc(block_points%y), c_loc(block_points%stride), c_loc(block_points%row)])
+    call compare("hm_block_points_out", 32, c_sizeof(block_points), c_loc(block_points), [c_loc(block_points%x), &
+        c_loc(block_points%y), c_loc(block_points%stride), c_loc(block_points%row)])
     call compare("hm_space_points", 23, c_sizeof(space_points), c_loc(space_points), [c_loc(space_points%x), &
         c_loc(space_points%y), c_loc(space_points%z), c_loc(space_points%stride)])
     call compare("hm_space_points_out", 24, c_sizeof(space_points), c_loc(space_points), [c_loc(space_points%x), &

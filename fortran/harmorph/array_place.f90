@@ -15,6 +15,7 @@
         procedure :: n => place_n
         procedure :: stride => place_stride
         procedure :: read => place_read
+        procedure :: write => place_write
     end type
 
     interface place_of
@@ -126,30 +127,50 @@ contains
     subroutine place_read(self, copy)
         class(array_place), intent(in) :: self
         real(c_double), intent(inout) :: copy(:, :)
-        integer :: i, j, k
-        k = 0
-        do j = 1, self%extents(2)
-            do i = 1, self%extents(1)
-                k = k + 1
-                copy(k, 1) = number_at(self%x)
-                copy(k, 2) = number_at(self%y)
+        real(c_double), pointer :: double
+        real(c_float), pointer :: single
+        integer :: k, xy
+        do xy = 1, 2
+            do k = 1, int(self%n())
+                if (self%precision == hm_single) then
+                    call c_f_pointer(address_of(self, xy, k), single)
+                    copy(k, xy) = real(single, c_double)
+                else
+                    call c_f_pointer(address_of(self, xy, k), double)
+                    copy(k, xy) = double
+                end if
             end do
         end do
-
-    contains
-        real(c_double) function number_at(start)
-            type(c_ptr), intent(in) :: start
-            real(c_double), pointer :: double
-            real(c_float), pointer :: single
-            type(c_ptr) :: address
-            address = transfer(transfer(start, 0_c_intptr_t) + (i - 1) * self%step(1) + (j - 1) * self%step(2), address)
-            if (self%precision == hm_single) then
-                call c_f_pointer(address, single)
-                number_at = real(single, c_double)
-            else
-                call c_f_pointer(address, double)
-                number_at = double
-            end if
-        end function
     end subroutine
 
+    ! The way back.
+    subroutine place_write(self, copy)
+        class(array_place), intent(in) :: self
+        real(c_double), intent(in) :: copy(:, :)
+        real(c_double), pointer :: double
+        real(c_float), pointer :: single
+        integer :: k, xy
+        do xy = 1, 2
+            do k = 1, int(self%n())
+                if (self%precision == hm_single) then
+                    call c_f_pointer(address_of(self, xy, k), single)
+                    single = real(copy(k, xy), c_float)
+                else
+                    call c_f_pointer(address_of(self, xy, k), double)
+                    double = copy(k, xy)
+                end if
+            end do
+        end do
+    end subroutine
+
+    ! x or y (1 or 2) of point k.
+    pure type(c_ptr) function address_of(self, xy, k) result(address)
+        class(array_place), intent(in) :: self
+        integer, intent(in) :: xy, k
+        integer(c_intptr_t) :: start
+        start = transfer(self%x, start)
+        if (xy == 2) start = transfer(self%y, start)
+        address = transfer(start + mod(k - 1, &
+            self%extents(1)) * self%step(1) + ((k - 1) / self%extents(1)) * self%step(2), &
+            c_null_ptr)
+    end function

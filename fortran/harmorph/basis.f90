@@ -42,6 +42,7 @@
         generic :: assess => assess_@FORM@
 !@end
         procedure :: morph_at => basis_morph_at
+        procedure :: morph_mesh => basis_morph_mesh
         ! Files
         procedure :: write => basis_write
         procedure :: read => basis_read

@@ -1,10 +1,27 @@
 
-! ---- The functions of harmorph.h: meshes one cell thick --------------------------------------------------------------
+! ---- The functions of harmorph.h: blocks in arrays of their own, meshes one cell thick -------------------------------
 
-    public :: hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
+    public :: hm_c_blocks_gather, hm_c_blocks_scatter, &
+        hm_c_plane_size, hm_c_plane_init, hm_c_plane_info_get, hm_c_plane_mesh, hm_c_plane_morph, &
         hm_c_plane_adjoint, hm_c_plane_spread, hm_c_plane_gather
 
     interface
+        integer(c_int32_t) function hm_c_blocks_gather(mesh, first, n, blocks, to, err) bind(c, name="hm_blocks_gather")
+            import
+            type(hm_c_mesh), intent(in) :: mesh
+            integer(c_int32_t), value, intent(in) :: first, n
+            type(hm_c_block_points), intent(in) :: blocks(*)
+            type(hm_c_points), intent(in) :: to
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_blocks_scatter(mesh, first, n, from, blocks, err) bind(c, name="hm_blocks_scatter")
+            import
+            type(hm_c_mesh), intent(in) :: mesh
+            integer(c_int32_t), value, intent(in) :: first, n
+            type(hm_c_points), intent(in) :: from
+            type(hm_c_block_points), intent(in) :: blocks(*)
+            type(hm_c_error), intent(inout) :: err
+        end function
         integer(c_int32_t) function hm_c_plane_size(space, bytes, err) bind(c, name="hm_plane_size")
             import
             type(hm_c_space_mesh), intent(in) :: space

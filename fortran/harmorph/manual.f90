@@ -11,6 +11,7 @@
 !     call mesh%cells(cells)                       (3,n), (4,n), or rows and their start; none for a block x(ni,nj)
 !     call mesh%polygons(cells, start)             instead of cells: rows of 3 to 1024 points, with hanging nodes
 !     call mesh%blocks(sizes, markers)             instead of cells: ni, nj of structured blocks, their sides' markers
+!     call mesh%add_block(x, y, markers)           instead of points and blocks: once for each block in arrays of its own
 !     call mesh%faces(face_points, markers)        or lists, point_types; line(...) for the sides of a block
 !     call plan%analyse(mesh)                      the mesh alone: plan%report, plan%boundary
 !     call curves%fit(x(wall), y(wall), loop)      or curves%set and curves%add
@@ -54,6 +55,10 @@
 !               (use, intrinsic :: iso_c_binding, only: c_loc). points(node%x, node%y) does the same where the compiler
 !               passes components in place (flang); gfortran 12 does not, which is found out and refused. It also passes
 !               POINTER dummy arguments that point to components wrongly to any procedure: use morph_at there, too.
+! Blocks        With add_block, points of all blocks, one after the other, are the mesh's: displacements, derivatives,
+!               numbers in reports. mesh%scatter(k, dx, dy, x, y) takes those of block k out of dx(:), dy(:),
+!               mesh%gather(k, gx, gy, all_gx, all_gy) puts them there, basis%morph_mesh(move, mesh) moves the arrays of
+!               all blocks in place. The blocks may lie inside ghost layers: add_block(x(1:ni,1:nj), y(1:ni,1:nj)).
 ! Connectivity  Integers of 4 or 8 bytes, sections and expressions: the mesh has copies of them (12 to 16 bytes a cell).
 !               Further calls of cells add cells, whose numbers run on: triangles, then quads. Further faces, lists and
 !               lines are added, too. points begins anew. A plan shares the copies: it goes on if the mesh is freed or

@@ -5,6 +5,7 @@
         integer :: owners = 1
         integer :: first = 1                                    ! what the caller's points and cells count from
         type(array_place) :: coordinates
+        type(array_place), allocatable :: block_places(:)       ! of each block, where they are given by add_block
         real(c_double), allocatable :: copy(:, :)               ! (n,2) where the library cannot use them as they lie
         integer :: layout = hm_cells_rows, ni = 0, nj = 0
         type(integers) :: cells, cell_start, face_points, face_markers, list_points, list_start, list_markers
@@ -29,6 +30,12 @@
         generic :: blocks => blocks_@FORM@
         generic :: polygons => polygons_@FORM@
         generic :: point_types => point_types_@FORM@
+!@end
+!@each block
+        procedure, private :: add_block_@FORM@, gather_@FORM@, scatter_@FORM@
+        generic :: add_block => add_block_@FORM@
+        generic :: gather => gather_@FORM@
+        generic :: scatter => scatter_@FORM@
 !@end
         procedure :: line => mesh_line
         procedure :: free => mesh_free
@@ -185,7 +192,18 @@ contains
     ! Coordinates that had to be converted, or lie at distances that the library does not take, as they are now.
     subroutine read_again(arrays)
         type(mesh_arrays), pointer, intent(in) :: arrays
-        if (allocated(arrays%copy)) call arrays%coordinates%read(arrays%copy)
+        integer(c_int64_t) :: first, last
+        integer :: k
+        if (.not. allocated(arrays%block_places)) then
+            if (allocated(arrays%copy)) call arrays%coordinates%read(arrays%copy)
+            return
+        end if
+        last = 0
+        do k = 1, size(arrays%block_places)
+            first = last + 1
+            last = last + arrays%block_places(k)%n()
+            call arrays%block_places(k)%read(arrays%copy(first:last, :))
+        end do
     end subroutine
 
     ! The arrays for another owner.

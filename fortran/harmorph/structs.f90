@@ -19,6 +19,11 @@
         integer(c_int64_t) :: stride = 1
     end type
 
+    type, bind(c), public :: hm_c_block_points  ! hm_block_points and hm_block_points_out
+        type(c_ptr) :: x = c_null_ptr, y = c_null_ptr
+        integer(c_int64_t) :: stride = 1, row = 0
+    end type
+
     type, bind(c), public :: hm_c_mesh
         integer(c_int64_t) :: struct_size = 0
         integer(c_int32_t) :: index_base = 0, n_points = 0

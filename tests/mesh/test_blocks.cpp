@@ -183,3 +183,82 @@ TEST_CASE("blocks: what is wrong is refused") {
         m = b.view();
     });
 }
+
+TEST_CASE("blocks in arrays of their own, with ghost points or j the faster index: gathered and scattered") {
+    Blocks const blocks = o_blocks(3, 8, 5, 0.5, 3);
+    hm_mesh const mesh = blocks.view();
+    std::size_t const n = blocks.x.size();
+    std::int32_t const count = mesh.n_blocks;
+    struct Array { std::vector<double> x, y; std::int64_t stride, row, begin; };
+    std::vector<Array> arrays;
+    std::vector<hm_block_points> in;
+    std::vector<hm_block_points_out> out;
+    for (std::int32_t b = 0; b < count; ++b) {
+        std::int64_t const ni = mesh.block_sizes[2 * b], nj = mesh.block_sizes[2 * b + 1];
+        Array a;
+        if (b % 2 == 0) a = {{}, {}, 1, ni + 2, ni + 3};        // one layer of ghost points
+        else a = {{}, {}, nj, 1, 0};
+        a.x.assign(static_cast<std::size_t>((ni + 2) * (nj + 2)), -7);
+        a.y = a.x;
+        arrays.push_back(a);
+    }
+    for (Array& a : arrays) {
+        in.push_back({a.x.data() + a.begin, a.y.data() + a.begin, a.stride, a.row});
+        out.push_back({a.x.data() + a.begin, a.y.data() + a.begin, a.stride, a.row});
+    }
+    REQUIRE(hm_blocks_scatter(&mesh, 0, count, points_in(blocks.x, blocks.y), out.data(), nullptr) == HM_OK);
+    std::size_t point = 0, wrong = 0;
+    for (std::int32_t b = 0; b < count; ++b) {
+        std::size_t touched = 0;
+        for (std::int64_t j = 0; j < mesh.block_sizes[2 * b + 1]; ++j) {
+            for (std::int64_t i = 0; i < mesh.block_sizes[2 * b]; ++i, ++point, ++touched) {
+                hm_block_points const& of = in[static_cast<std::size_t>(b)];
+                wrong += of.x[i * of.stride + j * of.row] != blocks.x[point];
+                wrong += of.y[i * of.stride + j * of.row] != blocks.y[point];
+            }
+        }
+        std::vector<double> const& all = arrays[static_cast<std::size_t>(b)].x;
+        CHECK(static_cast<std::size_t>(std::count(all.begin(), all.end(), -7)) == all.size() - touched);
+    }
+    CHECK(point == n);
+    CHECK(wrong == 0);
+    std::vector<double> x(n), y(n);
+    REQUIRE(hm_blocks_gather(&mesh, 0, count, in.data(), points_out(x, y), nullptr) == HM_OK);
+    CHECK(x == blocks.x);
+    CHECK(y == blocks.y);
+    // One block alone: the others stay.
+    x.assign(n, 0);
+    REQUIRE(hm_blocks_gather(&mesh, 1, 1, &in[1], points_out(x, y), nullptr) == HM_OK);
+    std::size_t const first = static_cast<std::size_t>(mesh.block_sizes[0] * mesh.block_sizes[1]);
+    std::size_t const last = first + static_cast<std::size_t>(mesh.block_sizes[2] * mesh.block_sizes[3]);
+    for (std::size_t k = 0; k < n; ++k) {
+        if (x[k] != (k >= first && k < last ? blocks.x[k] : 0)) ++wrong;
+    }
+    CHECK(wrong == 0);
+
+    // Refused, and nothing is written.
+    std::vector<double> const before = x;
+    hm_error error{};
+    CHECK(hm_blocks_gather(&mesh, count, 1, in.data(), points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_blocks_gather(&mesh, 0, 0, in.data(), points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    CHECK(hm_blocks_gather(&mesh, 0, 1, nullptr, points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    hm_block_points bad = in[0];
+    bad.y = nullptr;
+    CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "x or y of block 0 (from 0) is NULL");
+    bad = in[0];
+    bad.stride = -1;
+    CHECK(hm_blocks_gather(&mesh, 0, 1, &bad, points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    hm_block_points_out overlapping = out[0];
+    overlapping.row = 2;
+    CHECK(hm_blocks_scatter(&mesh, 0, 1, points_in(blocks.x, blocks.y), &overlapping, &error) == HM_BAD_ARGUMENT);
+    hm_mesh none = mesh;
+    none.n_points += 1;
+    CHECK(hm_blocks_gather(&none, 0, 1, in.data(), points_out(x, y), &error) == HM_BAD_MESH);
+    none = mesh;
+    none.cell_layout = HM_CELLS_QUADS;
+    none.n_blocks = 0;
+    none.n_cells = 1;
+    CHECK(hm_blocks_gather(&none, 0, 1, in.data(), points_out(x, y), &error) == HM_BAD_ARGUMENT);
+    CHECK(x == before);
+}

@@ -1,0 +1,114 @@
+// The C interface: structured blocks whose coordinates lie in arrays of their own.
+#include "views.hpp"
+
+namespace harmorph {
+namespace {
+
+// The blocks of one call, and where their points lie among those of the mesh.
+struct BlocksOfMesh {
+    Mesh mesh;
+    Index first = 0, n = 0;
+
+    Status open(const hm_mesh* given, std::int32_t from, std::int32_t count, CallFault& fault) noexcept {
+        HARMORPH_TRY(view_mesh(given, mesh, fault));
+        if (mesh.layout != CellLayout::blocks) {
+            return fault.refuse(Status::bad_argument,
+                                "the mesh has no blocks: mesh.cell_layout is not HM_CELLS_BLOCKS");
+        }
+        HARMORPH_TRY(check_layout(mesh, fault));
+        first = from;
+        n = count;
+        if (first >= 0 && n >= 1 && n <= mesh.n_blocks && first <= mesh.n_blocks - n) return Status::ok;
+        return fault.refuse(Status::bad_argument, "first # and n @ are not blocks of the mesh", Counts::from_zero,
+                            first, n);
+    }
+
+    // visit(number among those of the call, block), until it returns true.
+    template <class Visit>
+    void each(Visit const& visit) const noexcept {
+        Index b = 0;
+        mesh.find_block([&](GridBlock const& block) {
+            Index const k = b++ - first;
+            return k >= n || (k >= 0 && visit(k, block));
+        });
+    }
+
+    // Numbers of one block, const or not. Distances that make two points one are refused where they are written.
+    template <class Given>
+    Status check(const Given* blocks, bool written, Fault& fault) const noexcept {
+        HARMORPH_TRY(require({{"blocks", blocks}}, fault));
+        each([&](Index k, GridBlock const& block) {
+            Given const& of = blocks[k];
+            if (of.x == nullptr || of.y == nullptr) {
+                fault.refuse(Status::bad_argument, "x or y of block # (from 0) is NULL", Counts::from_zero, first + k);
+                return true;
+            }
+            std::int64_t const i = stride_of(of.stride), j = of.row == 0 ? i * block.ni : of.row;
+            constexpr std::int64_t largest = std::int64_t{1} << 40;
+            bool const apart = j > (block.ni - 1) * i || i > (block.nj - 1) * j;
+            if (i < 1 || j < 1 || i > largest || j > largest || (written && !apart)) {
+                fault.refuse(Status::bad_argument,
+                             "stride or row of block # (from 0) is not that of an array of points", Counts::from_zero,
+                             first + k);
+                return true;
+            }
+            return false;
+        });
+        return fault.status;
+    }
+
+    // move(number in the mesh's arrays, number in the block's) for each point.
+    template <class Given, class Move>
+    void each_point(const Given* blocks, Move const& move) const noexcept {
+        each([&](Index k, GridBlock const& block) {
+            std::int64_t const step = stride_of(blocks[k].stride);
+            std::int64_t const row = blocks[k].row == 0 ? step * block.ni : blocks[k].row;
+            Index point = block.first_point;
+            for (Index j = 0; j < block.nj; ++j) {
+                for (Index i = 0; i < block.ni; ++i) move(blocks[k], point++, i * step + j * row);
+            }
+            return false;
+        });
+    }
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_blocks_gather(const hm_mesh* mesh, int32_t first, int32_t n, const hm_block_points* blocks,
+                           const hm_points_out* to, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        BlocksOfMesh its;
+        MutablePoints all;
+        HARMORPH_TRY(its.open(mesh, first, n, fault));
+        HARMORPH_TRY(its.check(blocks, false, fault));
+        HARMORPH_TRY(view_points(to, "to", all, fault));
+        its.each_point(blocks, [&](hm_block_points const& of, Index point, std::int64_t at) {
+            all.x[point * all.stride] = of.x[at];
+            all.y[point * all.stride] = of.y[at];
+        });
+        return Status::ok;
+    });
+}
+
+hm_status hm_blocks_scatter(const hm_mesh* mesh, int32_t first, int32_t n, const hm_points* from,
+                            const hm_block_points_out* blocks, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        BlocksOfMesh its;
+        Points all;
+        HARMORPH_TRY(its.open(mesh, first, n, fault));
+        HARMORPH_TRY(its.check(blocks, true, fault));
+        HARMORPH_TRY(view_points(from, "from", all, fault));
+        its.each_point(blocks, [&](hm_block_points_out const& of, Index point, std::int64_t at) {
+            of.x[at] = all.x[point * all.stride];
+            of.y[at] = all.y[point * all.stride];
+        });
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,198 @@
+
+! ---- Curves ----------------------------------------------------------------------------------------------------------
+
+subroutine hmwall(w, mark, nmax, ipts, n, loop, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: mark, nmax
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(inout) :: ipts(*)
+    integer, intent(out) :: n, loop, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(c_ptr) :: analysis
+    integer(c_int32_t) :: found, is_loop
+    found = 0
+    is_loop = 0
+    call this%open(w)
+    call analyse(this, .false., analysis)
+    if (this%ok()) call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, &
+        ipts, &
+        int(nmax, c_int32_t), found, is_loop, this%e))
+    n = int(found)
+    loop = int(is_loop)
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: mark, ncp, ideg, iclos
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: dmax
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(c_ptr) :: analysis, made, place
+    type(hm_c_fit_options) :: options
+    type(hm_fit_report) :: report
+    integer(c_int32_t), pointer :: points(:)
+    type(hm_c_points) :: wall
+    real(c_double), pointer :: x(:), y(:), wall_x(:), wall_y(:)
+    integer(c_int32_t) :: k, n, is_loop, nothing(1), status
+    integer(c_int64_t) :: first
+    integer(c_size_t) :: bytes
+    call this%open(w)
+    if (this%ok()) call forget_curves(this%kept)
+    if (this%ok()) this%top = this%kept%words
+    call analyse(this, .false., analysis)
+    if (this%ok()) then
+        n = 0                                   ! the count first: then there is room for so many
+        status = hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, nothing, &
+            0_c_int32_t, n, is_loop, this%e)
+        if (status == hm_bad_condition) call this%told(status)
+    end if
+    call this%room(4_c_size_t * n, place)
+    if (this%ok()) call c_f_pointer(place, points, [n])
+    call this%room(8_c_size_t * n, wall%x)
+    call this%room(8_c_size_t * n, wall%y)
+    if (this%ok()) then
+        call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, &
+            n, &
+            is_loop, this%e))
+    end if
+    if (this%ok()) then
+        associate (mesh => this%kept%mesh)
+            call c_f_pointer(mesh%points%x, x, [mesh%points%stride * mesh%n_points])
+            call c_f_pointer(mesh%points%y, y, [mesh%points%stride * mesh%n_points])
+            call c_f_pointer(wall%x, wall_x, [n])
+            call c_f_pointer(wall%y, wall_y, [n])
+            do k = 1, n
+                first = (points(k) - 1) * mesh%points%stride + 1
+                wall_x(k) = x(first)
+                wall_y(k) = y(first)
+            end do
+        end associate
+        options = hm_c_fit_options(degree=ideg, n_control=ncp, closed=iclos)
+        options%struct_size = int(c_sizeof(options), c_int64_t)
+        report%struct_size = int(c_sizeof(report), c_int64_t)
+        call this%told(hm_c_fit_size(n, options, bytes, this%e))
+    end if
+    call this%room(bytes, place)
+    if (this%ok()) call this%told(hm_c_fit(made, place, bytes, wall, n, is_loop, options, &
+        report, this%e))
+    if (this%ok()) call keep_set(this, made)
+    if (this%ok()) dmax = report%max_error
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmctrl(w, ncp, p, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: ncp
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in) :: p(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call this%open(w)
+    call this%refuse_if(ncp < 2, "NCP must be at least 2")
+    if (this%ok()) call forget_curves(this%kept)
+    if (this%ok()) this%top = this%kept%words
+    if (this%ok()) call keep_control(this, ncp, p)
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmcurv(w, ideg, nidx, idx, u, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: ideg, nidx
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(in) :: idx(*)
+    real(c_double), intent(in) :: u(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call this%open(w)
+    if (this%ok()) call this%refuse_if(.not. c_associated(this%kept%set%control), "HMCTRL comes before HMCURV")
+    call this%refuse_if(nidx < 2 .or. ideg < 1 .or. ideg > 5, "IDEG or NIDX is out of range")
+    if (this%ok()) call keep_curve(this, ideg, nidx, idx, u)
+    if (this%ok()) then
+        call this%told(hm_c_curves_check(this%kept%set, this%e))
+        if (.not. this%ok()) this%kept%set%n_curves = this%kept%set%n_curves - 1_c_int32_t
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmgetp(w, nmax, p, ncp, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: nmax
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: p(2, *)
+    integer, intent(out) :: ncp, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_curves) :: set
+    type(hm_c_curve) :: list(most_curves)
+    real(c_double), pointer :: control(:, :)
+    ncp = 0
+    call this%open(w)
+    call curves_now(this, set, list)
+    if (this%ok()) ncp = int(set%n_control)
+    call this%refuse_if(ncp > nmax, "P has not enough room: NCP says how much")
+    if (this%ok() .and. ncp > 0) then
+        call c_f_pointer(set%control, control, [2, ncp])
+        p(:, :ncp) = control
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmrefn(w, icurv, nu, u, la, a, ncp, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: icurv, nu, la
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in) :: u(*)
+    real(c_double), intent(inout) :: a(*)
+    integer, intent(out) :: ncp, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_curves) :: set
+    type(hm_c_curve) :: list(most_curves)
+    type(c_ptr) :: finer, matrix, place
+    integer(c_size_t) :: bytes
+    ncp = 0
+    call this%open(w)
+    call curves_now(this, set, list)
+    if (this%ok()) call this%told(hm_c_refine_size(set, int(icurv - 1, c_int32_t), int(nu, c_int32_t), u, bytes, &
+        this%e))
+    call this%room(bytes, place)
+    if (this%ok()) call this%told(hm_c_refine(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), &
+        int(nu, c_int32_t), u, this%e))
+    if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmelev(w, icurv, la, a, ncp, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: icurv, la
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(inout) :: a(*)
+    integer, intent(out) :: ncp, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_curves) :: set
+    type(hm_c_curve) :: list(most_curves)
+    type(c_ptr) :: finer, matrix, place
+    integer(c_size_t) :: bytes
+    ncp = 0
+    call this%open(w)
+    call curves_now(this, set, list)
+    if (this%ok()) call this%told(hm_c_elevate_size(set, int(icurv - 1, c_int32_t), bytes, this%e))
+    call this%room(bytes, place)
+    if (this%ok()) call this%told(hm_c_elevate(finer, matrix, place, bytes, set, int(icurv - 1, c_int32_t), this%e))
+    if (this%ok()) call keep_finer(this, finer, matrix, int(set%n_control), la, a, ncp)
+    call this%finish(ierr, msg)
+end subroutine

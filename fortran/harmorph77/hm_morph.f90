@@ -1,0 +1,131 @@
+
+! ---- Movements by the functions, and what becomes of the cells -------------------------------------------------------
+
+subroutine hmmorf(w, dp, x, y, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*)
+    real(c_double), intent(in) :: dp(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_points), target :: points
+    points = points_of(x, y, inc)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_morph(this%kept%basis, dp, c_loc(points), points, c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmdisp(w, dp, dx, dy, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), dx(*), dy(*)
+    real(c_double), intent(in) :: dp(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_morph(this%kept%basis, dp, c_null_ptr, points_of(dx, dy, inc), c_null_ptr, &
+        this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmadj(w, gx, gy, inc, g, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: gx(*), gy(*)
+    real(c_double), intent(inout) :: g(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_adjoint(this%kept%basis, points_of(gx, gy, inc), g, c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), xn(*), yn(*)
+    real(c_double), intent(in) :: dp(2, *)
+    real(c_double), intent(inout), target :: dr(2, *)
+    real(c_double), intent(inout) :: frac
+    integer, intent(inout) :: istrat
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_safe_options) :: options
+    type(hm_safe_report) :: report
+    type(c_ptr) :: plan, work
+    integer(c_size_t) :: bytes
+    options%struct_size = int(c_sizeof(options), c_int64_t)
+    options%reached = c_loc(dr)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call this%open_solved(w)
+    call plan_of_start(this, "HMSAFE", plan)
+    if (this%ok()) call this%told(hm_c_morph_safe_size(plan, this%kept%basis, bytes, this%e))
+    call this%room(bytes, work)
+    if (this%ok()) call this%told(hm_c_morph_safe(plan, this%kept%basis, dp, points_of(xn, yn, inc), c_null_ptr, work, &
+        bytes, options, report, this%e))
+    if (this%ok()) then
+        frac = report%step_fraction
+        istrat = int(report%strategy)
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmstep(w, x, y, dx, dy, inc, s, icell, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*), dx(*), dy(*)
+    real(c_double), intent(inout) :: s
+    integer, intent(out) :: icell, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_step_report) :: report
+    type(hm_c_points), target :: from
+    icell = 0
+    from = points_of(x, y, inc)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_admissible_step(this%kept%basis, this%kept%mesh, c_loc(from), &
+        points_of(dx, dy, inc), c_null_ptr, report, this%e))
+    if (this%ok()) then
+        s = report%admissible
+        icell = int(report%cell)
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmqual(w, x, y, inc, ninv, amin, qmin, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    real(c_double), intent(inout) :: amin, qmin
+    integer, intent(out) :: ninv, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_quality_report) :: report
+    type(hm_c_points), target :: at
+    ninv = 0
+    at = points_of(x, y, inc)
+    report%struct_size = int(c_sizeof(report), c_int64_t)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_quality(this%kept%basis, this%kept%mesh, c_loc(at), c_null_ptr, c_null_ptr, &
+        report, this%e))
+    if (this%ok()) then
+        ninv = int(report%inverted)
+        amin = report%min_area
+        qmin = report%min_quality
+    end if
+    call this%finish(ierr, msg)
+end subroutine

@@ -1,0 +1,140 @@
+
+! ---- Three-dimensional codes with meshes one cell thick --------------------------------------------------------------
+
+! The plane, which stays, and its mesh lie in W, as arrays of the mesh.
+subroutine hmplan(w, np, x, y, z, inc, nf, npf, faces, ns, sides, marks, kind, axis, nplane, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: np, inc, nf, npf, ns, kind
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: x(*), y(*), z(*)
+    integer(c_int32_t), intent(in), target :: faces(*), sides(*), marks(*)
+    real(c_double), intent(in) :: axis(6)
+    integer, intent(out) :: nplane, ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_space_mesh) :: space
+    type(hm_c_mesh) :: mesh
+    type(c_ptr) :: place
+    integer(c_int32_t), pointer :: start(:)
+    integer(c_int32_t) :: k
+    integer(c_size_t) :: bytes
+    nplane = 0
+    call this%open(w)
+    call this%refuse_if(npf /= 3 .and. npf /= 4, "NPF must be 3 or 4; of four, triangles repeat their last point")
+    space = hm_c_space_mesh(index_base=1, n_points=np, points=space_points_of(x, y, z, inc), kind=kind, n_faces=nf, &
+        n_sides=ns, axis_point=axis(:3), axis=axis(4:))
+    space%struct_size = int(c_sizeof(space), c_int64_t)
+    space%face_points = c_loc(faces)
+    space%side_points = c_loc(sides)
+    space%side_markers = c_loc(marks)
+    if (this%ok()) call this%told(hm_c_plane_size(space, bytes, this%e))
+    call keep_mesh(this, hm_c_mesh(), words_of(bytes))
+    if (this%ok() .and. npf == 3) then
+        call this%room(4_c_size_t * (nf + 1), place)
+        if (this%ok()) then
+            call c_f_pointer(place, start, [nf + 1])
+            start = [(3 * k + 1_c_int32_t, k = 0, int(nf, c_int32_t))]
+        end if
+        space%face_start = place
+    end if
+    if (this%ok()) call this%told(hm_c_plane_init(this%kept%plane, this%at(own_words(this) + 1), bytes, space, this%e))
+    mesh%struct_size = int(c_sizeof(mesh), c_int64_t)
+    if (this%ok()) call this%told(hm_c_plane_mesh(this%kept%plane, mesh, this%e))
+    if (this%ok()) then
+        this%kept%mesh = mesh
+        nplane = int(mesh%n_points)
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmpfol(w, nmax, ifol, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: nmax
+    real(c_double), intent(inout), target :: w(*)
+    integer(c_int32_t), intent(inout) :: ifol(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_plane_info) :: info
+    integer(c_int32_t), pointer :: follows(:)
+    info%struct_size = int(c_sizeof(info), c_int64_t)
+    call open_plane(this, w)
+    if (this%ok()) call this%told(hm_c_plane_info_get(this%kept%plane, info, this%e))
+    call this%refuse_if(info%n_space_points > nmax, "IFOL has not enough room: it takes NP numbers")
+    if (this%ok()) then
+        call c_f_pointer(info%follows, follows, [info%n_space_points])
+        ifol(:info%n_space_points) = follows
+    end if
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmpmrf(w, dp, x, y, z, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*), z(*)
+    real(c_double), intent(in) :: dp(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_space_points), target :: points
+    points = space_points_of(x, y, z, inc)
+    call open_plane(this, w)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_plane_morph(this%kept%plane, this%kept%basis, dp, c_loc(points), points, &
+        c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmpadj(w, gx, gy, gz, inc, g, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*)
+    real(c_double), intent(in), target :: gx(*), gy(*), gz(*)
+    real(c_double), intent(inout) :: g(2, *)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call open_plane(this, w)
+    call this%open_solved(w)
+    if (this%ok()) call this%told(hm_c_plane_adjoint(this%kept%plane, this%kept%basis, space_points_of(gx, gy, gz, &
+        inc), g, &
+        c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmpspr(w, dx, dy, x, y, z, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*), z(*)
+    real(c_double), intent(in), target :: dx(*), dy(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(hm_c_space_points), target :: points
+    points = space_points_of(x, y, z, inc)
+    call open_plane(this, w)
+    if (this%ok()) call this%told(hm_c_plane_spread(this%kept%plane, points_of(dx, dy, 1), c_loc(points), points, &
+        c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmpgat(w, gx, gy, gz, inc, px, py, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), px(*), py(*)
+    real(c_double), intent(in), target :: gx(*), gy(*), gz(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    call open_plane(this, w)
+    if (this%ok()) call this%told(hm_c_plane_gather(this%kept%plane, space_points_of(gx, gy, gz, inc), points_of(px, &
+        py, 1), &
+        c_null_ptr, this%e))
+    call this%finish(ierr, msg)
+end subroutine
