@@ -38,7 +38,7 @@
  * Inverted         A cell is inverted if one of its corners has an area <= 0 in the positive orientation. The area of a
  *                  corner is half the cross product of the two edges that meet there. A quadrilateral that is not
  *                  convex is therefore inverted even if its total area is positive. For polygons (HM_CELLS_POLYGONS)
- *                  see hm_mesh.
+ *                  see hm_mesh. Areas are rounded: a corner with a sine of less than 5e-16 may count as either.
  * Markers          A marker without a condition is fixed: the points on it do not move.
  * NULL             Allowed only where stated. hm_error may always be NULL.
  * Status           0: success. Positive: success with a warning, the result can be used. Negative: the call was

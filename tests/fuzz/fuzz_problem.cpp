@@ -145,7 +145,8 @@ private:
         hm_quality_report report{};
         report.struct_size = sizeof report;
         expect(hm_quality(its_.basis, &problem_.mesh, &to, nullptr, nullptr, &report, &error_) == HM_OK, "no quality");
-        double const rounding = 1e-15;   // areas are rounded: corners of a smaller sine may count either way
+        // Four differences, two products and their difference are rounded to 2^-53 each: 4.5e-16 of the sides' lengths.
+        double const rounding = 5e-16;
         std::int32_t const least = inverted_cells(judged_, at, -rounding),
                            most = inverted_cells(judged_, at, rounding) + judged_.ambiguous;
         expect(report.inverted >= least && report.inverted <= most,
