@@ -49,6 +49,7 @@ make_and_test_figures() {
 strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
 
 step "C++ tests" $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" unit
+step "sentences of refusals" sh tests/refusals.sh
 step "random problems" sh tests/fuzz/quick.sh "$BUILD"
 stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh "$BUILD"; }
 step "the library stands alone" stands_alone

@@ -272,6 +272,8 @@ TEST_CASE("a curve that runs back between two points is said") {
     Index const at = run.report.backtrack_point;
     REQUIRE(at != none);
     CHECK(run.fault.item == at);
+    CHECK(std::string(run.fault.sentence) ==
+          "between points # and @ (from 0) the curve runs back: fewer control points help");
     // It does: of some piece of the curve near that step the direction is against it.
     Curve const& curve = run.fit.curve[0];
     Vec2 const from = square[static_cast<std::size_t>(at)], to = square[static_cast<std::size_t>((at + 1) % 20)];

@@ -14,13 +14,14 @@ Outcome run_basis(Input& input);
 Outcome run_sequence(Input& input);
 Outcome run_files(Input& input);
 Outcome run_shape(Input& input);
+Outcome run_given(Input& input);
 
 struct Target {
     const char* name;
     Outcome (*run)(Input& input);
 };
 inline constexpr Target targets[] = {
-    {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis},
+    {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis}, {"given", run_given},
     {"sequence", run_sequence}, {"files", run_files},       {"shape", run_shape}};
 
 }   // namespace fuzz

@@ -17,8 +17,11 @@ struct Edges {
     harmorph::Status status;
     harmorph::Fault fault;
 
-    explicit Edges(Mesh const& mesh, bool listed = true) : representative(listed ? mesh.x.size() : 0) {
+    // join: a pair of points that are one.
+    explicit Edges(Mesh const& mesh, bool listed = true, std::pair<Index, Index> join = {0, 0})
+        : representative(listed ? mesh.x.size() : 0) {
         for (std::size_t k = 0; k < representative.size(); ++k) representative[k] = static_cast<Index>(k);
+        if (listed) representative[static_cast<std::size_t>(join.second)] = join.first;
         harmorph::Mesh const view = core_mesh(mesh);
         harmorph::Arena counting;
         edges.lay_out(counting, view);
@@ -85,6 +88,15 @@ TEST_CASE("cells that all run one way agree; one that is turned does not") {
     CHECK(Edges(mesh).edges.agree);
     reverse_some(mesh, 3);
     CHECK(!Edges(mesh).edges.agree);
+}
+
+TEST_CASE("a cell of which two corners are one point") {
+    Mesh const mesh = square(5);
+    std::int32_t const one = mesh.cells[0], other = mesh.cells[1];
+    Edges const found(mesh, true, {std::min(one, other), std::max(one, other)});
+    CHECK(found.status == harmorph::Status::bad_mesh);
+    CHECK(found.fault.item == 0);
+    CHECK(std::string(found.fault.sentence) == "cell # has two corners that a cut makes one point");
 }
 
 TEST_CASE("points that stand for themselves need no list") {

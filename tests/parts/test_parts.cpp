@@ -1,6 +1,7 @@
 // Parts of meshes, cut in any way, together have the equations of the whole mesh and its functions.
 #include "fixtures/parted.hpp"
 #include "fixtures/polygons.hpp"
+#include "fixtures/refused.hpp"
 
 using namespace fixtures;
 
@@ -310,7 +311,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
         return std::size_t{0};
     };
     has(refusal([&](std::vector<PartOfMesh>& parts) { parts[1].mesh.x[shared_point(parts)] += 1e-9; }),
-        "different coordinates");
+        "(global number) has different coordinates in two parts");
     has(refusal([&](std::vector<PartOfMesh>& parts) { // two numbers in each other's place
             std::size_t const at = shared_point(parts);
             std::swap(parts[1].numbers[at], parts[1].numbers[at == 0 ? 1 : 0]);
@@ -343,7 +344,7 @@ TEST_CASE("parts that do not fit together are refused with the place") {
                     return;
                 }
         }),
-        "marked");
+        "(global numbers) is marked, but two parts have cells there");
     has(refusal([&](std::vector<PartOfMesh>& parts) { // a part twice
             PartOfMesh copy;
             copy.mesh = parts[0].mesh;
@@ -351,11 +352,15 @@ TEST_CASE("parts that do not fit together are refused with the place") {
             copy.global_point = parts[0].global_point;
             parts.push_back(std::move(copy));
         }),
-        "overlap");
-    has(refusal([&](std::vector<PartOfMesh>& parts) { // an inverted cell
-            parts[0].mesh.x[static_cast<std::size_t>(parts[0].mesh.cells[0])] += 0.7;
+        "cells of two parts overlap at the edge between points");
+    has(refusal([&](std::vector<PartOfMesh>& parts) { // two corners in one place
+            Mesh& mesh = parts[0].mesh;
+            std::size_t const one = static_cast<std::size_t>(mesh.cells[0]);
+            std::size_t const other = static_cast<std::size_t>(mesh.cells[1]);
+            mesh.x[one] = mesh.x[other];
+            mesh.y[one] = mesh.y[other];
         }),
-        "cell");
+        "is inverted or empty: its smallest corner area is");
 }
 
 TEST_CASE("the conditions of a whole mesh are refused in parts as well") {
@@ -366,12 +371,72 @@ TEST_CASE("the conditions of a whole mesh are refused in parts as well") {
     CHECK(!parted.equate(its.problem(), with(HM_LAPLACE)));
     CHECK(parted.status == HM_BAD_CONDITION);
     its.conditions[0].marker = body;
-    hm_options options = with(HM_LAPLACE);
-    options.engine = HM_MULTIGRID;
-    CHECK(!parted.equate(its.problem(), options));
-    CHECK(parted.status == HM_UNSUPPORTED);
-    options = with(HM_LAPLACE);
+    auto const refusal = [&](std::function<void(hm_options&)> const& spoil) {
+        hm_options options = with(HM_LAPLACE);
+        spoil(options);
+        CHECK(!parted.equate(its.problem(), options));
+        CHECK(parted.status == HM_UNSUPPORTED);
+        return std::string(parted.error.text);
+    };
+    CHECK(refusal([](hm_options& o) { o.scheme = HM_BOUNDED; }) == "meshes in parts go with the compact scheme only");
+    CHECK(refusal([](hm_options& o) { o.engine = HM_MULTIGRID; }) ==
+          "meshes in parts: options.engine must be HM_DIRECT");
+    CHECK(refusal([](hm_options& o) { o.precision = HM_SINGLE; }) ==
+          "meshes in parts: options.precision must be HM_DOUBLE");
     its.give(0, 0.5);
-    CHECK(!parted.equate(its.problem(), options));
-    CHECK(parted.status == HM_UNSUPPORTED);
+    CHECK(refusal([](hm_options&) {}) == "meshes in parts: problem.n_given must be 0");
+}
+
+TEST_CASE("calls with parts, equations and rows that do not go together") {
+    Case its = airfoils();
+    Parted parted(cut(its.mesh, stripes(its.mesh, 2), false)), conformal(cut(its.mesh, stripes(its.mesh, 2), false));
+    REQUIRE(parted.match());
+    REQUIRE(conformal.match());
+    PartOfMesh& one = parted.parts[0];
+    std::int32_t n = 0, none = 0;
+    hm_part_edges(one.part, nullptr, 0, &n, nullptr);
+    REQUIRE(parted.equate(its.problem(), with(HM_LAPLACE)));
+    REQUIRE(conformal.equate(its.problem(), with(HM_CONFORMAL)));
+    parted.solve();
+    std::size_t bytes = 0;
+    REQUIRE(hm_rows_size(one.equations, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    hm_basis* rows = nullptr;
+    REQUIRE(hm_rows_init(&rows, block.data(), bytes, one.equations, nullptr) == HM_OK);
+    hm_equations* const of_others = conformal.parts[0].equations;
+    std::vector<double> numbers(parted.size() * 4);
+    std::int64_t entries = 0, negative = -1;
+    hm_problem problem = its.problem();
+    hm_options const options = with(HM_LAPLACE);
+    hm_mesh const view = its.mesh.view();
+    hm_part_mesh no_size{};
+    no_size.mesh = &view;
+    auto const entries_from = [&](std::int32_t first, hm_error* e) {
+        return hm_equations_entries(one.equations, first, 1, nullptr, nullptr, nullptr, 0, &entries, e);
+    };
+    std::string const room = "edges has room for " + std::to_string(n - 1) + ", the part has " + std::to_string(n);
+    check_texts({
+        {HM_BAD_ARGUMENT, "part is NULL", [&](hm_error* e) { return hm_part_edges(nullptr, nullptr, 0, &none, e); }},
+        {HM_BAD_ARGUMENT, "equations is NULL", [&](hm_error* e) { return hm_rows_size(nullptr, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "the struct_size of the part is not set",
+         [&](hm_error* e) { return hm_part_size(&no_size, &bytes, e); }},
+        {HM_BAD_ARGUMENT, room.c_str(),
+         [&](hm_error* e) { return hm_part_edges(one.part, parted.edges.data(), n - 1, &none, e); }},
+        {HM_BAD_ARGUMENT, "the number of edges is negative",
+         [&](hm_error* e) { return hm_match_edges(nullptr, &negative, e); }},
+        {HM_BAD_ARGUMENT, "n_edges must be between 0 and 2^29, not -1",
+         [&](hm_error* e) { return hm_equations_size(one.part, -1, &problem, &options, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "from unknown -1 (from 0) on there are no 1 unknowns",
+         [&](hm_error* e) { return entries_from(-1, e); }},
+        {HM_BAD_ARGUMENT, "there is room for fewer entries than there are",
+         [&](hm_error* e) { return entries_from(0, e); }},
+        {HM_BAD_BASIS, "the rows were made of other equations",
+         [&](hm_error* e) { return hm_rows_get(of_others, rows, 0, numbers.data(), e); }},
+        {HM_BAD_BASIS, "the rows are finished: make new ones by hm_rows_init",
+         [&](hm_error* e) { return hm_rows_finish(one.equations, one.rows, 0, e); }},
+        {HM_BAD_ARGUMENT, "largest must be finite and not negative, not -1",
+         [&](hm_error* e) { return hm_rows_finish(one.equations, rows, -1, e); }},
+        {HM_BAD_ARGUMENT, "largest must be finite and not negative, not infinity",
+         [&](hm_error* e) { return hm_rows_finish(one.equations, rows, HUGE_VAL, e); }},
+    });
 }

@@ -5,6 +5,7 @@
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/executors.hpp>
 #include <fixtures/extruded.hpp>
+#include <fixtures/refused.hpp>
 #include <fixtures/traps.hpp>
 
 using namespace fixtures;
@@ -419,26 +420,54 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     CHECK(hm_plane_size(&space, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_init(nullptr, block, 64, &space, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_init(&made, nullptr, 64, &space, nullptr) == HM_BAD_ARGUMENT);
-    auto refused = [&](hm_status status, auto change) {
+    auto refused = [&](hm_status status, const char* text, auto change) {
         hm_space_mesh changed = good.view();
         change(changed);
         Plane const its_plane(changed);
-        INFO(its_plane.error.text);
         CHECK(its_plane.status == status);
+        CHECK(std::string(its_plane.error.text) == text);
     };
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.struct_size = 0; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.kind = 3; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.index_base = 2; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.points.z = nullptr; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.points.stride = -1; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.face_points = nullptr; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.side_markers = nullptr; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.n_sides = -1; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.tolerance = -1; });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.tolerance = std::nan(""); });
-    refused(HM_BAD_ARGUMENT, [](hm_space_mesh& s) { s.axis[2] = 1; });  // of no wedge
-    refused(HM_BAD_MESH, [](hm_space_mesh& s) { s.n_points = 2; });
-    refused(HM_BAD_MESH, [](hm_space_mesh& s) { s.n_faces = 0; });
+    auto const bad_argument = [&](const char* text, auto change) { refused(HM_BAD_ARGUMENT, text, change); };
+    bad_argument("space.struct_size is not set", [](hm_space_mesh& s) { s.struct_size = 0; });
+    bad_argument("space.kind 3 is unknown", [](hm_space_mesh& s) { s.kind = 3; });
+    bad_argument("space.kind -1 is unknown", [](hm_space_mesh& s) { s.kind = -1; });
+    bad_argument("space.index_base must be 0 or 1, not 2", [](hm_space_mesh& s) { s.index_base = 2; });
+    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.x = nullptr; });
+    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.y = nullptr; });
+    bad_argument("space.points.x, y or z is NULL", [](hm_space_mesh& s) { s.points.z = nullptr; });
+    bad_argument("space.points.stride is negative", [](hm_space_mesh& s) { s.points.stride = -1; });
+    bad_argument("space.face_points is NULL", [](hm_space_mesh& s) { s.face_points = nullptr; });
+    bad_argument("space.side_points or space.side_markers is NULL", [](hm_space_mesh& s) { s.side_points = nullptr; });
+    bad_argument("space.side_points or space.side_markers is NULL", [](hm_space_mesh& s) { s.side_markers = nullptr; });
+    bad_argument("space.n_sides must be between 0 and 2^29, not -1", [](hm_space_mesh& s) { s.n_sides = -1; });
+    bad_argument("space.n_sides must be between 0 and 2^29, not 536870913",
+                 [](hm_space_mesh& s) { s.n_sides = (1 << 29) + 1; });
+    bad_argument("space.tolerance must be a length, not -1", [](hm_space_mesh& s) { s.tolerance = -1; });
+    bad_argument("space.tolerance must be a length, not NaN", [](hm_space_mesh& s) { s.tolerance = std::nan(""); });
+    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE",
+                 [](hm_space_mesh& s) { s.axis[2] = 1; });  // of no wedge
+    bad_argument("space.axis or axis_point is not finite, or the kind is not HM_WEDGE", [](hm_space_mesh& s) {
+        s.kind = HM_WEDGE;
+        s.axis[2] = std::nan("");
+    });
+    bad_argument("space.axis is 0, but the other points lie in no inclined plane that would tell the axis",
+                 [](hm_space_mesh& s) { s.kind = HM_WEDGE; });
+    refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 2", [](hm_space_mesh& s) { s.n_points = 2; });
+    refused(HM_BAD_MESH, "space.n_points must be between 3 and 2^30, not 1073741825",
+            [](hm_space_mesh& s) { s.n_points = (1 << 30) + 1; });
+    refused(HM_BAD_MESH, "space.n_faces must be between 1 and 2^29, not 0", [](hm_space_mesh& s) { s.n_faces = 0; });
+    refused(HM_BAD_MESH, "space.n_faces must be between 1 and 2^29, not 536870913",
+            [](hm_space_mesh& s) { s.n_faces = (1 << 29) + 1; });
+    struct {
+        hm_space_mesh known;
+        double more;
+    } younger{good.view(), 1};
+    younger.known.struct_size = sizeof younger;
+    check_texts({{HM_UNSUPPORTED, "space: fields are set that this version of the library does not know",
+                  [&](hm_error* e) { return hm_plane_size(&younger.known, &bytes, e); }}});
+    static std::int32_t const no_corners[200] = {};
+    refused(HM_BAD_MESH, "space.face_start says there are 0 corners of faces",
+            [](hm_space_mesh& s) { s.face_start = no_corners; });
     REQUIRE(plane.status == HM_OK);
     Solved const solved(its);
     Case smaller = ring_case(4, 12, 0.5, 2);
@@ -453,6 +482,16 @@ TEST_CASE("arguments of the plane: NULL, ranges, another mesh's basis") {
     CHECK(same_bits(x, good.x));
     CHECK(same_bits(y, good.y));
     CHECK(same_bits(z, good.z));
+    hm_space_points_out const backwards{x.data(), y.data(), z.data(), -1};
+    auto const morph = [&](const hm_basis* basis, const hm_space_points_out* out) {
+        return [&, basis, out](hm_error* e) {
+            return hm_plane_morph(plane.plane, basis, move.data(), &from, out, nullptr, e);
+        };
+    };
+    check_texts({{HM_BAD_BASIS, "the basis has 60 points, but the plane 48", morph(foreign.basis, &to)},
+                 {HM_BAD_ARGUMENT, "to is NULL", morph(solved.basis, nullptr)},
+                 {HM_BAD_ARGUMENT, "to.x, to.y or to.z is NULL", morph(solved.basis, &none)},
+                 {HM_BAD_ARGUMENT, "to.stride is negative", morph(solved.basis, &backwards)}});
     CHECK(hm_plane_morph(plane.plane, foreign.basis, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_BASIS);
     CHECK(hm_plane_morph(plane.plane, nullptr, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_plane_morph(nullptr, solved.basis, move.data(), &from, &to, nullptr, nullptr) == HM_BAD_ARGUMENT);

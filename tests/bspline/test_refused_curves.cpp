@@ -1,0 +1,213 @@
+// What calls with curves and sections refuse, with the whole sentence that says so.
+#include <doctest/doctest.h>
+
+#include <fixtures/curves.hpp>
+#include <fixtures/refused.hpp>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace fixtures;
+
+namespace {
+
+// A square from its corner (1, 0) on, against the clock: polygons of `n` pieces, each a curve.
+struct Square {
+    std::vector<double> control{1, 0, 1, 1, 0, 1, 0, 0};
+    std::vector<std::int32_t> indices{0, 1, 2, 3, 0};
+    double knots[7] = {0, 0, 1, 2, 3, 4, 4};
+    std::vector<hm_curve> curve;
+    hm_curves set{};
+
+    explicit Square(std::size_t n = 1) {
+        hm_curve its{};
+        its.struct_size = sizeof its;
+        its.degree = 1;
+        its.n_indices = 5;
+        its.indices = indices.data();
+        its.knots = knots;
+        curve.assign(n, its);
+        set.struct_size = sizeof set;
+        set.n_control = 4;
+        set.control = control.data();
+        set.n_curves = static_cast<std::int32_t>(n);
+        set.curve = curve.data();
+    }
+};
+
+double const not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("points of curves, and knots that are to be inserted") {
+    Square its;
+    double xy[4], u[1];
+    std::size_t bytes = 0;
+    auto const refine = [&](double knot) {
+        return [&, knot](hm_error* e) { return u[0] = knot, hm_refine_size(&its.set, 0, 1, u, &bytes, e); };
+    };
+    check_texts({
+        {HM_BAD_ARGUMENT, "the parameter 9 is outside the curve",
+         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 9, 0, xy, e); }},
+        {HM_BAD_ARGUMENT, "the parameter NaN is outside the curve",
+         [&](hm_error* e) { return hm_curve_point(&its.set, 0, not_a_number, 0, xy, e); }},
+        {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not 6",
+         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, 6, xy, e); }},
+        {HM_BAD_ARGUMENT, "n_derivatives must be between 0 and 5, not -1",
+         [&](hm_error* e) { return hm_curve_point(&its.set, 0, 1, -1, xy, e); }},
+        {HM_BAD_ARGUMENT, "there is no curve 1 (from 0); the set has 1",
+         [&](hm_error* e) { return hm_curve_point(&its.set, 1, 1, 0, xy, e); }},
+        {HM_BAD_ARGUMENT, "there is no curve -1 (from 0); the set has 1",
+         [&](hm_error* e) { return hm_curve_point(&its.set, -1, 1, 0, xy, e); }},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 4, is not inside curve 0 (from 0)", refine(4)},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, 0, is not inside curve 0 (from 0)", refine(0)},
+        {HM_BAD_ARGUMENT, "knot 0 (from 0) to be inserted, NaN, is not inside curve 0 (from 0)", refine(not_a_number)},
+        {HM_BAD_CURVE, "knot 0 (from 0), 2, would be repeated 2 times, more often than the degree allows", refine(2)},
+    });
+}
+
+TEST_CASE("sections: which curves, and an outline round nothing") {
+    Square its(9), flat, point;
+    point.control = {1, 1, 1, 1, 1, 1, 1, 1};
+    point.set.control = point.control.data();
+    flat.control = {1, 0, 0.5, 0, 0, 0, 0.5, 0};   // there and back
+    flat.set.control = flat.control.data();
+    hm_section section{};
+    hm_quantity quantity{};
+    double value = 0;
+    auto const measure = [&](std::uint64_t size, std::int32_t first, std::int32_t n) {
+        return [&, size, first, n](hm_error* e) {
+            section = {size, first, n, 0, 0, 1, 0};
+            quantity.struct_size = sizeof quantity;
+            quantity.kind = HM_AREA;
+            return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+        };
+    };
+    check_texts({
+        {HM_BAD_ARGUMENT, "section.struct_size is not set", measure(0, 0, 1)},
+        {HM_BAD_ARGUMENT, "section.first_curve and n_curves, 8 and 2, exceed the curves of the set",
+         measure(sizeof section, 8, 2)},
+        {HM_BAD_ARGUMENT, "section.first_curve and n_curves, -1 and 1, exceed the curves of the set",
+         measure(sizeof section, -1, 1)},
+        {HM_BAD_ARGUMENT, "section.first_curve and n_curves, 1 and 0, exceed the curves of the set",
+         measure(sizeof section, 1, 0)},
+        {HM_BAD_ARGUMENT, "section.n_curves is 9: at most 8 curves form a section", measure(sizeof section, 0, 9)},
+        {HM_BAD_CURVE, "the chord of the section has no length",
+         [&](hm_error* e) {
+             section = {sizeof section, 0, 1, 1, 1, 1, 1};
+             quantity.kind = HM_CHORD;
+             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+         }},
+        {HM_BAD_CURVE, "the section has no extent",
+         [&](hm_error* e) { return hm_measure(&point.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e); }},
+        {HM_BAD_CURVE, "no normal to the chord meets the outline at two points",
+         [&](hm_error* e) {
+             section = {sizeof section, 0, 1, 20, 20, 21, 20};
+             quantity.kind = HM_MAX_THICKNESS;
+             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+         }},
+        {HM_BAD_ARGUMENT, "quantity 0 (from 0): the polygon is NULL, empty or longer than 2^20",
+         [&](hm_error* e) {
+             quantity.kind = HM_CLEARANCE;
+             section = {sizeof section, 0, 1, 0, 0, 1, 0};
+             return hm_measure(&its.set, &section, 1, &quantity, &value, nullptr, nullptr, e);
+         }},
+        {HM_BAD_CURVE, "the section encloses no area: 0",
+         [&](hm_error* e) {
+             quantity.kind = HM_AREA;
+             return hm_measure(&flat.set, nullptr, 1, &quantity, &value, nullptr, nullptr, e);
+         }},
+    });
+}
+
+TEST_CASE("a curve that stands still has no curvature there") {
+    std::vector<double> const control{1, 0, 0.5, 0.5, 0, 0, 0, 0, 0, 0, 0.5, -0.5, 1, 0};
+    double const knots[] = {0, 0, 0, 1, 2, 3, 4, 5, 5, 5};
+    hm_curve curve{};
+    curve.struct_size = sizeof curve;
+    curve.degree = 2;
+    curve.n_indices = 7;
+    curve.knots = knots;
+    hm_curves const set{sizeof set, 0, 7, control.data(), nullptr, 1, &curve};
+    hm_quantity quantity{};
+    quantity.struct_size = sizeof quantity;
+    quantity.kind = HM_MIN_RADIUS;
+    double value = 7;
+    hm_error error{};
+    CHECK(hm_measure(&set, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    std::string const text = error.text;
+    INFO(text);
+    CHECK(text.find("curve 0 (from 0) stands still at parameter ") == 0);
+    CHECK(text.find(": it has no curvature there") != std::string::npos);
+    CHECK(value == 7);
+}
+
+TEST_CASE("design variables: fields of another kind, and numbers out of range") {
+    Square its;
+    hm_variables v{};
+    std::int32_t n = 0;
+    std::size_t bytes = 0;
+    double const peaks[] = {0.5, 1.5};
+    auto const with = [&](std::int32_t kind, void (*change)(hm_variables&)) {
+        return [&, kind, change](hm_error* e) {
+            v = {};
+            v.struct_size = sizeof v;
+            v.kind = kind;
+            if (kind == HM_CST || kind == HM_HICKS_HENNE) v.n_upper = 1;
+            change(v);
+            if (v.peaks != nullptr) v.peaks = peaks;
+            return hm_variables_size(&its.set, nullptr, &v, &n, &bytes, e);
+        };
+    };
+    static double const some = 0.5;
+    check_texts({
+        {HM_BAD_ARGUMENT, "variables is NULL",
+         [&](hm_error* e) { return hm_variables_size(&its.set, nullptr, nullptr, &n, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "variables.struct_size is not set", with(HM_FFD, [](auto& o) { o.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "variables.kind is 9, which is unknown", with(9, [](auto&) {})},
+        {HM_BAD_ARGUMENT, "variables.kind is -1, which is unknown", with(-1, [](auto&) {})},
+        {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",
+         with(HM_CST, [](auto& o) { o.degree_x = 1; })},
+        {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only",
+         with(HM_CST, [](auto& o) { o.degree_y = 1; })},
+        {HM_BAD_ARGUMENT, "variables: degrees and box are of HM_FFD only", with(HM_CST, [](auto& o) { o.y_max = 1; })},
+        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are not of HM_FFD",
+         with(HM_FFD, [](auto& o) { o.n_upper = 1; })},
+        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are not of HM_FFD",
+         with(HM_FFD, [](auto& o) { o.n_lower = 1; })},
+        {HM_BAD_ARGUMENT, "variables: n_lower is not of HM_NACA4", with(HM_NACA4, [](auto& o) { o.n_lower = 1; })},
+        {HM_BAD_ARGUMENT, "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only",
+         with(HM_CST, [](auto& o) { o.peaks = &some; })},
+        {HM_BAD_ARGUMENT, "variables: peaks are of HM_HICKS_HENNE and HM_NACA4 only",
+         with(HM_FFD, [](auto& o) { o.peaks = &some; })},
+        {HM_BAD_ARGUMENT, "variables: the exponents are of HM_CST only",
+         with(HM_FFD, [](auto& o) { o.nose_exponent = 1; })},
+        {HM_BAD_ARGUMENT, "variables: the exponents are of HM_CST only",
+         with(HM_FFD, [](auto& o) { o.edge_exponent = 1; })},
+        {HM_BAD_ARGUMENT, "variables: the width is of HM_HICKS_HENNE only", with(HM_CST, [](auto& o) { o.width = 2; })},
+        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 65 and 0; together 1 to 64 on each side",
+         with(HM_CST, [](auto& o) { o.n_upper = 65; })},
+        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 1 and 65; together 1 to 64 on each side",
+         with(HM_CST, [](auto& o) { o.n_lower = 65; })},
+        {HM_BAD_ARGUMENT, "variables: n_upper and n_lower are 0 and 0; together 1 to 64 on each side",
+         with(HM_CST, [](auto& o) { o.n_upper = 0; })},
+        {HM_BAD_ARGUMENT, "variables: degree_x and degree_y are 64 and 0, not 0 to 63",
+         with(HM_FFD, [](auto& o) { o.degree_x = 64; })},
+        {HM_BAD_ARGUMENT, "variables: degree_x and degree_y are 0 and -1, not 0 to 63",
+         with(HM_FFD, [](auto& o) { o.degree_y = -1; })},
+        {HM_BAD_ARGUMENT, "variables: nose_exponent is 11, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.nose_exponent = 11; })},
+        {HM_BAD_ARGUMENT, "variables: nose_exponent is -1, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.nose_exponent = -1; })},
+        {HM_BAD_ARGUMENT, "variables: edge_exponent is 11, not 0 to 10",
+         with(HM_CST, [](auto& o) { o.edge_exponent = 11; })},
+        {HM_BAD_ARGUMENT, "variables: the width is 101, not 1 to 100",
+         with(HM_HICKS_HENNE, [](auto& o) { o.width = 101; })},
+        {HM_BAD_ARGUMENT, "variables: the width is -1, not 1 to 100",
+         with(HM_HICKS_HENNE, [](auto& o) { o.width = -1; })},
+        {HM_BAD_ARGUMENT, "variables: peak 1 (from 0) is 1.50000, not between 0 and 1",
+         with(HM_HICKS_HENNE, [](auto& o) { o.n_upper = 2, o.peaks = &some; })},
+        {HM_BAD_ARGUMENT, "variables: the box is empty or not finite", with(HM_FFD, [](auto& o) { o.x_min = 1; })},
+    });
+}

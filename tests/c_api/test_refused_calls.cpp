@@ -1,0 +1,393 @@
+// What calls with a plan or a basis refuse, with the whole sentence that says so: room in arrays, numbers out of range,
+// objects that do not belong together, steps in the wrong order.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+#include <fixtures/displaced.hpp>
+#include <fixtures/refused.hpp>
+#include <fixtures/transferred.hpp>
+
+#include <harmorph/base/arena.hpp>
+#include <harmorph/basis/basis.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+using namespace fixtures;
+
+namespace {
+
+struct Objects {
+    Case its = tiny_case();
+    hm_mesh mesh = its.mesh_view();
+    Solved solved{its.problem(mesh)};
+    hm_basis* basis = solved.basis;
+    std::vector<double> x = its.mesh.x, y = its.mesh.y, move = std::vector<double>(8, 0.0);
+    hm_points points{x.data(), y.data(), 1};
+    hm_points_out out{x.data(), y.data(), 1};
+};
+
+}  // namespace
+
+TEST_CASE("arguments that every call checks") {
+    Objects o;
+    hm_basis_info info{};
+    hm_points_out no_x{nullptr, o.y.data(), 1}, backwards{o.x.data(), o.y.data(), -1};
+    check_texts({
+        {HM_BAD_ARGUMENT, "a struct to be filled is NULL",
+         [&](hm_error* e) { return hm_basis_info_get(o.basis, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "the struct_size of a struct to be filled is not set",
+         [&](hm_error* e) { return hm_basis_info_get(o.basis, &info, e); }},
+        {HM_BAD_ARGUMENT, "to is NULL",
+         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, nullptr, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "to.x or to.y is NULL",
+         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &no_x, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "to.stride is negative",
+         [&](hm_error* e) { return hm_morph(o.basis, o.move.data(), nullptr, &backwards, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "move is NULL",
+         [&](hm_error* e) { return hm_morph(o.basis, nullptr, nullptr, &o.out, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "basis is NULL",
+         [&](hm_error* e) { return hm_morph(nullptr, o.move.data(), nullptr, &o.out, nullptr, e); }},
+    });
+    harmorph::Arena arena;   // of a size query: more than there can be
+    harmorph::Span<double> numbers;
+    arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
+    arena.take(numbers, std::numeric_limits<std::size_t>::max() / 24);
+    harmorph::Fault fault;
+    CHECK(arena.verify(0, fault) == harmorph::Status::bad_argument);
+    CHECK(std::string(fault.sentence) == "the problem is too large for this machine's addresses");
+}
+
+TEST_CASE("room for fewer than there are, and numbers that there are not") {
+    Objects o;
+    std::int32_t n = 0, is_loop = 0;
+    std::int32_t const marker = body;
+    auto const boundary = [&](std::int32_t n_markers, std::int32_t piece, hm_error* e) {
+        return hm_analysis_boundary(o.solved.analysis, n_markers, &marker, piece, nullptr, 0, &n, &is_loop, e);
+    };
+    hm_curves curves{};
+    hm_curve curve{};
+    hm_condition condition{};
+    curves.struct_size = sizeof curves;
+    curve.struct_size = sizeof curve;
+    condition.struct_size = sizeof condition;
+    check_texts({
+        {HM_BAD_ARGUMENT, "points has room for 0, the boundary has 8",
+         [&](hm_error* e) { return boundary(1, 0, e); }},
+        {HM_BAD_CONDITION, "these markers have 1 pieces of boundary, there is no piece 1 (from 0)",
+         [&](hm_error* e) { return boundary(1, 1, e); }},
+        {HM_BAD_ARGUMENT, "n_markers is 0, capacity is 0: one is too small",
+         [&](hm_error* e) { return boundary(0, 1, e); }},
+        {HM_BAD_ARGUMENT, "curve has room for 0, the basis has 1",
+         [&](hm_error* e) { return hm_basis_curves(o.basis, &curves, &curve, 0, e); }},
+        {HM_BAD_ARGUMENT, "capacity is negative",
+         [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, -1, &n, e); }},
+        {HM_BAD_ARGUMENT, "out has room for 0, the basis has 1 conditions",
+         [&](hm_error* e) { return hm_basis_conditions(o.basis, &condition, 0, &n, e); }},
+        {HM_BAD_ARGUMENT, "values have no number 1 (from 0); they have 1",
+         [&](hm_error* e) { return hm_basis_values(o.basis, 0, 1, o.x.data(), e); }},
+        {HM_BAD_ARGUMENT, "values have no number -1 (from 0); they have 1",
+         [&](hm_error* e) { return hm_basis_values(o.basis, 0, -1, o.x.data(), e); }},
+        {HM_BAD_ARGUMENT, "there is no function 4 (from 0); the basis has 4",
+         [&](hm_error* e) { return hm_basis_values(o.basis, 4, 0, o.x.data(), e); }},
+    });
+}
+
+TEST_CASE("combined functions, gradients in parts, parcels") {
+    Objects o;
+    std::size_t bytes = 0;
+    std::int64_t sums[64], doubles = 0;
+    std::int32_t scale = 0;
+    hm_points const dj = o.points;
+    REQUIRE(hm_adjoint_scale(o.basis, &dj, &scale, nullptr, nullptr) == HM_OK);
+    std::string const too_small =
+        "scale is " + std::to_string(scale - 1) + ", these points alone need " + std::to_string(scale);
+    hm_basis *share = nullptr, *rows = nullptr;
+    REQUIRE(hm_share_size(o.solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
+    Guarded share_block(bytes);
+    REQUIRE(hm_share_init(&share, share_block.data(), bytes, o.solved.analysis, 0, 2, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(o.solved.plan, share, nullptr, nullptr) == HM_OK);
+    std::int32_t const list[] = {20, 30};
+    REQUIRE(hm_extract_size(share, 2, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    REQUIRE(hm_extract_init(&rows, block.data(), bytes, share, 2, list, nullptr) == HM_OK);
+    REQUIRE(hm_parcel_size(share, 2, &doubles, nullptr) == HM_OK);
+    std::vector<double> parcel(static_cast<std::size_t>(doubles));
+    REQUIRE(hm_parcel_pack(share, 2, list, parcel.data(), nullptr) == HM_OK);
+    hm_basis* const few = share;   // for all points, but no rows of all functions
+    std::int64_t n_few = 0;
+    std::vector<std::int32_t> everywhere(48);
+    for (std::size_t k = 0; k < 48; ++k) everywhere[k] = static_cast<std::int32_t>(k);
+    REQUIRE(hm_parcel_size(share, 48, &n_few, nullptr) == HM_OK);
+    std::vector<double> of_few(static_cast<std::size_t>(n_few));
+    REQUIRE(hm_parcel_pack(share, 48, everywhere.data(), of_few.data(), nullptr) == HM_OK);
+    check_texts({
+        {HM_BAD_ARGUMENT, "numbers must be 1 or 2, not 3",
+         [&](hm_error* e) { return hm_combine_size(o.basis, 1, 3, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "n is 0: at least one function is made",
+         [&](hm_error* e) { return hm_combine_size(o.basis, 0, 1, &bytes, e); }},
+        {HM_BAD_CONDITION, "5 variables of 4 control points: some are combinations of others",
+         [&](hm_error* e) { return hm_combine_size(o.basis, 5, 1, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "scale is 100000, which hm_adjoint_scale never says",
+         [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, 100000, sums, nullptr, e); }},
+        {HM_BAD_ARGUMENT, too_small.c_str(),
+         [&](hm_error* e) { return hm_adjoint_sums(o.basis, &dj, scale - 1, sums, nullptr, e); }},
+        {HM_BAD_BASIS, "parcels are for rows of all functions, this is a share of them",
+         [&](hm_error* e) { return hm_parcel_unpack(few, of_few.data(), n_few, e); }},
+        {HM_BAD_BASIS, "the parcel is truncated",
+         [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), 1, e); }},
+        {HM_BAD_BASIS, "the parcel is truncated",
+         [&](hm_error* e) { return hm_parcel_unpack(rows, parcel.data(), doubles - 1, e); }},
+    });
+}
+
+TEST_CASE("a basis of another version, of another machine, of a mesh that has moved") {
+    Objects o;
+    std::vector<double> copy(o.solved.basis_block->size() / 8 + 1);
+    hm_basis_info info{};
+    info.struct_size = sizeof info;
+    REQUIRE(hm_basis_info_get(o.basis, &info, nullptr) == HM_OK);
+    std::memcpy(copy.data(), static_cast<const void*>(o.basis), info.bytes);
+    harmorph::BasisHeader& header = *reinterpret_cast<harmorph::BasisHeader*>(copy.data());
+    header.format = harmorph::BasisHeader::current_format + 1;
+    hm_basis const* attached = nullptr;
+    hm_mesh moved = o.mesh;
+    std::vector<double> x = o.x;
+    x[3] += 0.25;
+    moved.points.x = x.data();
+    std::string const text = "the basis has format version " + std::to_string(header.format) + ", this library reads " +
+                             std::to_string(harmorph::BasisHeader::current_format) + ": solve it again";
+    auto const attach = [&](std::size_t shift) {
+        return [&, shift](hm_error* e) {
+            return hm_basis_attach(&attached, reinterpret_cast<char*>(copy.data()) + shift, info.bytes, nullptr, e);
+        };
+    };
+    check_texts({{HM_BAD_BASIS, text.c_str(), attach(0)},
+                 {HM_BAD_ARGUMENT, "the block of a basis must be aligned to 8 bytes", attach(4)}});
+    unsigned char* const order = reinterpret_cast<unsigned char*>(&header.byte_order);
+    std::reverse(order, order + sizeof header.byte_order);
+    check_texts({{HM_BAD_BASIS, "the basis was written with another byte order", attach(0)}});
+    CHECK(attached == nullptr);
+    check_texts({{HM_MOVED, "the mesh's coordinates are not those the basis was solved on",
+                  [&](hm_error* e) { return hm_basis_attach(&attached, o.basis, info.bytes, &moved, e); }}});
+    CHECK(attached == o.basis);
+}
+
+TEST_CASE("steps in the wrong order") {
+    Case its = tiny_case();
+    Attempt attempt;
+    REQUIRE(attempt.analyse(its.problem()));
+    REQUIRE(attempt.prepare());
+    std::int32_t cells[100], n_cells = 0;
+    hm_points const wall{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points_out const to{its.mesh.x.data(), its.mesh.y.data(), 1};
+    Case given = given_instead(tiny_case());
+    Attempt of_given;
+    REQUIRE(of_given.analyse(given.problem()));
+    REQUIRE(of_given.prepare());
+    std::int32_t n = 0;
+    hm_given_points(of_given.plan, nullptr, 0, &n, nullptr);
+    std::size_t bytes = 0;
+    REQUIRE(hm_displace_size(of_given.plan, 1, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    check_texts({
+        {HM_BAD_CONDITION, "no marker has the condition HM_GIVEN: no displacements can be given",
+         [&](hm_error* e) { return hm_displace_size(attempt.plan, 1, &bytes, e); }},
+        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+         [&](hm_error* e) { return hm_plan_solve(attempt.plan, attempt.basis, nullptr, e); }},
+        {HM_BAD_ARGUMENT, "the plan has no factor: hm_plan_factor comes first",
+         [&](hm_error* e) {
+             return hm_displace(of_given.plan, n, nullptr, 1, &wall, nullptr, &to, work.data(), bytes, nullptr, e);
+         }},
+        {HM_BAD_ARGUMENT, "the plan has no levels: they are made by hm_plan_factor of other engines",
+         [&](hm_error* e) { return hm_plan_level(attempt.plan, 0, cells, &n_cells, e); }},
+    });
+}
+
+TEST_CASE("functions of other curves or bodies are not interpolated") {
+    Objects o;
+    Case other = tiny_case(), rigid = tiny_case(), off_centre = tiny_case();
+    other.curves.control[0] += 1e-9;
+    for (Case* its : {&rigid, &off_centre}) {
+        its->conditions.clear();
+        its->curves = {};
+        its->set_rigid(body, its == &rigid ? 3 : 3.5, 3);
+    }
+    Solved const of_rigid(rigid);
+    auto const transfer = [](Case& fine, hm_basis const* coarse, hm_mesh const& mesh) {
+        TransferAttempt attempt;
+        REQUIRE(attempt.open(fine.problem()));
+        attempt.fill_from(coarse, mesh);
+        CHECK(attempt.status == HM_BAD_BASIS);
+        return std::string(attempt.error.text);
+    };
+    hm_mesh moved = o.mesh;
+    std::vector<double> x = o.x;
+    x[30] += 0.01;
+    moved.points.x = x.data();
+    Case same = tiny_case();
+    CHECK(transfer(same, o.basis, moved) == "the coarse mesh's coordinates are not those its basis was solved on");
+    CHECK(transfer(other, o.basis, o.mesh) == "the two bases were made with different curves");
+    CHECK(transfer(off_centre, of_rigid.basis, rigid.mesh_view()) ==
+          "the two bases have different rigid bodies, or other centres of theirs");
+}
+
+TEST_CASE("modes: numbers, lists, and what they do not go with") {
+    Case its = given_instead(tiny_case());
+    Displaced displaced(its);
+    std::size_t bytes = 0, work_bytes = 0;
+    hm_basis* made = nullptr;
+    std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
+    std::vector<double> modes(200, 1.0);
+    std::vector<std::int32_t> list(100, displaced.points[0]), twice = displaced.points;
+    twice.push_back(twice[0]);
+    std::vector<double> dx(twice.size(), 0.0), dy(twice.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
+    dx.back() = 1;
+    hm_points const wall{dx.data(), dy.data(), 1}, from{its.mesh.x.data(), its.mesh.y.data(), 1};
+    hm_points_out const to{x.data(), y.data(), 1};
+    Guarded room = displaced.work_for(1);
+    std::vector<double> far(twice.size(), 0.0);
+    far[0] = 5;   // across the body
+    hm_points const across{far.data(), dy.data(), 1};
+    hm_error crossing{};
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &across, &from, &to, room.data(), room.size(), nullptr,
+                      &crossing) == HM_CROSSING);
+    CHECK(std::string(crossing.text).find("the moved boundary crosses itself: the faces that begin at points ") == 0);
+    REQUIRE(hm_tabulate_size(displaced.plan, displaced.basis, 1, 1, &bytes, &work_bytes, nullptr) == HM_OK);
+    Guarded block(bytes), work(work_bytes);
+    check_texts({
+        {HM_BAD_ARGUMENT, "numbers must be 1 or 2, not 0",
+         [&](hm_error* e) { return hm_tabulate_size(displaced.plan, displaced.basis, 1, 0, &bytes, &work_bytes, e); }},
+        {HM_BAD_ARGUMENT, "point 17 has two displacements in field 0 (from 0)",
+         [&](hm_error* e) {
+             return hm_displace(displaced.plan, n + 1, twice.data(), 1, &wall, nullptr, &to, room.data(), room.size(),
+                                nullptr, e);
+         }},
+        {HM_BAD_ARGUMENT, "the list is longer than twice the mesh: 97 points",
+         [&](hm_error* e) {
+             return hm_tabulate(&made, block.data(), bytes, displaced.plan, displaced.basis, 97, list.data(), 1, 1,
+                                modes.data(), work.data(), work_bytes, nullptr, e);
+         }},
+    });
+    REQUIRE(hm_tabulate(&made, block.data(), block.size(), displaced.plan, displaced.basis, n, nullptr, 1, 1,
+                        modes.data(), work.data(), work_bytes, nullptr, nullptr) == HM_OK);
+    TransferAttempt transfer;
+    REQUIRE(transfer.open(its.problem()));
+    CHECK_FALSE(transfer.fill_from(made, its.mesh_view()));
+    CHECK(transfer.status == HM_UNSUPPORTED);
+    CHECK(std::string(transfer.error.text) == "the basis has functions by table, this call needs one without");
+}
+
+TEST_CASE("options of the safe morph and of better cells") {
+    Objects o;
+    hm_safe_options safe{};
+    hm_improve_options better{};
+    std::size_t bytes = 0;
+    REQUIRE(hm_morph_safe_size(o.solved.plan, o.basis, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    REQUIRE(hm_improve_size(o.solved.plan, &bytes, nullptr) == HM_OK);
+    Guarded room(bytes);
+    hm_basis const* nobody = nullptr;
+    hm_basis* derivative = nullptr;   // of two functions
+    double matrix[] = {1, 0, 0, 1, 0, 0, 0, 0};
+    REQUIRE(hm_combine_size(o.basis, 2, 1, &bytes, nullptr) == HM_OK);
+    Guarded combined(bytes);
+    REQUIRE(hm_combine(&derivative, combined.data(), bytes, o.basis, 2, 1, matrix, nullptr) == HM_OK);
+    auto const morph = [&](std::function<void()> const& change) {
+        return [&, change](hm_error* e) {
+            safe = {};
+            safe.struct_size = sizeof safe;
+            change();
+            return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(), work.size(),
+                                 &safe, nullptr, e);
+        };
+    };
+    auto const improve = [&](std::function<void()> const& change) {
+        return [&, change](hm_error* e) {
+            better = {};
+            better.struct_size = sizeof better;
+            change();
+            return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(), &better, nullptr, e);
+        };
+    };
+    struct {
+        hm_safe_options safe;
+        double more;
+    } younger{};
+    younger.safe.struct_size = sizeof younger;
+    younger.more = 1;
+    struct {
+        hm_improve_options better;
+        double more;
+    } younger_better{};
+    younger_better.better.struct_size = sizeof younger_better;
+    younger_better.more = 1;
+    std::vector<double> folded = o.its.mesh.x;
+    folded[8] = 5;
+    hm_points const reference{folded.data(), o.its.mesh.y.data(), 1};
+    const char* const strategies =
+        "safe options: skipped_strategies is 1048576, which names strategies there are not, or reserved is not 0";
+    check_texts({
+        {HM_BAD_ARGUMENT, "safe options: struct_size is not set", morph([&] { safe.struct_size = 0; })},
+        {HM_UNSUPPORTED, "safe options: fields are set that this version of the library does not know",
+         [&](hm_error* e) {
+             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, nullptr, work.data(), work.size(),
+                                  &younger.safe, nullptr, e);
+         }},
+        {HM_UNSUPPORTED, "improve options: fields are set that this version of the library does not know",
+         [&](hm_error* e) {
+             return hm_improve(o.solved.plan, &o.points, &o.out, room.data(), room.size(), &younger_better.better,
+                               nullptr, e);
+         }},
+        {HM_BAD_BASIS, "the basis for the derivative has other functions than the basis",
+         [&](hm_error* e) {
+             return hm_morph_safe(o.solved.plan, o.basis, o.move.data(), &o.out, derivative, work.data(), work.size(),
+                                  nullptr, nullptr, e);
+         }},
+        {HM_BAD_MESH, "cell 1 of the reference mesh is inverted", improve([&] { better.reference = &reference; })},
+        {HM_BAD_ARGUMENT, strategies, morph([&] { safe.skipped_strategies = 1 << 20; })},
+        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is -1, not 0 .. 64",
+         morph([&] { safe.n_others = -1; })},
+        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 65, not 0 .. 64",
+         morph([&] { safe.n_others = 65; })},
+        {HM_BAD_ARGUMENT, "safe options: others is NULL, or n_others is 1, not 0 .. 64",
+         morph([&] { safe.n_others = 1; })},
+        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not 2", morph([&] { safe.heights = 2; })},
+        {HM_BAD_ARGUMENT, "safe options: heights must be between 0 and 1, not -1", morph([&] { safe.heights = -1; })},
+        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not 2", morph([&] { safe.min_quality = 2; })},
+        {HM_BAD_ARGUMENT, "safe options: min_quality must be at most 1, not NaN",
+         morph([&] { safe.min_quality = std::numeric_limits<double>::quiet_NaN(); })},
+        {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not 1",
+         morph([&] { safe.max_height_change = 1; })},
+        {HM_BAD_ARGUMENT, "safe options: max_height_change must be 0 or above 1, not NaN",
+         morph([&] { safe.max_height_change = std::numeric_limits<double>::quiet_NaN(); })},
+        {HM_BAD_ARGUMENT, "basis 0 (from 0) of others is NULL",
+         morph([&] { safe.others = &nobody, safe.n_others = 1; })},
+        {HM_BAD_ARGUMENT, "improve options: struct_size is not set", improve([&] { better.struct_size = 0; })},
+        {HM_BAD_ARGUMENT, "improve options: max_iterations is 10001, not 0 .. 10000, or reserved is not 0",
+         improve([&] { better.max_iterations = 10001; })},
+        {HM_BAD_ARGUMENT, "improve options: max_iterations is -1, not 0 .. 10000, or reserved is not 0",
+         improve([&] { better.max_iterations = -1; })},
+        {HM_BAD_ARGUMENT, "improve options: max_iterations is 0, not 0 .. 10000, or reserved is not 0",
+         improve([&] { better.reserved = 1; })},
+    });
+}
+
+TEST_CASE("a safe displacement that turns a body inside out") {
+    Case its = given_instead(tiny_case());
+    Displaced displaced(its);
+    std::vector<double> dx, dy(displaced.points.size(), 0.0), x = its.mesh.x, y = its.mesh.y;
+    for (std::int32_t const point : displaced.points) dx.push_back(2 * (3 - its.mesh.point(point).x));
+    hm_points const wall{dx.data(), dy.data(), 1};
+    hm_points_out const to{x.data(), y.data(), 1};
+    std::size_t bytes = 0;
+    REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    hm_error error{};
+    CHECK(hm_displace_safe(displaced.plan, displaced.basis, nullptr, static_cast<std::int32_t>(dx.size()),
+                           displaced.points.data(), &wall, &to, work.data(), bytes, nullptr, nullptr,
+                           &error) == HM_CROSSING);
+    CHECK(std::string(error.text) == "the boundary through point 17 at (3, 2) is inside out");
+    CHECK(x == its.mesh.x);
+}
