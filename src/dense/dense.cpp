@@ -68,6 +68,16 @@ void spread_rows(Executor const& executor, Index begin, Index end, Offset multip
     executor.for_each(ranges, [&](Index i) { body(bound(i), bound(i + 1)); });
 }
 
+// What back substitution prefetches, in numbers from where it reads. Panels follow each other downwards in memory, which
+// the hardware does not foresee: in a small panel, what will be read some panels later. In a larger one, two tiles further
+// down in the same slab.
+template <class Number>
+Offset ahead_of(Panel<Number> const& panel) noexcept {
+    constexpr Offset below = 65536 / sizeof(Number);
+    Offset const numbers = panel.planes * panel_entries(panel.pivots, panel.border);
+    return numbers <= below ? -below : Offset{panel.planes} * 2 * most_tile_rows * slab;
+}
+
 // body(columns, from, to, sums) for chunks of the columns behind those of a strip, the border last.
 template <class Front, class Number, class Body>
 void spread_columns(Executor const& executor, Front const& front, Index end, Offset multiplications_per_column,
@@ -153,15 +163,16 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row,
                     Executor const& executor) noexcept {
+    Offset const ahead = ahead_of(panel);
     with_front(kernel, panel, [&](auto const& front) {
         for (Index first = (panel.pivots - 1) / strip * strip; first >= 0; first -= strip) {
             Index const end = front.end_of(first);
             spread_rows(executor, first, end, front.cost(Offset{panel.front() - end} * row), [&](Index from, Index to) {
-                flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y, row, from, to);
+                flushed<Number>(front.kernels.subtract_backward, front.own, end, y, y, row, from, to, ahead);
                 flushed<Number>(front.kernels.subtract_backward, front.border, 0, y, front.border_rows(y, row), row,
-                                from, to);
+                                from, to, ahead);
             });
-            flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row);
+            flushed<Number>(front.kernels.solve_strip_backward, front.own, first, end, y, row, ahead);
         }
     });
 }
@@ -177,17 +188,15 @@ void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, 
     flushed<Number>(move_kernels<Number>(kernel).add_rows, n, from, targets, y, length);
 }
 
-template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
-            Index planes) noexcept {
-    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, nullptr, begin, n, y, row, planes);
+template <class Number>
+void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept {
+    move_kernels<Number>(kernel).copy_rows(n, y, targets, to, length);
 }
 
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
             Index planes) noexcept {
-    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, positions.data(), 0, positions.count(), y, row,
-                    planes);
+    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, begin, n, y, row, planes);
 }
 
 template <class Number, class Value>
@@ -203,10 +212,10 @@ void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Val
     template void solve_backward(Kernel, Panel<Number> const&, Number*, Index, Executor const&) noexcept;                \
     template void extend_add(Kernel, UpdateMatrix<Number> const&, const Index*, Panel<Number> const&,                    \
                              UpdateMatrix<Number> const&) noexcept;                                                      \
-    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
+    template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                         \
+    template void copy_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
 #define HARMORPH_MAKE_MOVES(Number, Value)                                                                               \
     template void gather(Kernel, RowsOf<Value> const&, Index, Index, Number*, Index, Index) noexcept;                    \
-    template void gather(Kernel, RowsOf<Value> const&, Span<const Index>, Number*, Index, Index) noexcept;               \
     template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)

@@ -203,20 +203,21 @@ void subtract_forward(Slabs<Number> const& columns, Index first, Index end, Numb
 
 template <class Number, Index planes>
 void subtract_backward(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
-                       Index to) noexcept {
+                       Index to, Offset ahead) noexcept {
     for (Index k = begin; k < columns.columns; k += strip) {
         subtract_across<planes>(columns, {k, smaller(columns.columns, k + strip)}, {from, to},
-                                sides<planes>(rest, row, k),
-                                sides<planes>(y, row, from));
+                                sides<planes>(rest, row, k), sides<planes>(y, row, from), ahead);
     }
 }
 
 template <class Number, Index planes>
-void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept {
+void solve_strip_backward(Slabs<Number> const& own, Index first, Index end, Number* y, Index row,
+                          Offset ahead) noexcept {
     for (Index k = first + (end - 1 - first) / slab * slab; k >= first; k -= slab) {
         Index const n = smaller(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
-        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block);
+        prefetch_rows<planes>(own.at(k, k) + ahead, n);
+        if (k + n < end) subtract_across<planes>(own, {k + n, end}, {k, k + n}, block.at(n, 0), block, ahead);
         apply_inverse_transposed<planes>(n, own.at(k, k), block);
     }
 }

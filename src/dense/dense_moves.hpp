@@ -112,11 +112,17 @@ void add_rows(Index n, const Number* from, const Index* targets, Number* y, Inde
     }
 }
 
+template <class Number>
+void copy_rows(Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept {
+    for (Index r = 0; r < n; ++r, to += length) {
+        const Number* const from = y + Offset{targets[r]} * length;
+        for (Index c = 0; c < length; c += lanes<Number>) store(to + c, load(from + c));
+    }
+}
+
 template <class Number, class Value>
-void gather(harmorph::RowsOf<Value> const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
-            Index planes) noexcept {
-    auto const position = [&](Index k) { return positions != nullptr ? positions[k] : begin + k; };
-    auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, position(k)); };
+void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
+    auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, begin + k); };
     Offset const numbers = (planes - 1) * from.plane + from.width;
     for (Index k = 0; k < n; ++k) {
         if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
@@ -138,7 +144,7 @@ void scatter(const Number* y, Index row, Index planes, harmorph::RowsOf<Value> c
 }
 
 template <class Number>
-constexpr MoveKernels<Number> move_kernels{extend_add<Number>, add_rows<Number>};
+constexpr MoveKernels<Number> move_kernels{extend_add<Number>, add_rows<Number>, copy_rows<Number>};
 template <class Number, class Value>
 constexpr CopyKernels<Number, Value> copy_kernels{gather<Number, Value>, scatter<Number, Value>};
 

@@ -32,9 +32,11 @@ struct FrontKernels {
     void (*subtract_forward)(Slabs<Number> const& columns, Index first, Index end, Number* y, Number* rest, Index row,
                              Index from, Index to) noexcept;
     // Subtracts from pivots from .. to-1 the products of the rows of `rest` that belong to `columns`, from `begin` on.
+    // ahead: how far from what is read, in numbers, prefetching is worth while.
     void (*subtract_backward)(Slabs<Number> const& columns, Index begin, Number* y, Number* rest, Index row, Index from,
-                              Index to) noexcept;
-    void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row) noexcept;
+                              Index to, Offset ahead) noexcept;
+    void (*solve_strip_backward)(Slabs<Number> const& own, Index first, Index end, Number* y, Index row,
+                                 Offset ahead) noexcept;
 };
 
 // Moves between fronts; see dense.hpp.
@@ -43,13 +45,13 @@ struct MoveKernels {
     void (*extend_add)(UpdateMatrix<Number> const& from, const Index* targets, Panel<Number> const& panel,
                        UpdateMatrix<Number> const& update) noexcept;
     void (*add_rows)(Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;
+    void (*copy_rows)(Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept;
 };
 
-// Moves between fronts and rows of values; see dense.hpp. positions null: begin, begin + 1, ...
+// Moves between fronts and rows of values; see dense.hpp.
 template <class Number, class Value>
 struct CopyKernels {
-    void (*gather)(RowsOf<Value> const& from, const Index* positions, Index begin, Index n, Number* y, Index row,
-                   Index planes) noexcept;
+    void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
     void (*scatter)(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin, Index n) noexcept;
 };
 

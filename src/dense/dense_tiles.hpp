@@ -273,12 +273,21 @@ void apply_inverse_transposed(Index n, const Number* inverse, InRows<Number, pla
     }
 }
 
-// d -= A (i, k) b for a tile of rows from i on. Row 0 of b is row k.begin, where a slab begins.
+// Rows of a slab that are needed soon, into the second-level cache.
+template <Index planes, class Number>
+HARMORPH_INLINE void prefetch_rows(const Number* row, Index rows) noexcept {
+    constexpr Offset line = 64 / sizeof(Number);
+    for (Offset k = 0; k < rows * step<planes>; k += line) __builtin_prefetch(row + k, 0, 2);
+}
+
+// d -= A (i, k) b for a tile of rows from i on. Row 0 of b is row k.begin, where a slab begins. What is `ahead` numbers
+// further on is prefetched, unless that is 0.
 template <Index planes, Index rows, Index vectors, class Number>
-void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b,
-                 InRows<Number, planes> d) noexcept {
+void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b, InRows<Number, planes> d,
+                 Offset ahead) noexcept {
     Tile<planes, rows, vectors, Number> product;
     for (Index c = k.begin; c < k.end; c += slab) {
+        if (ahead != 0) prefetch_rows<planes>(a.at(i, c) + ahead, rows);
         product.template add<Op::plain>(a.at(i, c), b.at(c - k.begin, 0).template first<vectors>(),
                                         smaller(slab, k.end - c));
     }
@@ -286,22 +295,22 @@ void tile_across(Slabs<Number> const& a, Range k, Index i, InRows<Number, planes
 }
 template <Index planes, Index most_rows = tile_rows<planes>, class Number>
 HARMORPH_INLINE void any_tile_across(Index rows, Slabs<Number> const& a, Range k, Index i, InRows<Number, planes> b,
-                                     InRows<Number, planes> d, Index columns) noexcept {
+                                     InRows<Number, planes> d, Index columns, Offset ahead) noexcept {
     if constexpr (most_rows > 1) {
-        if (rows < most_rows) return any_tile_across<planes, most_rows - 1>(rows, a, k, i, b, d, columns);
+        if (rows < most_rows) return any_tile_across<planes, most_rows - 1>(rows, a, k, i, b, d, columns, ahead);
     }
-    if (columns > 2 * lanes<Number>) return tile_across<planes, most_rows, 3>(a, k, i, b, d);
-    if (columns > lanes<Number>) return tile_across<planes, most_rows, 2>(a, k, i, b, d);
-    return tile_across<planes, most_rows, 1>(a, k, i, b, d);
+    if (columns > 2 * lanes<Number>) return tile_across<planes, most_rows, 3>(a, k, i, b, d, ahead);
+    if (columns > lanes<Number>) return tile_across<planes, most_rows, 2>(a, k, i, b, d, ahead);
+    return tile_across<planes, most_rows, 1>(a, k, i, b, d, ahead);
 }
 // d -= A (i, k) b, all rows i. Row 0 of d is row i.begin.
 template <Index planes, class Number>
-void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b,
-                     InRows<Number, planes> d) noexcept {
+void subtract_across(Slabs<Number> const& a, Range k, Range i, InRows<Number, planes> b, InRows<Number, planes> d,
+                     Offset ahead) noexcept {
     for (Index r = i.begin; r < i.end; r += tile_rows<planes>) {
         for (Index c = 0; c < d.width; c += tile_columns<Number>) {
             any_tile_across<planes>(smaller(tile_rows<planes>, i.end - r), a, k, r, b.at(0, c), d.at(r - i.begin, c),
-                                    static_cast<Index>(d.width) - c);
+                                    static_cast<Index>(d.width) - c, c == 0 ? ahead : 0);
         }
     }
 }

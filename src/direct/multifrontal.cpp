@@ -19,16 +19,14 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     subtrees = chosen_subtrees;
     precision = factor_precision;
     planes = complex ? 2 : 1;
-    largest_border = sizes.largest_border;
     most_sums = sizes.most_sums;
     padded_width = dense::padded(width);
-    Offset const workers = subtrees.lanes;
     arena.take(tree.nodes, nodes);
     arena.take(subtrees.all, subtrees.count);
     arena.take(border_start, Offset{nodes} + 1);
     arena.take(border, sizes.border_entries);
+    arena.take(target, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
-    arena.take(target, workers * largest_border);
     if (precision == Precision::in_single) {
         lay_out_numbers(arena, sizes.factor_entries, singles);
     } else {
@@ -46,18 +44,20 @@ void Multifrontal::lay_out_stack(Arena& arena) noexcept {
     }
 }
 
-void Multifrontal::set_panel_starts() noexcept {
+void Multifrontal::complete() noexcept {
     Offset next = 0;
     for (Index node = 0; node < tree.count; ++node) {
         panel_start[node] = next;
         next += planes * dense::panel_entries(pivots_of(node), border_of(node).count());
+        if (tree.nodes[node].parent != none) find_targets(node, tree.nodes[node].parent);
     }
     panel_start[tree.count] = next;
 }
 
-void Multifrontal::find_targets(Index child, Index parent, Index* targets) const noexcept {
+void Multifrontal::find_targets(Index child, Index parent) noexcept {
     auto const& into = tree.nodes[parent];
     Span<const Index> const below = border_of(child), above = border_of(parent);
+    Index* const targets = target.data() + border_start[child];
     Index at = 0;
     for (Index r = 0; r < below.count(); ++r) {
         if (below[r] < into.end) {

@@ -33,8 +33,7 @@ public:
             Number* const behind = free + added.planes * dense::update_entries(added.n);
             if (done == none) HARMORPH_TRY(run(child, free, behind, worker, told, fault));
             if (child == front.child) begin(node, panel, left);  // only now, so that the panel is still in the caches
-            engine_.find_targets(child, node, worker.targets);
-            dense::extend_add(engine_.kernel, added, worker.targets, panel, left);
+            dense::extend_add(engine_.kernel, added, engine_.targets_of(child), panel, left);
         }
         dense::Workers<Number> const workers{worker.executor, worker.sums, worker.least_left};
         Index const bad = dense::factor(engine_.kernel, panel, pivot_floor<Number>, workers);

@@ -4,7 +4,8 @@ namespace harmorph {
 namespace {
 
 constexpr Index nodes_between_solve_reports = 512;
-constexpr Offset most_prefetched = 8192;  // entries of a panel; the hardware prefetches what is behind them
+constexpr Offset prefetch_distance = 1000000000;  // numbers
+constexpr Offset most_prefetched = 8192;    // of a panel; the hardware prefetches what is behind them
 
 // Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers of all functions.
 template <class Number, class Value>
@@ -40,30 +41,46 @@ public:
             if (adds_nothing) continue;
             if (is_zero) fill(border, Number{0});
             is_zero = false;
-            engine_.find_targets(child, node, worker.targets);
-            dense::add_rows(engine_.kernel, engine_.border_of(child).count(),
-                            from + Offset{engine_.pivots_of(child)} * row_, worker.targets, front, row_);
+            dense::add_rows(engine_.kernel, engine_.border_of(child).count(), border_rows(child, from),
+                            engine_.targets_of(child), front, row_);
         }
         if (is_zero) return told(node);
-        prefetch_panel(node + 1);
+        prefetch_after(panel);
         dense::solve_forward(engine_.kernel, panel, front, width_, worker.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
         return told(node);
     }
 
-    // Back substitution U x = y for the pivots of the node; the solution at the positions of its border is known.
-    void backward(Index node, Worker const& worker) const noexcept {
+    // Back substitution U x = y in place, for the node and its descendants but those in subtrees, whose fronts are left
+    // ready for it. `front`: rows of the node; those of the border are known.
+    template <class Told>
+    Status backward(Index node, Number* front, Number* free, Worker const& worker, Told const& told) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        Number* const border = worker.rows + Offset{panel.pivots} * row_;
-        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, worker.rows, width_, engine_.planes);
-        dense::gather(engine_.kernel, values_, engine_.border_of(node), border, width_, engine_.planes);
-        prefetch_panel(node - 1);
-        dense::solve_backward(engine_.kernel, panel, worker.rows, width_, worker.executor);
-        dense::scatter(engine_.kernel, worker.rows, width_, engine_.planes, values_, own.begin, panel.pivots);
+        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, front, width_, engine_.planes);
+        dense::solve_backward(engine_.kernel, panel, front, width_, worker.executor);
+        dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
+        HARMORPH_TRY(told(node));
+        return backward_below(own.child, front, free, worker, told);
     }
 
 private:
+    // The last child first, so that panels are read from the end of the factor to the beginning.
+    template <class Told>
+    Status backward_below(Index child, const Number* front, Number* free, Worker const& worker,
+                          Told const& told) const noexcept {
+        if (child == none) return Status::ok;
+        HARMORPH_TRY(backward_below(engine_.tree.nodes[child].sibling, front, free, worker, told));
+        Index const done = engine_.subtrees.find(child);
+        Number* const to = done != none ? engine_.kept_rows<Number>(done) : free;
+        dense::copy_rows(engine_.kernel, engine_.border_of(child).count(), front, engine_.targets_of(child),
+                         border_rows(child, to), row_);
+        return done != none ? Status::ok : backward(child, to, free + entries(child), worker, told);
+    }
+
+    template <class Some>
+    Some* border_rows(Index node, Some* front) const noexcept { return front + Offset{engine_.pivots_of(node)} * row_; }
+
     static bool all_zero(Span<const Number> numbers) noexcept {
         constexpr Size at_once = 64;  // tested without a branch in between
         for (Size begin = 0; begin < numbers.size(); begin += at_once) {
@@ -76,13 +93,15 @@ private:
         return true;
     }
 
-    // Most fronts are too small for the hardware prefetcher to get going.
-    void prefetch_panel(Index node) const noexcept {
-        if (node < 0 || node >= engine_.tree.count) return;
-        const Number* const begin = engine_.panel<Number>(node).data;
-        Offset const entries = smaller(engine_.panel_start[node + 1] - engine_.panel_start[node], most_prefetched);
+    // As many numbers as the panel has, of what forward substitution reads soon after it: most panels are too small for
+    // the hardware prefetcher to get going. (Back substitution prefetches in the dense kernels.)
+    void prefetch_after(Panel const& panel) const noexcept {
+        Span<Number> const factor = engine_.numbers<Number>().factor;
+        Offset const begin = panel.data - factor.data() + prefetch_distance;
+        Offset const numbers = panel.planes * dense::panel_entries(panel.pivots, panel.border);
+        Offset const end = smaller(begin + smaller(numbers, most_prefetched), static_cast<Offset>(factor.size()));
         constexpr Offset cache_line = 64 / sizeof(Number);
-        for (Offset k = 0; k < entries; k += cache_line) __builtin_prefetch(begin + k, 0, 2);
+        for (Offset k = begin; k < end; k += cache_line) __builtin_prefetch(factor.data() + k, 0, 2);
     }
 
     Multifrontal const& engine_;
@@ -112,17 +131,13 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
         HARMORPH_TRY(substitution.forward(node, worker.rows, worker.rows + substitution.entries(node), worker, told,
                                           is_zero));
     }
-    Index next_subtree = subtrees.count - 1;
     for (Index node = tree.count - 1; node >= 0; --node) {
-        if (next_subtree >= 0 && node == subtrees.all[next_subtree].root) {
-            node = subtrees.all[next_subtree--].first;  // the whole subtree is solved after the nodes above
-            continue;
-        }
-        substitution.backward(node, worker);
-        HARMORPH_TRY(told(node));
+        if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
+        HARMORPH_TRY(substitution.backward(node, worker.rows, worker.rows + substitution.entries(node), worker, told));
     }
     for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& own) {
-        for (Index node = subtree.root; node >= subtree.first; --node) substitution.backward(node, own);
+        Number* const front = kept_rows<Number>(subtrees.find(subtree.root));
+        substitution.backward(subtree.root, front, own.rows, own, [](Index) { return Status::ok; });
     });
     return Status::ok;
 }

@@ -133,7 +133,6 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         sizes.border_entries += border;
         sizes.factor_entries += dense::panel_entries(pivots, border);
         sizes.most_sums = larger(sizes.most_sums, dense::sum_entries(pivots, border));
-        sizes.largest_border = larger(sizes.largest_border, border);
     }
     border_start[tree.count] = sizes.border_entries;
     return sizes;

@@ -81,7 +81,7 @@ void DirectEngine::init(Analysis const& analysis) noexcept {
     copy(factor.border_start, Span<const Offset>(analysis.border_start.first(analysis.tree.count + 1)));
     fill_borders(analysis.graph, analysis.order, analysis.tree, analysis.border, factor.executor, factor.border_start,
                  factor.border);
-    factor.set_panel_starts();
+    factor.complete();
 }
 
 Status DirectEngine::set_up(Equations const& equations, Points, Progress const& progress, Fault& fault) noexcept {

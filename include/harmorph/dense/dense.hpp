@@ -151,21 +151,20 @@ void solve_forward(Kernel kernel, Panel<Number> const& panel, Number* y, Index r
 template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
 
-// Copies the rows at positions begin .. begin+n-1, or those of a list, to rows of y, with zeros in the padding. `row`
-// as above. Values are doubles, or floats where the numbers are floats.
+// Copies the rows at positions begin .. begin+n-1 to rows of y, with zeros in the padding. `row` as above. Values are
+// doubles, or floats where the numbers are floats.
 template <class Number, class Value>
 void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
-            Index planes) noexcept;
-template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Span<const Index> positions, Number* y, Index row,
             Index planes) noexcept;
 // And back to positions begin .. begin+n-1.
 template <class Number, class Value>
 void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin,
              Index n) noexcept;
 
-// Adds n rows of `length` numbers, a multiple of slab, to rows of y.
+// Adds n rows of `length` numbers, a multiple of slab, to rows `targets` of y; and copies such rows of y.
 template <class Number>
 void add_rows(Kernel kernel, Index n, const Number* from, const Index* targets, Number* y, Index length) noexcept;
+template <class Number>
+void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Number* to, Index length) noexcept;
 
 }  // namespace harmorph::dense

@@ -32,12 +32,11 @@ struct Multifrontal {
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
     Span<Offset> panel_start;   // [nodes + 1] in `factor`
-    Span<Index> target;         // [workers x largest border] indices of a border in the parent's front
+    Span<Index> target;         // [as border] where the positions of a border are in the parent's front; they increase
     FrontalNumbers<double> doubles;  // these ...
     FrontalNumbers<float> singles;   // ... or those
     Precision precision = Precision::in_double;
     Index planes = 1;           // 1: real; 2: complex
-    Index largest_border = 0;
     Offset most_sums = 0;
     Index padded_width = 0;
     Kernel kernel = Kernel::baseline;
@@ -47,8 +46,8 @@ struct Multifrontal {
                  bool complex = false, Precision factor_precision = Precision::in_double) noexcept;
     // Separate, because only factorise() needs the stack.
     void lay_out_stack(Arena& arena) noexcept;
-    // Fills panel_start.
-    void set_panel_starts() noexcept;
+    // Fills panel_start and target. The tree, border_start and border are there.
+    void complete() noexcept;
 
     // On Status::not_positive, fault.item is a position of the elimination.
     Status factorise(Matrix const& matrix, Progress const& progress, Fault& fault) noexcept;
@@ -70,13 +69,12 @@ struct Multifrontal {
         Number* sums;
         Number* least_left;
         Number* least_pivot;
-        Index* targets;
     };
     template <class Number>
     Worker<Number> top_worker() const noexcept {  // for the nodes above the subtrees: all threads work inside a front
         FrontalNumbers<Number> const& all = numbers<Number>();
         return {executor, all.stack.data(), all.rows.data(), all.sums.data(), all.least_left.data(),
-                all.least_pivot.data(), target.data()};
+                all.least_pivot.data()};
     }
     template <class Number>
     Worker<Number> worker(Index number) const noexcept {
@@ -87,8 +85,7 @@ struct Multifrontal {
                 all.rows.data() + ((n + 1) * subtrees.stack_rows + subtrees.kept_rows) * row_length(),
                 all.sums.data() + n * planes * most_sums,
                 all.least_left.data() + n,
-                all.least_pivot.data() + n,
-                target.data() + n * largest_border};
+                all.least_pivot.data() + n};
     }
     // body(subtree, worker) for all subtrees; those of one worker one after the other.
     template <class Number, class Body>
@@ -122,10 +119,10 @@ struct Multifrontal {
     Span<const Index> border_of(Index node) const noexcept {
         return border.from(border_start[node], border_start[node + 1] - border_start[node]);
     }
-    // Finds the indices of a child's border in the parent's front; they increase.
-    void find_targets(Index child, Index parent, Index* targets) const noexcept;
+    const Index* targets_of(Index node) const noexcept { return target.data() + border_start[node]; }
 
 private:
+    void find_targets(Index child, Index parent) noexcept;
     template <class Number>
     void lay_out_numbers(Arena& arena, Offset factor_entries, FrontalNumbers<Number>& numbers) const noexcept;
     template <class Number>

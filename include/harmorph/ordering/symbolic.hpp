@@ -13,7 +13,6 @@ struct FrontSizes {
     Offset border_entries = 0;  // of all fronts
     Offset factor_entries = 0;  // of all panels; a complex number is one entry
     Offset most_sums = 0;       // row sums of a front
-    Index largest_border = 0;
 };
 
 struct BorderWork {
