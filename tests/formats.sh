@@ -502,6 +502,6 @@ for storage in text binary-64; do "$tmp/make_foam" "$tmp/broken-$storage" $stora
 check "broken files are refused, or read: never more" sh -c "cd '$tmp' && ./mutate broken 120 \
     $(cd "$tmp" && "./make_mesh" list | tr '\n' ' ') $(cd "$tmp" && ls broken-*/constant/polyMesh/[pfob]* | tr '\n' ' ')"
 cat "$tmp/out"
-sh tests/openfoam.sh "$harmorph" "$2" || fail "a case of OpenFOAM" # which counts its own checks
+sh tests/openfoam.sh "$harmorph" "${tmp%/*}" || fail "a case of OpenFOAM" # which counts its own checks
 
 finish

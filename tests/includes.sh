@@ -54,4 +54,10 @@ done
 for file in c_api/cli/*.[ch]pp c_api/cli/formats/* c_api/cli/pictures/*; do
     is_empty "$file" "$(included "$file" | grep -E '/' | grep -vE '^(sys|formats|pictures)/')"
 done
+
+# What stands at the top; a test that leaves something there would have it committed one day.
+if tracked=$(git ls-files 2>/dev/null); then
+    is_empty "the top of the sources" "$(echo "$tracked" | sed 's|/.*||' | sort -u |
+        grep -vxE 'Makefile|CMakeLists\.txt|include|src|c_api|fortran|tests|README\.md|LICENSE|\..*')"
+fi
 finish
