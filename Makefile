@@ -9,7 +9,8 @@
 #   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 FILES=...
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
-#   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2 files
+#   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
+#                         files, LARGE="NI:NJ:FIRST ..." of O-meshes, PARTITIONS=012345 SOLVERS=01: tests/petsc/main.c
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
 #   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
@@ -93,6 +94,7 @@ all: rules
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
 	@for file in harmorph harmorph77; do sh fortran/join.sh $$file >$(BUILD)/$$file.f90 || exit 1; done
+	@sh c_api/petsc/join.sh >$(BUILD)/harmorph_petsc.c
 	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
 	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
 	@echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
@@ -253,8 +255,8 @@ install: manual
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 $(BUILD)/harmorph77.f90 fortran/*.f90 c_api/harmorph_mpi.c c_api/harmorph_petsc.c c_api/examples/read_su2.c c_api/examples/read_su2.h \
-	    tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
+	cp $(BUILD)/harmorph.f90 $(BUILD)/harmorph77.f90 $(BUILD)/harmorph_petsc.c fortran/*.f90 c_api/harmorph_mpi.c \
+	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
 install-shared: shared

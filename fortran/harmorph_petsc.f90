@@ -16,7 +16,7 @@
 ! processes has the same number on each.
 module harmorph_petsc
     use, intrinsic :: iso_c_binding
-    use mpi_f08, only: mpi_comm
+    use mpi_f08, only: mpi_comm, mpi_comm_null
     use harmorph
     implicit none
     private
@@ -35,6 +35,7 @@ module harmorph_petsc
         type(c_ptr) :: handle = c_null_ptr
         type(hm_part) :: part
         integer(c_int32_t) :: n_points = 0
+        type(mpi_comm) :: comm = mpi_comm_null      ! of create; stays when create is refused: see solve
     contains
         procedure :: create
         procedure :: solve
@@ -67,33 +68,36 @@ module harmorph_petsc
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function c_solve(system, rows, block, bytes, report, err) result(status) bind(c, name="hm_petsc_solve")
-            import :: c_int32_t, c_ptr, c_size_t, hm_c_error, hm_petsc_report
+        function c_solve(system, rows, block, bytes, report, comm, err) result(status) bind(c, name="hm_petsc_solve_f")
+            import :: c_int, c_int32_t, c_ptr, c_size_t, hm_c_error, hm_petsc_report
             implicit none
             type(c_ptr), value, intent(in) :: system, block
             type(c_ptr), intent(inout) :: rows
             integer(c_size_t), value, intent(in) :: bytes
             type(hm_petsc_report), intent(inout) :: report
+            integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function c_displace(system, displacement, report, err) result(status) bind(c, name="hm_petsc_displace")
-            import :: c_int32_t, c_ptr, hm_c_error, hm_c_points, hm_petsc_report
+        function c_displace(system, displacement, report, comm, err) result(status) bind(c, name="hm_petsc_displace_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error, hm_c_points, hm_petsc_report
             implicit none
             type(c_ptr), value, intent(in) :: system
             type(hm_c_points), intent(in) :: displacement
             type(hm_petsc_report), intent(inout) :: report
+            integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
-        function c_assess(system, rows, from, displacement, step, quality, rank, err) result(status) &
-            bind(c, name="hm_petsc_assess")
-            import :: c_int32_t, c_ptr, hm_c_error, hm_c_points, hm_step_report, hm_quality_report
+        function c_assess(system, rows, from, displacement, step, quality, rank, comm, err) result(status) &
+            bind(c, name="hm_petsc_assess_f")
+            import :: c_int, c_int32_t, c_ptr, hm_c_error, hm_c_points, hm_step_report, hm_quality_report
             implicit none
             type(c_ptr), value, intent(in) :: system, rows, from, rank
             type(hm_c_points), intent(in) :: displacement
             type(hm_step_report), intent(inout) :: step
             type(hm_quality_report), intent(inout) :: quality
+            integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
         end function
@@ -142,9 +146,10 @@ contains
         call self%free()
         call self%part%set(mesh, numbers, curves, conditions, ghosts, options, refused, reason)
         self%n_points = size(numbers)
+        self%comm = comm
         ! What is wrong here alone leaves no part, which all then refuse together.
         status = c_create(self%handle, self%part%mesh_address(), self%part%problem_address(), &
-            self%part%options_address(), int(comm%mpi_val, c_int), e)
+            self%part%options_address(), int(self%comm%mpi_val, c_int), e)
         if (status < 0) call self%part%free()
         if (refused < 0 .and. (present(stat) .or. present(err))) then
             if (present(stat)) stat = refused
@@ -169,9 +174,9 @@ contains
         found%struct_size = c_sizeof(found)
         bytes = 0
         block = c_null_ptr
-        status = c_rows_size(self%handle, bytes, e)
-        if (status >= 0) call basis%room(bytes, block, has_room)
-        if (status >= 0) status = c_solve(self%handle, rows, block, bytes, found, e)
+        if (c_rows_size(self%handle, bytes, e) >= 0) call basis%room(bytes, block, has_room)
+        ! What is wrong here alone is refused by all processes together.
+        status = c_solve(self%handle, rows, block, bytes, found, int(self%comm%mpi_val, c_int), e)
         if (status >= 0) then
             call basis%take(rows)
         else
@@ -195,7 +200,7 @@ contains
         found%struct_size = c_sizeof(found)
         if (size(dx) == self%n_points .and. size(dy) == self%n_points) &
             field = hm_c_points(c_loc(dx), c_loc(dy), 1_c_int64_t)
-        status = c_displace(self%handle, field, found, e)
+        status = c_displace(self%handle, field, found, int(self%comm%mpi_val, c_int), e)
         if (present(report)) report = found
         call hm_finish("system%displace", status, e, stat, err)
     end subroutine
@@ -216,7 +221,8 @@ contains
         quality%struct_size = c_sizeof(quality)
         if (size(dx) == self%n_points .and. size(dy) == self%n_points) &
             field = hm_c_points(c_loc(dx), c_loc(dy), 1_c_int64_t)
-        status = c_assess(self%handle, basis%address(), c_null_ptr, field, step, quality, c_null_ptr, e)
+        status = c_assess(self%handle, basis%address(), c_null_ptr, field, step, quality, c_null_ptr, &
+            int(self%comm%mpi_val, c_int), e)
         call hm_finish("system%assess", status, e, stat, err)
     end subroutine
 

@@ -1,35 +1,54 @@
 #!/bin/sh
 # usage: petsc.sh BUILD   (FC, FFLAGS, CC, CFLAGS, MPICC, MPIFC, MPIRUN as in mpi.sh; MESHES: a directory of SU2 files
-# to solve on as well)
-# harmorph_petsc.c and harmorph_petsc.f90, compiled without a warning, on 1 to 4 processes of this machine.
+# to solve on as well; LARGE: O-meshes NI:NJ:FIRST; PARTITIONS, SOLVERS, OPERATORS: see petsc/main.c)
+# harmorph_petsc.c and harmorph_petsc.f90, compiled without a warning, on 1 to 4 processes of this machine; where Debian's
+# PETSc with complex scalars is installed, with it, too.
 : "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 : "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
 build=$(cd "$1" && pwd)
 dir=$build/petsc
 rm -rf "$dir"
-mkdir -p "$dir"
+mkdir -p "$dir/complex"
 if ! pkg-config --exists petsc; then
     echo "PETSc is not installed (Debian's petsc-dev): its tests are SKIPPED"
     echo "0 passed, 0 failed"
     exit 0
 fi
-# PETSc's headers as those of the system: their warnings are not ours.
-petsc_flags=$(pkg-config --cflags petsc | sed 's/-I/-isystem /g') petsc_libs=$(pkg-config --libs petsc)
-export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
-case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 900" ;; *) local= ;; esac
+export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMP_NUM_THREADS=1
+case $($MPIRUN --version 2>&1) in *Open*) is_open=1 local="--allow-run-as-root --timeout 900" ;; *) is_open= local= ;; esac
+processors=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+# Processes that share a processor yield it while they wait; with one for each, beside other work, yielding would cost a
+# turn of everything else for each message.
+start() {   # processes, program, arguments
+    if [ "$1" -gt "$processors" ] && [ "$is_open" ]; then
+        OMPI_MCA_mpi_yield_when_idle=1 $MPIRUN $local --oversubscribe -np "$@"
+    else
+        OMPI_MCA_mpi_yield_when_idle=0 $MPIRUN $local -np "$@"
+    fi
+}
 
 topic=PETSc log=$dir/log
 . "$(dirname "$0")/count.sh"
 c() {
-    $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS \
-        $petsc_flags -Ic_api -Ic_api/examples -Itests "$@"
+    $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers \
+        -Wno-unused-function $CFLAGS $petsc_flags -Ic_api -Ic_api/examples "$@"
+}
+compile_tests() {   # directory, what pkg-config knows PETSc by
+    # PETSc's headers as those of the system: their warnings are not ours.
+    petsc_flags=$(pkg-config --cflags "$2" | sed 's/-I/-isystem /g') petsc_libs=$(pkg-config --libs "$2")
+    check "harmorph_petsc.c" c -c c_api/harmorph_petsc.c -o "$1/harmorph_petsc.o"
+    check "harmorph_petsc.c, as it is installed" c -c "$build/harmorph_petsc.c" -o "$1/harmorph_petsc.o"
+    check "harmorph_mpi.c" c -c c_api/harmorph_mpi.c -o "$1/harmorph_mpi.o"
+    check "read_su2.c" $CC $CFLAGS -c c_api/examples/read_su2.c -o "$1/read_su2.o"
+    check "link of the tests" c -o "$1/petsc" tests/petsc/*.c "$1/read_su2.o" "$1/harmorph_petsc.o" \
+        "$1/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm
+}
+run() {   # directory, processes, arguments: the program prints its counts
+    program=$1/petsc n=$2; shift 2
+    start "$n" "$program" "$@" 2>&1 || fail "$program on $n processes $*"
 }
 
-check "harmorph_petsc.c" c -c c_api/harmorph_petsc.c -o "$dir/harmorph_petsc.o"
-check "harmorph_mpi.c" c -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
-check "read_su2.c" $CC $CFLAGS -c c_api/examples/read_su2.c -o "$dir/read_su2.o"
-check "petsc.c" c -Wno-unused-function -o "$dir/petsc" tests/petsc.c "$dir/read_su2.o" "$dir/harmorph_petsc.o" \
-    "$dir/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm
+compile_tests "$dir" petsc
 for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 fortran/harmorph_petsc.f90 fortran/read_su2.f90 \
     fortran/examples/partitioned.f90; do
     name=$(basename "$source" .f90)
@@ -38,11 +57,20 @@ done
 check "link of partitioned.f90" $MPIFC $FFLAGS -o "$dir/partitioned" "$dir"/*_f.o "$dir/harmorph_petsc.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a" $petsc_libs -lm
 for n in 1 2; do
-    check "partitioned.f90 on $n processes" $MPIRUN $local -np $n "$dir/partitioned" tests/meshes/naca0012.su2
+    check "partitioned.f90 on $n processes" start $n "$dir/partitioned" tests/meshes/naca0012.su2
 done
-for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" 2>&1 || fail "$n processes"; done
-for mesh in ${MESHES:+"$MESHES"/*.su2}; do
-    for n in 1 2 3 4; do $MPIRUN $local -np $n "$dir/petsc" "$mesh" 2>&1 || fail "$mesh on $n processes"; done
+for n in 1 2 3 4; do run "$dir" $n; done
+for what in ${MESHES:+"$MESHES"/*.su2} $LARGE; do
+    for n in 1 2 3 4; do run "$dir" $n "$what"; done
+done
+
+for complex in /usr/lib/petscdir/petsc3*/*-complex/lib/pkgconfig/petsc.pc; do
+    if [ ! -f "$complex" ]; then
+        skip "PETSc with complex scalars" "Debian's libpetsc-complex-dev is not installed"
+        break
+    fi
+    compile_tests "$dir/complex" "$complex"
+    for n in 1 2; do run "$dir/complex" $n; done
 done
 
 finish "$dir"

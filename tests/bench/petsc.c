@@ -1,8 +1,8 @@
 /* usage: petsc NI NJ FUNCTIONS OPERATOR FIRST   O-mesh of NI x NJ points (the seam repeats a column); FIRST: height of
  * the first layer, 0: cells as long as wide. Each process makes its own rings alone. Prints: processes, points, seconds
  * to create and to solve (processor time of the slowest process), iterations of the slowest function, seconds of a
- * morph; bytes a point of harmorph and its basis, and of the whole process beyond both (PETSc and its solvers);
- * estimated error. */
+ * morph; megabytes of the largest process: harmorph with its basis, the rest (PETSc and its solvers), and the
+ * most that the process had at a time; estimated error. */
 #include <harmorph_petsc.h>
 
 #include <math.h>
@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -27,12 +28,18 @@ static double seconds(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static double resident(void) {
+static double resident(void) { /* bytes, now */
     long pages = 0, all = 0;
     FILE *file = fopen("/proc/self/statm", "r");
     if (file == NULL || fscanf(file, "%ld %ld", &all, &pages) != 2) pages = 0;
     if (file != NULL) fclose(file);
     return (double)pages * (double)sysconf(_SC_PAGESIZE);
+}
+
+static double most_resident(void) { /* bytes, at any time */
+    struct rusage use;
+    getrusage(RUSAGE_SELF, &use);
+    return 1024.0 * (double)use.ru_maxrss;
 }
 
 static void place(int i, int j, int ni, int nj, double first, double *x, double *y) {
@@ -117,21 +124,22 @@ int main(int argc, char **argv) {
         times[1] = seconds();
         need(hm_petsc_rows_size(system, &bytes, &error), &error);
         block = malloc(bytes);
-        need(hm_petsc_solve(system, &rows, block, bytes, &report, &error), &error);
+        need(hm_petsc_solve(system, &rows, block, bytes, &report, MPI_COMM_WORLD, &error), &error);
         times[2] = seconds();
-        memory[1] = (double)report.bytes + (double)bytes;
-        memory[2] = resident() - before - memory[1];
+        memory[0] = (double)report.bytes + (double)bytes;
+        memory[1] = resident() - before - memory[0];
+        memory[2] = most_resident() - before;
         move = calloc(2 * (size_t)functions, sizeof *move);
         move[0] = 0.01;
         need(hm_morph(rows, move, &mesh.points, &(hm_points_out){x, y, 1}, NULL, &error), &error);
         times[3] = seconds();
         for (i = 3; i > 0; --i) times[i] -= times[i - 1];
-        memory[0] = (double)n;
         MPI_Allreduce(MPI_IN_PLACE, times + 1, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-        MPI_Allreduce(MPI_IN_PLACE, memory, 3, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+        MPI_Allreduce(MPI_IN_PLACE, memory, 3, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
         if (rank == 0) {
-            printf("%d %ld %.2f %.2f %d %.4f %.0f %.0f %.1e\n", size, (long)ni * nj, times[1], times[2],
-                   (int)report.iterations, times[3], memory[1] / memory[0], memory[2] / memory[0], report.error);
+            printf("%d %ld %.2f %.2f %d %.4f %.1f %.1f %.1f %.1e\n", size, (long)ni * nj, times[1], times[2],
+                   (int)report.iterations, times[3], 1e-6 * memory[0], 1e-6 * memory[1], 1e-6 * memory[2],
+                   report.error);
         }
         hm_petsc_free(&system);
     }

@@ -20,7 +20,7 @@ export OMPI_MCA_mpi_yield_when_idle=1 OMP_NUM_THREADS=1
 for operator in $OPERATORS; do
     for first in $FIRST; do
         echo "PETSc, operator $operator (0: conformal, 1: Laplace), first layer $first (0: cells as long as wide)"
-        { echo "processes points create[s] solve[s] iterations morph[s] ours[B/pt] petsc[B/pt] error"
+        { echo "processes points create[s] solve[s] iterations morph[s] ours[MB] petsc[MB] peak[MB] error"
             for size in $SIZES; do
                 for n in $PROCESSES; do
                     run "$n" "$BUILD/bench/petsc" "${size%:*}" "${size#*:}" "$FUNCTIONS" "$operator" "$first"

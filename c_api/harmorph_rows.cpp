@@ -1,0 +1,110 @@
+// The C interface: right-hand sides, values and residuals of the functions at the points of a part.
+#include "harmorph/base/range.hpp"
+#include "harmorph/operators/right_hand_sides.hpp"
+#include "harmorph_distributed.h"
+#include "part_handles.hpp"
+
+namespace harmorph {
+namespace {
+
+// Equations and rows that were made of them.
+struct RowsCall {
+    const PartEquations* equations = nullptr;
+    Basis basis;
+
+    Status open_both(const hm_equations* handle, const hm_basis* rows, CallFault& fault) noexcept {
+        HARMORPH_TRY(open(handle, "equations", equations, fault));
+        HARMORPH_TRY(open_basis(rows, basis, fault));
+        BasisCounts const counts = equations->basis_source().counts();
+        bool const same = basis.n_points() == counts.points && !basis.in_single() && basis.kind() == counts.kind &&
+                          basis.n_functions() == counts.functions();
+        if (!same) return fault.refuse(Status::bad_basis, "the rows were made of other equations");
+        if (basis.header->solved == 0) return Status::ok;
+        return fault.refuse(Status::bad_basis, "the rows are finished: make new ones by hm_rows_init");
+    }
+    Status check_column(Index column, const double* numbers, Fault& fault) const noexcept {
+        HARMORPH_TRY(require({{"numbers", numbers}}, fault));
+        if (column >= 0 && column < equations->columns(basis)) return Status::ok;
+        return fault.refuse(Status::bad_argument, "there is no column # (from 0) of @", Counts::from_zero, column,
+                            equations->columns(basis));
+    }
+};
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_rows_size(const hm_equations* equations, size_t* bytes, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const PartEquations* of = nullptr;
+        HARMORPH_TRY(open(equations, "equations", of, fault));
+        Basis made;
+        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, of->basis_source().counts()); });
+    });
+}
+
+hm_status hm_rows_init(hm_basis** rows, void* block, size_t bytes, const hm_equations* equations, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const PartEquations* of = nullptr;
+        HARMORPH_TRY(require({{"rows", rows}}, fault));
+        HARMORPH_TRY(open(equations, "equations", of, fault));
+        BasisCounts const counts = of->basis_source().counts();
+        Basis made;
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
+        init_basis(made, counts, of->basis_source());
+        set_right_hand_sides(of->matrix, made, of->dofs(made));
+        *rows = reinterpret_cast<hm_basis*>(made.header);
+        return Status::ok;
+    });
+}
+
+hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32_t column, double* numbers,
+                      hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        RowsCall call;
+        HARMORPH_TRY(call.open_both(equations, rows, fault));
+        HARMORPH_TRY(call.check_column(column, numbers, fault));
+        call.equations->get(call.equations->dofs(call.basis), column, numbers);
+        return Status::ok;
+    });
+}
+
+hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t column, const double* numbers,
+                      hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        RowsCall call;
+        HARMORPH_TRY(call.open_both(equations, rows, fault));
+        HARMORPH_TRY(call.check_column(column, numbers, fault));
+        call.equations->set(call.equations->dofs(call.basis), column, numbers);
+        return Status::ok;
+    });
+}
+
+hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_t column, double* residual,
+                           hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        RowsCall call;
+        HARMORPH_TRY(call.open_both(equations, rows, fault));
+        HARMORPH_TRY(call.check_column(column, residual, fault));
+        call.equations->find_residual(call.equations->dofs(call.basis), column, residual);
+        return Status::ok;
+    });
+}
+
+hm_status hm_rows_finish(hm_equations* equations, hm_basis* rows, double largest, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        RowsCall call;
+        HARMORPH_TRY(call.open_both(equations, rows, fault));
+        if (!is_finite(largest) || largest < 0) {
+            return fault.refuse(Status::bad_argument, "largest must be finite and not negative, not ~",
+                                Counts::from_zero, none, none, largest);
+        }
+        call.equations->finish(call.basis, largest);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,265 @@
+/* Several right-hand sides: PETSc solves, residuals of the core refine. */
+#ifndef HARMORPH_PETSC_SOLUTION_H
+#define HARMORPH_PETSC_SOLUTION_H
+
+#include "matrix.h"
+
+static PetscErrorCode make_solver(hm_petsc *system) {
+    PC pc;
+    TRY(KSPCreate(system->comm, &system->solver));
+    TRY(KSPSetOptionsPrefix(system->solver, "hm_"));
+    TRY(KSPSetOperators(system->solver, system->matrix, system->matrix));
+    TRY(KSPSetType(system->solver, KSPCG));
+    TRY(KSPSetTolerances(system->solver, 1e-6, PETSC_DEFAULT, PETSC_DEFAULT, 1000));
+    TRY(KSPGetPC(system->solver, &pc));
+#ifdef PETSC_HAVE_HYPRE
+    TRY(PCSetType(pc, PCHYPRE));
+    TRY(PCHYPRESetType(pc, "boomeramg"));
+#else
+    TRY(PCSetType(pc, PCGAMG));
+#endif
+    return KSPSetFromOptions(system->solver);
+}
+
+/* What the columns are, and what becomes of their values: functions, or one field of displacements. */
+typedef struct columns {
+    hm_petsc *system;
+    int32_t n;
+    hm_basis *rows;                     /* of functions; NULL: a field */
+    double *work, *numbers, *residuals; /* of a field: see hm_field_init */
+    double *column;                     /* [unknowns * info.numbers] */
+} columns;
+
+static size_t length_of_column(const hm_petsc *system) {
+    return (size_t)system->info.unknowns * (size_t)system->info.numbers;
+}
+
+/* of->column becomes the right-hand side of this part. */
+static hm_status get_column(const columns *of, int32_t column, hm_error *err) {
+    const size_t length = length_of_column(of->system);
+    if (of->rows != NULL) return hm_rows_get(of->system->equations, of->rows, column, of->column, err);
+    memcpy(of->column, of->numbers + (size_t)column * length, length * sizeof *of->column);
+    return HM_OK;
+}
+
+/* of->column: in, values of the unknowns; out, the residual of this part. */
+static hm_status set_column(const columns *of, int32_t column, hm_error *err) {
+    hm_petsc *const system = of->system;
+    const size_t length = length_of_column(system);
+    hm_status status;
+    if (of->rows != NULL) {
+        status = hm_rows_set(system->equations, of->rows, column, of->column, err);
+        return status < 0 ? status : hm_rows_residual(system->equations, of->rows, column, of->column, err);
+    }
+    memcpy(of->numbers + (size_t)column * length, of->column, length * sizeof *of->column);
+    status = hm_field_residual(system->equations, of->work, of->numbers, of->residuals, err);
+    memcpy(of->column, of->residuals + (size_t)column * length, length * sizeof *of->column);
+    return status;
+}
+
+typedef struct progress { /* of one column */
+    double change, ratio, error;
+    int solutions;
+    PetscInt iterations;
+    int done;
+} progress;
+
+enum { MOST_SOLUTIONS = 8, MOST_AT_ONCE = 16 };
+
+/* The error that is left, estimated from the last correction and by how much corrections have shrunk. */
+static void judge(progress *column, double change, double tolerance) {
+    const double ratio = column->change > 0 ? change / column->change : 1;
+    if (column->solutions > 1 && ratio > column->ratio) column->ratio = ratio;
+    column->error = column->solutions > 1 && column->ratio < 0.5 ? column->ratio * change : change;
+    column->done = column->error <= tolerance || change == 0 || (column->solutions > 2 && ratio > 0.5) ||
+                   column->solutions == MOST_SOLUTIONS;
+    column->change = change;
+}
+
+typedef struct solution { /* of a block of columns */
+    Mat b, dx, x;         /* dense, `width` columns */
+    PetscInt width;
+    int32_t first, n;
+    int direct; /* all columns at once */
+    progress at[MOST_AT_ONCE];
+    hm_status status;
+} solution;
+
+static PetscErrorCode solve_at_once(const hm_petsc *system, solution *now) {
+    KSPConvergedReason reason;
+    int32_t k;
+    TRY(KSPMatSolve(system->solver, now->b, now->dx));
+    TRY(KSPGetConvergedReason(system->solver, &reason));
+    if (reason < 0) now->status = HM_NOT_POSITIVE;
+    for (k = 0; k < now->n; ++k) now->at[k].iterations += 1;
+    return 0;
+}
+
+static PetscErrorCode solve_one(const hm_petsc *system, solution *now, int32_t k) {
+    KSPConvergedReason reason;
+    PetscInt before = 0, after = 0;
+    Vec b, dx;
+    TRY(MatDenseGetColumnVecRead(now->b, k, &b));
+    TRY(MatDenseGetColumnVecWrite(now->dx, k, &dx));
+    TRY(KSPGetTotalIterations(system->solver, &before));
+    TRY(KSPSolve(system->solver, b, dx));
+    TRY(KSPGetTotalIterations(system->solver, &after));
+    TRY(KSPGetConvergedReason(system->solver, &reason));
+    if (reason == KSP_DIVERGED_PC_FAILED || reason == KSP_DIVERGED_INDEFINITE_MAT ||
+        reason == KSP_DIVERGED_INDEFINITE_PC || reason == KSP_DIVERGED_NANORINF) {
+        now->status = HM_NOT_POSITIVE;
+    }
+    now->at[k].iterations += after - before;
+    TRY(MatDenseRestoreColumnVecWrite(now->dx, k, &dx));
+    return MatDenseRestoreColumnVecRead(now->b, k, &b);
+}
+
+/* of->column of all processes together is column k of b. */
+static PetscErrorCode send_column(const columns *of, const solution *now, int32_t k) {
+    const hm_petsc *const system = of->system;
+    PetscScalar *local;
+    Vec b;
+    TRY(VecGetArray(system->local, &local));
+    to_scalars(system, of->column, local);
+    TRY(VecRestoreArray(system->local, &local));
+    TRY(MatDenseGetColumnVecWrite(now->b, k, &b));
+    TRY(sum_up(system, b));
+    return MatDenseRestoreColumnVecWrite(now->b, k, &b);
+}
+
+/* x += dx; of->column receives the values that this process has. */
+static PetscErrorCode receive_column(const columns *of, solution *now, int32_t k, double *change) {
+    const hm_petsc *const system = of->system;
+    const PetscScalar *local;
+    PetscReal correction, size;
+    Vec dx, x;
+    TRY(MatDenseGetColumnVecRead(now->dx, k, &dx));
+    TRY(MatDenseGetColumnVec(now->x, k, &x));
+    TRY(VecAXPY(x, 1, dx));
+    TRY(VecNorm(dx, NORM_INFINITY, &correction));
+    TRY(VecNorm(x, NORM_INFINITY, &size));
+    TRY(VecScatterBegin(system->to_local, x, system->local, INSERT_VALUES, SCATTER_FORWARD));
+    TRY(VecScatterEnd(system->to_local, x, system->local, INSERT_VALUES, SCATTER_FORWARD));
+    TRY(MatDenseRestoreColumnVec(now->x, k, &x));
+    TRY(MatDenseRestoreColumnVecRead(now->dx, k, &dx));
+    TRY(VecGetArrayRead(system->local, &local));
+    to_numbers(system, local, of->column);
+    TRY(VecRestoreArrayRead(system->local, &local));
+    *change = size > 0 ? correction / size : 0;
+    return 0;
+}
+
+/* After a solution: the values go to the rows, and b becomes the residual. */
+static PetscErrorCode take_over(const columns *of, solution *now, int32_t k, hm_error *err) {
+    double change = 0;
+    hm_status status;
+    TRY(receive_column(of, now, k, &change));
+    status = set_column(of, now->first + k, err);
+    if (status < 0) now->status = status;
+    TRY(send_column(of, now, k));
+    ++now->at[k].solutions;
+    judge(&now->at[k], change, of->system->tolerance);
+    return 0;
+}
+
+/* Columns first .. first + n - 1. What ends the loop is the same on all processes: norms, and the agreed status. */
+static PetscErrorCode solve_columns(const columns *of, solution *now, hm_error *err) {
+    const hm_petsc *const system = of->system;
+    int32_t k;
+    int going = 1;
+    memset(now->at, 0, sizeof now->at);
+    TRY(MatZeroEntries(now->x));
+    TRY(MatZeroEntries(now->b));
+    for (k = 0; k < now->n; ++k) {
+        const hm_status status = get_column(of, now->first + k, err);
+        if (status < 0) now->status = status;
+        TRY(send_column(of, now, k));
+    }
+    while (now->status = agree(now->status, system->comm, err), going && now->status >= 0) {
+        going = 0;
+        if (now->direct) TRY(solve_at_once(system, now));
+        for (k = 0; k < now->n; ++k) {
+            if (now->at[k].done) continue;
+            if (!now->direct) TRY(solve_one(system, now, k));
+            TRY(take_over(of, now, k, err));
+            going = going || !now->at[k].done;
+        }
+    }
+    return 0;
+}
+
+static void include(hm_petsc_report *report, const solution *now) {
+    int32_t k;
+    for (k = 0; k < now->n; ++k) {
+        const progress *const at = &now->at[k];
+        if (at->iterations > report->iterations) report->iterations = (int32_t)at->iterations;
+        if (at->solutions > report->solutions) report->solutions = at->solutions;
+        if (!(at->change <= report->change)) report->change = at->change;
+        if (!(at->error <= report->error)) report->error = at->error;
+    }
+}
+
+static PetscErrorCode solve_blocks(const columns *of, solution *now, hm_petsc_report *report, hm_error *err) {
+    const hm_petsc *const system = of->system;
+    const PetscInt all = (PetscInt)system->unknowns * system->width;
+    PetscBool direct = PETSC_FALSE;
+    if (of->n == 0 || all == 0) return 0;
+    TRY(PetscObjectTypeCompare((PetscObject)system->solver, KSPPREONLY, &direct));
+    now->direct = direct;
+    now->width = !direct ? 1 : of->n < MOST_AT_ONCE ? of->n : MOST_AT_ONCE;
+    TRY(MatCreateDense(system->comm, system->own_rows, PETSC_DECIDE, all, now->width, NULL, &now->b));
+    TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->dx));
+    TRY(MatDuplicate(now->b, MAT_DO_NOT_COPY_VALUES, &now->x));
+    TRY(MatZeroEntries(now->dx));
+    for (now->first = 0; now->first < of->n && now->status >= 0; now->first += (int32_t)now->width) {
+        now->n = of->n - now->first < now->width ? of->n - now->first : (int32_t)now->width;
+        TRY(solve_columns(of, now, err));
+        include(report, now);
+    }
+    return 0;
+}
+
+/* Solves for all columns; the same status on all processes. */
+static hm_status solve_all(columns *of, hm_petsc_report *report, hm_error *err) {
+    const hm_petsc *const system = of->system;
+    solution now;
+    PetscErrorCode code;
+    hm_status status;
+    of->column = room_for(length_of_column(system), sizeof *of->column);
+    status = agree(of->column == NULL ? no_memory(err) : HM_OK, system->comm, err);
+    if (status < 0) {
+        free(of->column);
+        return status;
+    }
+    memset(&now, 0, sizeof now);
+    code = solve_blocks(of, &now, report, err);
+    MatDestroy(&now.b);
+    MatDestroy(&now.dx);
+    MatDestroy(&now.x);
+    free(of->column);
+    if (now.status == HM_NOT_POSITIVE) {
+        refuse(err, HM_NOT_POSITIVE, -1, "PETSc could not factor or solve: the matrix is not positive definite");
+    }
+    return agree(code != 0 ? petsc_status(code, err) : now.status, system->comm, err);
+}
+
+/* The report that the caller gets, and whether the tolerance was reached. */
+static hm_status finish_report(const hm_petsc *system, hm_petsc_report *found, hm_petsc_report *report,
+                               hm_error *err) {
+    const hm_status status = found->error <= system->tolerance ? HM_OK : HM_NOT_CONVERGED;
+    found->unknowns = system->unknowns;
+    found->functions = system->info.functions;
+    found->boundary_edges = system->boundary_edges;
+    found->bytes = system->bytes;
+    if (status == HM_NOT_CONVERGED && err != NULL) {
+        refuse(err, HM_NOT_CONVERGED, -1, "the iteration ended while values may be off by more than the tolerance");
+        err->value = found->error;
+    }
+    if (report != NULL) {
+        found->struct_size = report->struct_size;
+        memcpy(report, found, report->struct_size < sizeof *found ? (size_t)report->struct_size : sizeof *found);
+    }
+    return status;
+}
+
+#endif
