@@ -900,7 +900,8 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
  * ordering and symbolic factorisation are reused), and give displacements from that position on.
  *
  * Displacements are linear: velocities of wall points give velocities of mesh points. Points on curves, rigid bodies
- * and fixed markers stay where they are; the displacements of curves and bodies by hm_morph may be added.
+ * and fixed markers stay where they are. Where curves and bodies move in the same step, move them first, by hm_morph, and
+ * give the result as `from`: then the boundary is judged where everything has moved.
  *
  * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base; NULL: in the order
  * of hm_given_points, and n is their number. All points of the markers with HM_GIVEN must be there. A point may stand

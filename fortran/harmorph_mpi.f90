@@ -15,6 +15,9 @@
 !     call hm_mpi_displace(plan, wall_points, wall, points, x, y, comm)              its points, in place
 !     call hm_mpi_displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, comm)   gradient(2,:)
 !
+! Several fields at once, as the modes of a structure, are hardly dearer than one: wall(2,:,m), dx(:,m), dy(:,m), and for
+! the adjoint dj_dx(:,m), dj_dy(:,m), gradient(2,:,m).
+!
 ! All calls with comm are collective; comm is a type(MPI_Comm), or an integer of `use mpi` and mpif.h. points counts
 ! from 1, in the whole mesh; ghosts are allowed, and have dj_dx = dj_dy = 0. The bits are those of one process.
 module harmorph_mpi
@@ -38,13 +41,13 @@ module harmorph_mpi
     end interface
 
     interface hm_mpi_displacement
-        procedure :: displacement, displacement_i
+        procedure :: displacement, displacement_i, displacements, displacements_i
     end interface
     interface hm_mpi_displace
         procedure :: displace, displace_i
     end interface
     interface hm_mpi_displace_adjoint
-        procedure :: displace_adjoint, displace_adjoint_i
+        procedure :: displace_adjoint, displace_adjoint_i, displace_adjoints, displace_adjoints_i
     end interface
 
     interface
@@ -74,7 +77,7 @@ module harmorph_mpi
             type(c_ptr), value, intent(in) :: plan, from                    ! from: null for displacements
             integer(c_int32_t), value, intent(in) :: n_wall, n_fields, n, root
             integer(c_int32_t), intent(in) :: wall_points(*), points(*)
-            type(hm_c_points), intent(in) :: wall, to
+            type(hm_c_points), intent(in) :: wall(*), to(*)                 ! [n_fields]
             integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
@@ -86,7 +89,7 @@ module harmorph_mpi
             type(c_ptr), value, intent(in) :: plan
             integer(c_int32_t), value, intent(in) :: n_wall, n_fields, n, root
             integer(c_int32_t), intent(in) :: wall_points(*), points(*)
-            type(hm_c_points), intent(in) :: dj, gradient
+            type(hm_c_points), intent(in) :: dj(*), gradient(*)             ! [n_fields]
             integer(c_int), value, intent(in) :: comm
             type(hm_c_error), intent(inout) :: err
             integer(c_int32_t) :: status
@@ -183,7 +186,28 @@ contains
         integer, intent(in), optional :: root
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        call move(plan, wall_points, wall, points, dx, dy, .false., comm, root, "hm_mpi_displacement", stat, err)
+        call move(plan, wall_points, [pairs(wall)], size(wall) == 2 * size(wall_points), points, &
+            [points_of(dx, dy, size(points))], c_null_ptr, comm, root, "hm_mpi_displacement", stat, err)
+    end subroutine
+
+    ! Of several fields.
+    subroutine displacements(plan, wall_points, wall, points, dx, dy, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :, :)
+        real(c_double), intent(inout), contiguous, target :: dx(:, :), dy(:, :)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        integer :: k, m
+        logical :: fits
+        m = size(wall, 3)
+        fits = all(shape(wall) == [2, size(wall_points), m]) .and. size(dx, 2) == m .and. size(dy, 2) == m
+        if (.not. fits) m = 0
+        call move(plan, wall_points, [(pairs(wall(:, :, k)), k = 1, m)], fits, points, &
+            [(points_of(dx(:, k), dy(:, k), size(points)), k = 1, m)], c_null_ptr, comm, root, "hm_mpi_displacement", stat, &
+            err)
     end subroutine
 
     ! Moves x, y in place.
@@ -196,34 +220,31 @@ contains
         integer, intent(in), optional :: root
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
-        call move(plan, wall_points, wall, points, x, y, .true., comm, root, "hm_mpi_displace", stat, err)
+        type(hm_c_points), target :: all
+        all = points_of(x, y, size(points))
+        call move(plan, wall_points, [pairs(wall)], size(wall) == 2 * size(wall_points), points, [all], c_loc(all), comm, &
+            root, "hm_mpi_displace", stat, err)
     end subroutine
 
-    ! What one process has wrong, its wrong lengths too, is refused by all: then n_wall is -1.
-    subroutine move(plan, wall_points, wall, points, x, y, in_place, comm, root, name, stat, err)
+    ! What one process has wrong, its wrong lengths too, is refused by all: then n_wall is -1. One field more than there
+    ! are, as C looks at the first one in any case.
+    subroutine move(plan, wall_points, wall, fits, points, to, from, comm, root, name, stat, err)
         type(hm_plan), intent(in) :: plan
         integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
-        real(c_double), intent(in), contiguous, target :: wall(:, :)
-        real(c_double), intent(inout), contiguous, target :: x(:), y(:)
-        logical, intent(in) :: in_place
+        type(hm_c_points), intent(in) :: wall(:), to(:)                     ! of each field
+        logical, intent(in) :: fits                                         ! have the arrays of wall their shape?
+        type(c_ptr), intent(in) :: from
         type(mpi_comm), intent(in) :: comm
         integer, intent(in), optional :: root
         character(len=*), intent(in) :: name
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         type(hm_c_error) :: e
-        type(hm_c_points), target :: all
-        type(c_ptr) :: from
         integer(c_int32_t) :: status, n_wall
         n_wall = int(size(wall_points), c_int32_t)
-        if (size(wall, 1) /= 2 .or. size(wall, 2) /= n_wall .or. size(x) /= size(points) .or. &
-            size(y) /= size(points)) n_wall = -1
-        all = hm_c_points(c_null_ptr, c_null_ptr, 1_c_int64_t)
-        if (size(x) > 0 .and. size(y) > 0) all = hm_c_points(c_loc(x), c_loc(y), 1_c_int64_t)
-        from = c_null_ptr
-        if (in_place) from = c_loc(all)
-        status = c_displace(plan%address(), n_wall, wall_points, 1_c_int32_t, pairs(wall), int(size(points), c_int32_t), &
-            points, from, all, rank_of(root), int(comm%mpi_val, c_int), e)
+        if (.not. fits .or. any(to%stride < 0) .or. size(wall) == 0) n_wall = -1
+        status = c_displace(plan%address(), n_wall, wall_points, int(max(size(wall), 1), c_int32_t), [wall, hm_c_points()], &
+            int(size(points), c_int32_t), points, from, [to, hm_c_points()], rank_of(root), int(comm%mpi_val, c_int), e)
         call hm_finish(name, status, e, stat, err)
     end subroutine
 
@@ -236,18 +257,56 @@ contains
         integer, intent(in), optional :: root
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
+        call gather(plan, wall_points, [points_of(dj_dx, dj_dy, size(points))], points, [pairs(gradient)], &
+            size(gradient) == 2 * size(wall_points), comm, root, stat, err)
+    end subroutine
+
+    ! Of several fields.
+    subroutine displace_adjoints(plan, wall_points, dj_dx, dj_dy, points, gradient, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: dj_dx(:, :), dj_dy(:, :)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :, :)
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        integer :: k, m
+        logical :: fits
+        m = size(gradient, 3)
+        fits = all(shape(gradient) == [2, size(wall_points), m]) .and. size(dj_dx, 2) == m .and. size(dj_dy, 2) == m
+        if (.not. fits) m = 0
+        call gather(plan, wall_points, [(points_of(dj_dx(:, k), dj_dy(:, k), size(points)), k = 1, m)], points, &
+            [(pairs(gradient(:, :, k)), k = 1, m)], fits, comm, root, stat, err)
+    end subroutine
+
+    subroutine gather(plan, wall_points, dj, points, gradient, fits, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        type(hm_c_points), intent(in) :: dj(:), gradient(:)                 ! of each field
+        logical, intent(in) :: fits                                         ! have the arrays of gradient their shape?
+        type(mpi_comm), intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
         type(hm_c_error) :: e
-        type(hm_c_points) :: dj
         integer(c_int32_t) :: status, n_wall
         n_wall = int(size(wall_points), c_int32_t)
-        if (size(gradient, 1) /= 2 .or. size(gradient, 2) /= n_wall .or. size(dj_dx) /= size(points) .or. &
-            size(dj_dy) /= size(points)) n_wall = -1
-        dj = hm_c_points(c_null_ptr, c_null_ptr, 1_c_int64_t)
-        if (size(dj_dx) > 0 .and. size(dj_dy) > 0) dj = hm_c_points(c_loc(dj_dx), c_loc(dj_dy), 1_c_int64_t)
-        status = c_displace_adjoint(plan%address(), n_wall, wall_points, 1_c_int32_t, dj, int(size(points), c_int32_t), &
-            points, pairs(gradient), rank_of(root), int(comm%mpi_val, c_int), e)
+        if (.not. fits .or. any(dj%stride < 0) .or. size(dj) == 0) n_wall = -1
+        status = c_displace_adjoint(plan%address(), n_wall, wall_points, int(max(size(dj), 1), c_int32_t), &
+            [dj, hm_c_points()], int(size(points), c_int32_t), points, [gradient, hm_c_points()], rank_of(root), &
+            int(comm%mpi_val, c_int), e)
         call hm_finish("hm_mpi_displace_adjoint", status, e, stat, err)
     end subroutine
+
+    ! Two arrays of n numbers; a stride below 0 if their lengths are others.
+    type(hm_c_points) function points_of(x, y, n)
+        real(c_double), intent(in), contiguous, target :: x(:), y(:)
+        integer, intent(in) :: n
+        points_of = hm_c_points(c_null_ptr, c_null_ptr, 1_c_int64_t)
+        if (size(x) /= n .or. size(y) /= n) points_of%stride = -1
+        if (size(x) > 0 .and. size(y) > 0) points_of = hm_c_points(c_loc(x), c_loc(y), points_of%stride)
+    end function
 
     type(hm_c_points) function pairs(of)
         real(c_double), intent(in), contiguous, target :: of(:, :)
@@ -308,6 +367,18 @@ contains
         call displacement(plan, wall_points, wall, points, dx, dy, mpi_comm(comm), root, stat, err)
     end subroutine
 
+    subroutine displacements_i(plan, wall_points, wall, points, dx, dy, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: wall(:, :, :)
+        real(c_double), intent(inout), contiguous, target :: dx(:, :), dy(:, :)
+        integer, intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call displacements(plan, wall_points, wall, points, dx, dy, mpi_comm(comm), root, stat, err)
+    end subroutine
+
     subroutine displace_i(plan, wall_points, wall, points, x, y, comm, root, stat, err)
         type(hm_plan), intent(in) :: plan
         integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
@@ -330,5 +401,17 @@ contains
         integer, intent(out), optional :: stat
         type(hm_error), intent(out), optional :: err
         call displace_adjoint(plan, wall_points, dj_dx, dj_dy, points, gradient, mpi_comm(comm), root, stat, err)
+    end subroutine
+
+    subroutine displace_adjoints_i(plan, wall_points, dj_dx, dj_dy, points, gradient, comm, root, stat, err)
+        type(hm_plan), intent(in) :: plan
+        integer(c_int32_t), intent(in), contiguous :: wall_points(:), points(:)
+        real(c_double), intent(in), contiguous, target :: dj_dx(:, :), dj_dy(:, :)
+        real(c_double), intent(inout), contiguous, target :: gradient(:, :, :)
+        integer, intent(in) :: comm
+        integer, intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        call displace_adjoints(plan, wall_points, dj_dx, dj_dy, points, gradient, mpi_comm(comm), root, stat, err)
     end subroutine
 end module

@@ -358,6 +358,20 @@ for way in "" --safe; do
         d = $2 - x - c * (p[2] - u) + s * (p[3] - v); e = $3 - y - s * (p[2] - u) - c * (p[3] - v)
         if (d * d + e * e > 1e-16) wrong++; n++ } END { exit wrong > 0 || n < 50 }' BEFORE="$tmp/right.before" "$tmp/right.after"
 done
+# One body goes farther than the gap, and the other one, half as large, away from it: nothing crosses where everything has
+# moved.
+marker_points "$bodies" left | awk '{ print $1, .85, 0 }' >"$tmp/left.txt"
+refuses "displace: one body into the other" 1 'the moved boundary crosses itself' \
+    displace "$bodies" --given left --wall "$tmp/left.txt" -o "$tmp/x"
+echo "rigid right .5 0 0 .5" >"$tmp/right.txt"
+for way in "" --safe; do
+    runs "displace: farther than the gap $way" 0 displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right \
+        --move "$tmp/right.txt" $way -o "$tmp/both.su2"
+done
+echo "rigid right -.5 0 0" >"$tmp/right.txt"
+refuses "displace: a body into the given one" 1 'the moved boundary crosses itself' \
+    displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right --move "$tmp/right.txt" -o "$tmp/x"
+marker_points "$bodies" left | awk '{ printf "%d .03 %.17g\n", $1, .1 * ($2 - 1.2) }' >"$tmp/left.txt"
 runs "displace beside a curve" 0 displace "$bodies" --given left --wall "$tmp/left.txt" \
     --curve "right=$meshes/two_bodies_right.curve" --safe -o "$tmp/both.su2"
 

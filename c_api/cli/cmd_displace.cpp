@@ -48,26 +48,28 @@ void displace(Solver& solver, const Movement& movement, const hm_points* from, F
          work.data(), work.size(), nullptr);
 }
 
-// Control points and bodies move their part of the mesh.
-void add_moves(const Mesh& mesh, const Solver& solver, const Movement& movement, const Threads& threads, Displacement& found) {
-    Field part(mesh.x.size());
-    const hm_points_out result = part.write();
+// Displacements of the mesh by control points and bodies alone; nothing if there are none.
+void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement, const Threads& threads, Field& to) {
+    if (movement.moves.empty()) return;
+    const hm_points_out result = to.write();
     call(mesh, hm_morph, solver.basis(), movement.moves.data(), nullptr, &result, threads.executor());
-    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
-        found.by.x[point] += part.x[point];
-        found.by.y[point] += part.y[point];
-        found.moved.x[point] = mesh.x[point] + found.by.x[point];
-        found.moved.y[point] = mesh.y[point] + found.by.y[point];
-    }
 }
 
+// The given walls start from where control points and bodies have moved the mesh: whether the boundary crosses itself is
+// judged where everything has moved.
 void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::int32_t repeats, const Threads& threads,
              Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_size, solver.plan(), 1, &bytes);
     Block work(bytes);
-    const hm_points start = mesh.coordinates();
-    displace(solver, movement, &start, found.moved, work); // refuses a wall that crosses itself
+    Field by_moves(mesh.x.size()), start(mesh.x.size());
+    displace_by_moves(mesh, solver, movement, threads, by_moves);
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        start.x[point] = mesh.x[point] + by_moves.x[point];
+        start.y[point] = mesh.y[point] + by_moves.y[point];
+    }
+    const hm_points from = start.read();
+    displace(solver, movement, &from, found.moved, work); // refuses a boundary that crosses itself
     std::vector<double> seconds;
     for (std::int32_t i = 0; i < repeats; ++i) {
         const Stopwatch watch;
@@ -75,7 +77,10 @@ void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::in
         seconds.push_back(watch.seconds());
     }
     found.displace_seconds = median(seconds);
-    if (!movement.moves.empty()) add_moves(mesh, solver, movement, threads, found);
+    for (std::size_t point = 0; point < mesh.x.size(); ++point) {
+        found.by.x[point] += by_moves.x[point];
+        found.by.y[point] += by_moves.y[point];
+    }
 }
 
 void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm_safe_options& options, Displacement& found) {

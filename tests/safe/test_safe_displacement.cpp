@@ -270,6 +270,31 @@ TEST_CASE("not all of the way: how far, and the cell that stands in the way; poo
     CHECK(safe.error.item == safe.safe_report.worst[0].cell);
 }
 
+TEST_CASE("given displacements: heights of the first layer are limited where that is asked for, and the place said") {
+    Case its;
+    its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
+    its.set_given(body);
+    SafeDisplaced safe(its);
+    Field wall;
+    for (Complex const z : safe.start()) wall.push_back({0, 0.4 * z.real() * (1 - z.real())});   // a camber of .1
+    REQUIRE(safe.run(wall) == HM_OK);
+    double const change = std::max(safe.safe_report.max_height_ratio, 1 / safe.safe_report.min_height_ratio);
+    REQUIRE(change > 1.1);
+    safe.safe_options.max_height_change = 1 + 0.5 * (change - 1);
+    REQUIRE(safe.run(wall) == HM_OK);
+    CHECK(safe.is_at(wall));
+    CHECK(safe.safe_report.max_height_ratio <= safe.safe_options.max_height_change);
+    CHECK(safe.safe_report.min_height_ratio >= 1 / safe.safe_options.max_height_change);
+    safe.safe_options.max_height_change = std::nextafter(1.0, 2.0);
+    CHECK(safe.run(wall) == HM_POOR);
+    CHECK(safe.is_at(wall));
+    CHECK(std::string(safe.error.text).find("the height of the first layer at point") != std::string::npos);
+    CHECK(std::find(safe.points.begin(), safe.points.end(), safe.error.item) != safe.points.end());
+    safe.safe_options.max_height_change = 0.5;
+    CHECK(safe.run(wall) == HM_BAD_ARGUMENT);
+    CHECK(safe.untouched());
+}
+
 TEST_CASE("what cannot be is refused by name, and nothing is written") {
     Case its = block();
     SafeDisplaced safe(its);
