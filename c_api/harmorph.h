@@ -489,8 +489,11 @@ enum {                             /* hm_condition.kind; for a point on several 
     HM_ON_CURVE = 0,               /* F_i = N_i(u) */
     HM_RIGID = 1,                  /* a body that only translates, rotates and scales, see hm_morph */
     HM_FIXED = 2,                  /* F_i = 0; also every marker without a condition */
-    HM_SLIP = 3,                   /* points slide along a straight line. A marker may have several lines; where two
-                                      lines meet at an angle, the point is fixed */
+    HM_SLIP = 3,                   /* points slide along the boundary: along straight lines, or along the smooth curve
+                                      through the points of the marker (see hm_slide). A marker may have several of
+                                      both; where they meet at a corner, the point is fixed. A corner: the direction of
+                                      the boundary jumps by more than 30 degrees, or by more than 1.1 degrees and 2.5
+                                      times as much as at a neighbouring point */
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
     HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
                                       bitwise identical displacements */
@@ -890,6 +893,27 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from,
                                    const hm_points *to, double *error, int32_t *point, hm_error *err);
 
+/* ---- Points that slide along curves ------------------------------------------------------------------------------- */
+
+/* On a straight line the functions keep sliding points (HM_SLIP) on the line. On a curve they move each point along its
+ * tangent: hm_morph, hm_displace and their transposes stay linear, and a movement by d leaves the point about
+ * d^2 / (2 R) beside the curve, R the radius of curvature. hm_slide puts these points onto the curve, at the nearest
+ * place, and moves inner points along, the less the nearer they are to other boundaries. Points on other boundaries
+ * keep their bits. hm_morph_safe and hm_displace_safe do so in each of their steps, so all of their checks see the points
+ * on the curve; after hm_morph or hm_displace, call hm_slide before hm_quality.
+ * The curve goes through the marker's points where the analysis had them: cubic segments whose tangents are those of
+ * circles through three neighbouring points; straight on behind the ends. A point of a circle with 24 faces stays on the
+ * circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same curve;
+ * hm_improve holds points that slide along curves.
+ * to [n_points] may be the arrays of from. Points of a cut or a periodic pair move by the same displacements.
+ * Refused (HM_BAD_MESH): a coordinate of a sliding point that is not finite or larger than 1e100. */
+HM_API hm_status hm_slide(const hm_analysis *analysis, const hm_points *from, const hm_points_out *to, hm_error *err);
+/* The transpose of the derivative of hm_slide: from derivatives dj by the points after hm_slide, to derivatives dj_from by
+ * those before it, `from`. For the gradient of an objective of the mesh after hm_morph and hm_slide: hm_slide_adjoint,
+ * then hm_adjoint. dj_from may be the arrays of dj. */
+HM_API hm_status hm_slide_adjoint(const hm_analysis *analysis, const hm_points *from, const hm_points *dj,
+                                  const hm_points_out *dj_from, hm_error *err);
+
 /* ---- Given displacements: wall points as a structural code, a CAD system or a table has them -------------------- */
 
 /* Points of markers with HM_GIVEN move as each call says; no functions are needed. The displacement of the mesh is one
@@ -1187,7 +1211,8 @@ HM_API hm_status hm_assess(const hm_basis *basis, const hm_mesh *mesh, const hm_
  * follows.
  *
  * Targets that no mesh can have are refused immediately, with the place (HM_CROSSING). Boundaries that slide, are
- * periodic or free are judged only as far as it is known where they end. */
+ * periodic or free are judged only as far as it is known where they end. Points that slide along curves are on their
+ * curves after each step (see hm_slide). */
 enum { HM_STRATEGY_LINEAR = 0, HM_STRATEGY_OTHER = 1, HM_STRATEGY_SUBSTEPS = 2, HM_STRATEGY_UNTANGLED = 3,
        HM_STRATEGY_IMPROVED = 4 };
 
@@ -1321,8 +1346,8 @@ HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *e
  * are put where the wall carries them, at the heights and angles of the reference, as far as no cell inverts, and
  * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
  * below that of `from`, they are held as in `from`. If that does not help, `to` is `from`: the smallest quality, as
- * hm_quality reports it, never falls. Sliding points stay on their lines; points of a cut or of a periodic pair move
- * together.
+ * hm_quality reports it, never falls. Sliding points stay on their straight lines, and stay where they are on curves;
+ * points of a cut or of a periodic pair move together.
  * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
  * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */
 HM_API hm_status hm_improve(hm_plan *plan, const hm_points *from, const hm_points_out *to, void *work, size_t bytes,

@@ -1370,6 +1370,46 @@ contains
         same_numbers = abs(a - b) <= 0
     end function
 
+    ! The far field slides along its circle.
+    subroutine slide_on_a_circle()
+        type(hm_plan) :: plan, empty
+        type(hm_curves) :: curves
+        type(hm_basis) :: sliding
+        real(dp), dimension(n_points) :: x_new, y_new, gx, gy, x_tangent, y_tangent
+        real(dp) :: radius, off, rate
+        logical :: outer(n_points)
+        real(dp), parameter :: h = 1e-6_dp
+        call basis%curves(curves)
+        call plan%analyse(mesh, curves, [hm_condition(body), hm_condition(far_field, hm_slip)])
+        call plan%prepare()
+        call plan%factor()
+        call plan%solve(sliding)
+        call sliding%morph_to(turn(curves%control, 30._dp), x, y, x_tangent, y_tangent)
+        radius = maxval(hypot(x, y))
+        outer = hypot(x, y) > radius * (1 - 1e-12_dp)
+        x_new = x_tangent
+        y_new = y_tangent
+        call plan%slide(x_new, y_new)
+        off = maxval(abs(hypot(x_tangent, y_tangent) - radius), mask=outer)
+        call check(off > 1e-3_dp * radius, "the functions move points along tangents")
+        off = maxval(abs(hypot(x_new, y_new) - radius), mask=outer)
+        call check(off < 1e-7_dp * radius, "slide puts them onto the circle")
+        ! The sum of all coordinates, with a step of the first inner coordinate's neighbours: along the movement.
+        gx = 1
+        gy = 1
+        call plan%slide_adjoint(x_tangent, y_tangent, gx, gy)
+        rate = sum(gx * (x_tangent - x)) + sum(gy * (y_tangent - y))
+        gx = x_tangent + h * (x_tangent - x)
+        gy = y_tangent + h * (y_tangent - y)
+        call plan%slide(gx, gy)
+        off = sum(gx - x_new) + sum(gy - y_new)
+        call check(abs(off / h - rate) < 1e-3_dp * max(1._dp, abs(rate)), "its transpose")
+        call plan%slide(x_new(2:), y_new(2:), stat=stat)
+        call check(stat == hm_bad_argument, "a point too few to slide")
+        call empty%slide(x_new, y_new, stat=stat)
+        call check(stat == hm_bad_argument, "sliding without an analysis")
+    end subroutine
+
     subroutine safe_morphs()
         type(hm_plan) :: plan
         type(hm_curves) :: curves
@@ -1487,6 +1527,7 @@ contains
         call check(stat == hm_bad_argument, "fewer steps than none")
         call plan%improve(x_other(2:), y_other(2:), stat=stat)
         call check(stat == hm_bad_argument, "an improvement of a point too few")
+        call slide_on_a_circle()
         call plan%morph_safe(weighted, move, x_new, y_new, options=hm_safe_options(min_quality=0.999_dp), report=report, &
             stat=stat, err=err)
         call check(stat == hm_poor .and. report%n_worst == 5 .and. report%worst(1)%cell == report%min_quality_cell .and. &

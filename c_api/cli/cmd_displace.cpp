@@ -119,6 +119,7 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
         safely(mesh, solver, movement, safe_options_of(arguments), found);
     } else {
         at_once(mesh, solver, movement, repeats, threads, found);
+        solver.slide(found.moved, found.by);
     }
     round_as_file(mesh, found.moved.x, found.moved.y); // what is judged is what can be written
     const hm_mesh view = mesh.view();

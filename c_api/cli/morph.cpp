@@ -4,6 +4,7 @@
 #include "solver.hpp"
 #include "stopwatch.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cli {
@@ -52,6 +53,7 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& it
       step(sized<hm_step_report>()), quality(sized<hm_quality_report>()), safe(sized<hm_safe_report>()) {
     if (repeats > 1) move_points(basis, mesh, moves, moved, threads); // a warm-up
     seconds = median_seconds(basis, mesh, moves, moved, repeats, threads);
+    slide(basis, mesh, threads);
     judge(basis, mesh, threads);
 }
 
@@ -123,6 +125,15 @@ Curves Morph::moved_curves(const Basis& basis) const {
     std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
     call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(), basis.info().curves);
     return copied(view);
+}
+
+// Points that slide along curves are put onto them.
+void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
+    const Task task = task_of(basis);
+    const auto slips = [](const hm_condition& condition) { return condition.kind == HM_SLIP; };
+    if (std::none_of(task.conditions.begin(), task.conditions.end(), slips)) return;
+    Solver solver(mesh, task, threads);
+    solver.slide(moved, displacement);
 }
 
 void Morph::judge(const Basis& basis, const Mesh& mesh, const Threads& threads) {

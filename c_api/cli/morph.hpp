@@ -3,20 +3,13 @@
 
 #include "basis_file.hpp"
 #include "curves.hpp"
+#include "field.hpp"
 #include "threads.hpp"
 
 #include <string>
 #include <vector>
 
 namespace cli {
-
-// Where the points are, or how far they go.
-struct Field {
-    std::vector<double> x, y;
-    explicit Field(std::size_t points) : x(points), y(points) {}
-    hm_points read() const { return {x.data(), y.data(), 1}; } // for the library
-    hm_points_out write() { return {x.data(), y.data(), 1}; }
-};
 
 // The points' movement for dx,dy pairs of the control points, and how far it may go on without inverting a cell.
 Field displacement(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, const Threads& threads);
@@ -47,6 +40,7 @@ struct Morph {
     Curves moved_curves(const Basis& basis) const; // where the basis's curves are on the moved mesh
 
 private:
+    void slide(const Basis& basis, const Mesh& mesh, const Threads& threads);
     void judge(const Basis& basis, const Mesh& mesh, const Threads& threads);
 };
 

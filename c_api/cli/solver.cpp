@@ -39,6 +39,18 @@ void Solver::prepare() {
     lay_out();
 }
 
+void Solver::slide(Field& moved, Field& displacement) {
+    if (analysis_ == nullptr) analyse();
+    const Field before = moved;
+    const hm_points from = before.read();
+    const hm_points_out to = moved.write();
+    call(mesh_, hm_slide, analysis_, &from, &to);
+    for (std::size_t point = 0; point < moved.x.size(); ++point) {
+        if (moved.x[point] != before.x[point]) displacement.x[point] = moved.x[point] - mesh_.x[point];
+        if (moved.y[point] != before.y[point]) displacement.y[point] = moved.y[point] - mesh_.y[point];
+    }
+}
+
 void Solver::analyse() {
     std::size_t bytes = 0;
     call(mesh_, hm_analysis_size, &problem_, &options_, &bytes);

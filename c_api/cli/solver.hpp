@@ -1,6 +1,7 @@
 // Solves the harmonic functions of a mesh: the library's whole pipeline, in memory.
 #pragma once
 
+#include "field.hpp"
 #include "library.hpp"
 #include "progress.hpp"
 #include "task.hpp"
@@ -24,6 +25,9 @@ public:
     hm_status run(); // from the mesh to the basis; once more does the same in the same memory
 
     void prepare();  // up to the plan, without numbers
+
+    // Puts points of a moved mesh that slide along curves onto these curves, and changes the displacement accordingly.
+    void slide(Field& moved, Field& displacement);
 
     hm_plan* plan() { return plan_; }
     const hm_basis* basis() const { return basis_; }

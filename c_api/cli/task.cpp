@@ -156,7 +156,7 @@ std::vector<Option> task_options() {
                                  "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
     {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
                                  "point that it is near to) and scales (may be repeated)"},
-    {"--slip", "C[,D..]", "markers on straight lines, along which points slide (may be repeated)"},
+    {"--slip", "C[,D..]", "markers along which points slide, straight or curved without corners (may be repeated)"},
     {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike (may be repeated)"},
     {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
     {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"

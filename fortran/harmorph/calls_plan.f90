@@ -6,7 +6,7 @@
         hm_c_plan_solve, hm_c_plan_points, hm_c_given_points, hm_c_displace_size, hm_c_displace, &
         hm_c_displace_adjoint, hm_c_plan_level, hm_c_displace_safe_size, hm_c_displace_safe, hm_c_transfer_size, &
         hm_c_transfer, hm_c_share_of, hm_c_share_size, hm_c_share_init, hm_c_morph_safe_size, hm_c_morph_safe, &
-        hm_c_improve_size, hm_c_improve
+        hm_c_improve_size, hm_c_improve, hm_c_slide, hm_c_slide_adjoint
 
     interface
         integer(c_int32_t) function hm_c_tabulate_size(plan, basis, n_modes, numbers, bytes, work_bytes, err) &
@@ -215,6 +215,18 @@
             integer(c_size_t), value, intent(in) :: bytes
             type(hm_c_safe_options), intent(in) :: options
             type(hm_safe_report), intent(inout) :: report
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_slide(analysis, from, to, err) bind(c, name="hm_slide")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            type(hm_c_points), intent(in) :: from, to
+            type(hm_c_error), intent(inout) :: err
+        end function
+        integer(c_int32_t) function hm_c_slide_adjoint(analysis, from, dj, dj_from, err) bind(c, name="hm_slide_adjoint")
+            import
+            type(c_ptr), value, intent(in) :: analysis
+            type(hm_c_points), intent(in) :: from, dj, dj_from
             type(hm_c_error), intent(inout) :: err
         end function
         integer(c_int32_t) function hm_c_improve_size(plan, bytes, err) bind(c, name="hm_improve_size")

@@ -34,10 +34,12 @@
         procedure :: level => plan_level
         ! Coordinates
 !@each form
-        procedure, private :: factor_@FORM@, morph_safe_@FORM@, improve_@FORM@
+        procedure, private :: factor_@FORM@, morph_safe_@FORM@, improve_@FORM@, slide_@FORM@, slide_adjoint_@FORM@
         generic :: factor => factor_@FORM@
         generic :: morph_safe => morph_safe_@FORM@
         generic :: improve => improve_@FORM@
+        generic :: slide => slide_@FORM@
+        generic :: slide_adjoint => slide_adjoint_@FORM@
 !@end
         procedure :: address => plan_address
         ! Given displacements

@@ -116,7 +116,51 @@ contains
         call done%finish("plan%improve", stat, err)
     end subroutine
 
+    ! slide(x, y): of a mesh after basis%morph or plan%displace, points that slide along curves are put onto these curves,
+    ! and the mesh follows. Needs the analysis.
+    subroutine slide_@FORM@(self, x, y, stat, err)
+        class(hm_plan), intent(in) :: self
+        real(@KIND@), intent(inout), target :: x@SHAPE@, y@SHAPE@
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(view) :: v
+        v = view_of(x, y)
+        call check_analysed(self, v, done)
+        if (done%ok()) done%status = hm_c_slide(self%analysis, c_points(v), c_points(v), done%error)
+        call v%put_back(x, y)
+        call done%finish("plan%slide", stat, err)
+    end subroutine
+
+    ! slide_adjoint(x, y, gx, gy): x, y is the mesh before slide. gx, gy: derivatives of an objective by the points after
+    ! slide; they become those by the points before.
+    subroutine slide_adjoint_@FORM@(self, x, y, gx, gy, stat, err)
+        class(hm_plan), intent(in) :: self
+        real(@KIND@), intent(in), target :: x@SHAPE@, y@SHAPE@
+        real(@KIND@), intent(inout), target :: gx@SHAPE@, gy@SHAPE@
+        integer, intent(out), optional :: stat
+        type(hm_error), intent(out), optional :: err
+        type(outcome) :: done
+        type(view) :: v, g
+        v = view_of(x, y)
+        g = view_of(gx, gy)
+        call check_analysed(self, v, done)
+        call check_analysed(self, g, done)
+        if (done%ok()) done%status = hm_c_slide_adjoint(self%analysis, c_points(v), c_points(g), c_points(g), done%error)
+        call v%drop()
+        call g%put_back(gx, gy)
+        call done%finish("plan%slide_adjoint", stat, err)
+    end subroutine
+
 !@end
+    subroutine check_analysed(self, v, done)
+        class(hm_plan), intent(in) :: self
+        type(view), intent(in) :: v
+        type(outcome), intent(inout) :: done
+        call done%refuse_if(.not. c_associated(self%analysis), "the plan has no analysis: call analyse first")
+        if (done%ok()) call check_view(v, int(n_points_of(self), c_int64_t), done)
+    end subroutine
+
     subroutine read_safe_options(options, basis, c_options, done)
         type(hm_safe_options), intent(in), optional :: options
         type(hm_basis), intent(in) :: basis

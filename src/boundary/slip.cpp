@@ -3,37 +3,57 @@
 namespace harmorph {
 namespace {
 
-constexpr Real straight_below = 1e-6;  // sine of the angle between neighbouring faces: rounding of coordinates in files
-constexpr Real corner_above = 0.1;
+// Sines of angles between neighbouring faces.
+constexpr Real straight_below = 1e-6;  // rounding of coordinates in files
+constexpr Real smooth_below = 0.02;    // never a corner
+constexpr Real corner_above = 0.5;     // always one
+constexpr Real corner_factor = 2.5;    // in between: where the boundary bends so much more than beside it
 
 class SlipLines {
 public:
     SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
-              Span<Vec2> tangent) noexcept
-        : points_(points), boundary_(boundary), conditions_(conditions), kinds_(kinds), tangent_(tangent) {}
+              Span<Vec2> tangent, SlipCurves& curves) noexcept
+        : points_(points), boundary_(boundary), conditions_(conditions), kinds_(kinds), tangent_(tangent),
+          curves_(curves) {}
 
-    Status run(Fault& fault) noexcept {
+    void run() noexcept {
         fill(tangent_, Vec2{1, 0});
+        curves_.count = 0;
         for (Index loop = 0; loop < boundary_.n_loops; ++loop) {
             Index const begin = boundary_.loop_start[loop], n = boundary_.loop_start[loop + 1] - begin;
             Index first = 0;  // face of the loop with which a line begins
             while (first < n && continues(loop, begin + first)) ++first;
             if (first == n) {  // no line, or one without end
-                HARMORPH_TRY(curved(begin, fault));
+                if (slips(begin)) add_curve({loop, 0, n, true});
                 continue;
             }
             for (Index from = 0; from < n;) {
                 Index to = from + 1;
                 while (to < n && continues(loop, begin + (first + to) % n)) ++to;
-                if (slips(begin + (first + from) % n)) HARMORPH_TRY(add_line(loop, (first + from) % n, to - from,
-                                                                             fault));
+                if (slips(begin + (first + from) % n)) add_line({loop, (first + from) % n, to - from, false});
                 from = to;
             }
         }
-        return Status::ok;
+        curves_.keep_sliding(kinds_);
     }
 
 private:
+    // Faces of a loop that are one line.
+    struct Line {
+        Index loop, first, n;
+        bool closed;
+    };
+
+    Index face_at(Line const& line, Index k) const noexcept {
+        Index const begin = boundary_.loop_start[line.loop];
+        return begin + (line.first + k) % (boundary_.loop_start[line.loop + 1] - begin);
+    }
+    // Point k of a line, 0 .. n.
+    Index point_at(Line const& line, Index k) const noexcept {
+        return k < line.n ? boundary_.point[face_at(line, k)]
+                          : boundary_.point[boundary_.after(face_at(line, line.n - 1), line.loop)];
+    }
+
     bool slips(Index face) const noexcept {
         const Condition* const condition = condition_of(conditions_, boundary_, face);
         return condition != nullptr && condition->kind == ConditionKind::slip;
@@ -44,43 +64,67 @@ private:
     Vec2 side(Index loop, Index face) const noexcept {
         return points_[boundary_.point[boundary_.after(face, loop)]] - points_[boundary_.point[face]];
     }
-    // Sine of the angle between two directions; 1 if they are opposite.
+    // Sine of the angle between two directions, positive to the left; 1 where they are opposite.
     static Real bend(Vec2 a, Vec2 b) noexcept {
         Real const scale = square_root(square(a)) * square_root(square(b));
-        return dot(a, b) > 0 ? absolute(cross(a, b)) / scale : 1;
+        return dot(a, b) > 0 ? cross(a, b) / scale : 1;
     }
-    // Does the face lie on one line with the face before it? Bends that are no corners are found by add_line.
+    // Where the face begins.
+    Real bend_at(Index loop, Index face) const noexcept { return bend(side(loop, before(loop, face)), side(loop, face)); }
+    bool is_between_slipping_faces(Index loop, Index face) const noexcept {
+        Index const previous = before(loop, face);
+        return previous != face && slips(previous) && slips(face);
+    }
+
+    // Does the face go on where the face before it ends, without a corner?
     bool continues(Index loop, Index face) const noexcept {
         Index const previous = before(loop, face);
-        return previous != face && slips(previous) == slips(face) &&
-               (!slips(face) || bend(side(loop, previous), side(loop, face)) < corner_above);
+        if (previous == face || slips(previous) != slips(face)) return false;
+        return !slips(face) || is_smooth(loop, face);
     }
-
-    Status curved(Index face, Fault& fault) const noexcept {
-        if (!slips(face)) return Status::ok;
-        return fault.refuse(Status::bad_condition, "marker @ slips, but is not straight at point #",
-                            Counts::mesh_and_marker, boundary_.point[face], boundary_.marker[face]);
-    }
-
-    Status add_line(Index loop, Index first, Index n, Fault& fault) noexcept {
-        Index const begin = boundary_.loop_start[loop], n_loop = boundary_.loop_start[loop + 1] - begin;
-        auto const face_at = [&](Index k) { return begin + (first + k) % n_loop; };
-        Index const last = boundary_.point[boundary_.after(face_at(n - 1), loop)];
-        Vec2 const along = points_[last] - points_[boundary_.point[face_at(0)]];
-        for (Index k = 0; k < n; ++k) {
-            if (!(bend(along, side(loop, face_at(k))) < straight_below)) return curved(face_at(k), fault);
+    bool is_smooth(Index loop, Index face) const noexcept {
+        Real const here = bend_at(loop, face);
+        if (absolute(here) < smooth_below) return true;
+        if (absolute(here) > corner_above) return false;
+        bool any = false;
+        Index const beside[] = {before(loop, face), boundary_.after(face, loop)};
+        for (Index const other : beside) {
+            Real const its = is_between_slipping_faces(loop, other) ? bend_at(loop, other) : 1;
+            if (absolute(its) > corner_above) continue;
+            if (here * its <= 0 || absolute(here) > corner_factor * absolute(its)) return false;
+            any = true;
         }
-        Vec2 const direction = (1 / length(along)) * along;
-        bool const from_corner = slips(before(loop, face_at(0))), to_corner = slips(boundary_.after(face_at(n - 1),
-                                                                                                    loop));
-        for (Index k = 0; k < n; ++k) put(boundary_.point[face_at(k)], direction, k == 0 && from_corner);
-        put(last, direction, to_corner);
-        return Status::ok;
+        return any;
     }
 
-    void put(Index point, Vec2 direction, bool corner) noexcept {
+    void add_line(Line const& line) noexcept {
+        Vec2 const along = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
+        bool straight = true;
+        for (Index k = 0; k < line.n && straight; ++k) {
+            straight = absolute(bend(along, side(line.loop, face_at(line, k)))) < straight_below;
+        }
+        if (straight) {
+            Vec2 const direction = (1 / length(along)) * along;
+            for (Index k = 0; k <= line.n; ++k) put(line, k, direction);
+        } else {
+            add_curve(line);
+        }
+    }
+
+    void add_curve(Line const& line) noexcept {
+        curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
+                    [&](Index k) { return point_at(line, k); });
+        Index const begin = curves_.start[curves_.count - 1];
+        for (Index k = 0; k <= line.n; ++k) put(line, k, curves_.tangent[begin + k]);
+    }
+
+    void put(Line const& line, Index k, Vec2 direction) noexcept {
+        Index const point = point_at(line, k);
         if (kinds_[point] != PointKind::slip) return;
-        if (corner) {
+        bool const from_corner = k == 0 && !line.closed && slips(before(line.loop, face_at(line, 0)));
+        bool const to_corner = k == line.n && !line.closed &&
+                               slips(boundary_.after(face_at(line, line.n - 1), line.loop));
+        if (from_corner || to_corner) {
             kinds_[point] = PointKind::fixed;
         } else {
             tangent_[point] = direction;
@@ -92,13 +136,14 @@ private:
     Span<const Condition> conditions_;
     Span<PointKind> kinds_;
     Span<Vec2> tangent_;
+    SlipCurves& curves_;
 };
 
 }  // namespace
 
-Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
-                       Span<Vec2> tangent, Fault& fault) noexcept {
-    return SlipLines(points, boundary, conditions, kinds, tangent).run(fault);
+void find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
+                     Span<Vec2> tangent, SlipCurves& curves) noexcept {
+    SlipLines(points, boundary, conditions, kinds, tangent, curves).run();
 }
 
 }  // namespace harmorph

@@ -89,6 +89,7 @@ void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& pro
     boundary.lay_out(arena, counts);
     arena.take(kinds, counts.n_points);
     arena.take(tangent, problem.demands.slip ? counts.n_points : 0);
+    if (problem.demands.slip) slip_curves.lay_out(arena, static_cast<Size>(n_edges));
     wall.lay_out(arena, counts);
     wall_work.lay_out(arena, counts);
 }
@@ -220,7 +221,7 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
     if (problem.demands.slip) {
-        HARMORPH_TRY(find_slip_lines(points(), boundary, conditions, kinds, tangent, fault));
+        find_slip_lines(points(), boundary, conditions, kinds, tangent, slip_curves);
     }
     if (!problem.demands.periodic) return fault.status;
     return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault);

@@ -17,6 +17,10 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index
     if (n_conditions == 0) return;
     Index const components = asked.method.components(demands);
     arena.take(tangent, components == 2 ? mesh.n_points : 0);
+    if (components == 2) {
+        slip_curves.lay_out(arena, Boundary::max_faces(mesh));
+        slip_followers.lay_out(arena, mesh.n_points, Boundary::max_faces(mesh));
+    }
     bool const bounded = asked.method.bounded();
     if (bounded) triangulation.lay_out(arena, mesh);
     wall.lay_out(arena, mesh);
@@ -104,11 +108,14 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
     find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     HARMORPH_TRY(check_offsets(fault));
-    if (!tangent.empty()) {
-        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, fault));
-    }
+    if (!tangent.empty()) find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, slip_curves);
     if (problem.demands.periodic) {
         HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault));
+        slip_curves.keep_sliding(kinds);
+    }
+    if (!tangent.empty()) {
+        slip_followers.find(topology, boundary, conditions, kinds, slip_curves, larger(problem.method.quarters, Index{0}),
+                            problem.executor);
     }
     graph.build(stencil(), kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");

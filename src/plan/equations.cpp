@@ -16,6 +16,8 @@ void Equations::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     if (mesh.is_of_pieces()) pieces.lay_out(arena, mesh.n_given, mesh.n_cells, mesh.n_guards);
     arena.take(kinds, n_points);
     wall.lay_out(arena, static_cast<Size>(analysis.count_wall_faces()));
+    slip_curves.lay_out_copy(arena, analysis.slip_curves);
+    slip_followers.lay_out_copy(arena, analysis.slip_curves.count > 0 ? n_points : 0);
     arena.take(delaunay_edges, n_delaunay);
     arena.take(conductivity, !weighted ? 0 : n_delaunay > 0 ? n_delaunay : n_cells);
     matrix.lay_out(arena, n_points, n, analysis.wall.count, analysis.matrix);
@@ -36,6 +38,8 @@ void Equations::init(Analysis const& analysis) noexcept {
     for (Index k = 0; k < dof_of.count(); ++k) dof_of[k] = analysis.graph.line[analysis.order[k]];
     copy(cells.reversed, Span<const std::uint8_t>(analysis.topology.reversed));
     for (Index k = 0; k < kinds.count(); ++k) kinds[k] = analysis.kinds[analysis.topology.representative[k]];
+    slip_curves.copy_from(analysis.slip_curves);
+    slip_followers.copy_from(analysis.slip_followers);
     wall.kernel = method.kernel;
     wall.translations = analysis.translations;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
@@ -46,6 +50,7 @@ void Equations::init(Analysis const& analysis) noexcept {
 }
 
 void Equations::build(Analysis const& analysis) noexcept {
+    matrix.frames_change = slip_curves.count > 0;
     matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position,
                  analysis.wall_work.slot,
                  analysis.tangent);
@@ -56,7 +61,19 @@ void Equations::build(Analysis const& analysis) noexcept {
     nodal.init(topology, matrix, method.scheme == Scheme::nodal_gradient);
 }
 
+// To the tangents of the curves where points slide at these coordinates.
+void Equations::turn_frames(Points points) const noexcept {
+    if (slip_curves.count == 0) return;
+    slip_curves.for_each([&](Index slot, Index point) {
+        matrix.frame[point] = slip_curves.nearest(slot, points[point]).tangent;
+    });
+    for (Index k = 0; k < cells.mesh.n_points; ++k) {
+        if (matrix.slips(k)) matrix.frame[k] = matrix.frame[point_of(matrix.row_of[2 * k])];
+    }
+}
+
 Status Equations::assemble(Points points, Executor const& executor, Fault& fault) noexcept {
+    turn_frames(points);
     HARMORPH_TRY(method.bounded() ? assemble_edges(points, executor, fault) : assemble_cells(points, executor, fault));
     if (method.nodal_gradients()) nodal.scheme.measure(points);
     return Status::ok;

@@ -19,6 +19,8 @@ void Mobility::find(Plan const& plan) noexcept {
         if (line.empty()) continue;
         line[k] = plan.equations.kinds[k] == PointKind::slip ? matrix.frame[representative[k]] : Vec2{};
     }
+    plan.equations.slip_curves.for_each([&](Index, Index point) { held[point] = 1; });
+    for (Index k = 0; k < plan.mesh.n_points; ++k) held[k] = held[representative[k]];
 }
 
 }  // namespace harmorph

@@ -4,7 +4,7 @@
 
 namespace harmorph {
 
-void MovingMesh::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
+void MovingMesh::lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
     path.lay_out(arena, counts);
     carried.lay_out(arena, counts);
     Offset const n_numbers = 2 * Offset{counts.functions()};
@@ -18,6 +18,7 @@ void MovingMesh::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
     arena.take(ends, counts.points);
     arena.take(representative, counts.points);
     arena.take(held, counts.points);
+    arena.take(slid, plan.equations.slip_curves.n_slots());
 }
 
 void MovingMesh::init(Plan const& plan, Basis const& basis, const Real* move) noexcept {
@@ -59,6 +60,7 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
     if (carried.reach > 0) for_wall(plan, basis, [&](Index k, Vec2 start, Vec2 moved) {
         to_ahead().set(k, start + moved - now()[k]);
     });
+    put_on_slip_curves(plan);
     AdmissibleStep const limit = admissible_step(plan.equations.cells, now(), ahead(), executor);
     for (Index k = 0; k < x.count(); ++k) {
         ahead_x[k] = ahead_x[k] == 0 ? x[k] : x[k] + ahead_x[k];
@@ -68,6 +70,26 @@ AdmissibleStep MovingMesh::look_ahead(Plan& plan, Basis const& basis, Basis cons
         to_ahead().set(k, {moved.x == 0 ? start.x : start.x + moved.x, moved.y == 0 ? start.y : start.y + moved.y});
     });
     return limit;
+}
+
+// Displacements along tangents become those to the nearest places of the curves, and the mesh follows.
+void MovingMesh::put_on_slip_curves(Plan const& plan) noexcept {
+    SlipCurves const& curves = plan.equations.slip_curves;
+    Matrix const& matrix = plan.equations.matrix;
+    if (curves.count == 0) return;
+    curves.for_each([&](Index slot, Index point) { slid[slot] = curves.nearest(slot, now()[point] + ahead()[point]); });
+    plan.equations.slip_followers.for_each(curves, [&](Index k, Index slot, Real part) {
+        Index const point = curves.point[slot];
+        Vec2 const back = slid[slot].at - (now()[point] + ahead()[point]);
+        if (back.x != 0 || back.y != 0) to_ahead().set(k, ahead()[k] + part * back);
+    });
+    curves.for_each([&](Index slot, Index point) {
+        Vec2 const by = ahead()[point];
+        if (by.x != 0 || by.y != 0) to_ahead().set(point, slid[slot].at - now()[point]);
+    });
+    for (Index k = 0; k < x.count(); ++k) {  // bit by bit
+        if (matrix.slips(k)) to_ahead().set(k, ahead()[plan.equations.point_of(matrix.row_of[2 * k])]);
+    }
 }
 
 void MovingMesh::advance() noexcept {

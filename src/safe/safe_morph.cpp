@@ -83,7 +83,7 @@ Real quality_of(OrientedMesh const& cells, Index cell, Points points, Points ref
 
 void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
     Index const n = plan.mesh.n_points, n_functions = counts.functions();
-    mesh.lay_out(arena, counts);
+    mesh.lay_out(arena, plan, counts);
     arena.take(best_x, n);
     arena.take(best_y, n);
     arena.take(reached, 2 * Offset{n_functions});
@@ -218,11 +218,34 @@ void SafeMorph::take_step(Work& work, Basis const& by) noexcept {
             weight[i] = mesh.path.weight(i, mesh.aimed_time) - mesh.path.weight(i, mesh.time);
         }
         add_weighted(*work.derivative, by, weight, work.executor());
+        turn_sliding(work);
     }
     mesh.advance();
     work.attempt.turned_offset = mesh.carried.largest(work.basis, mesh.path, mesh.time);
     work.attempt.fraction = mesh.time;
     ++work.attempt.steps;
+}
+
+// The derivative of the step that was looked at last, where points slide along curves: put back onto them.
+void SafeMorph::turn_sliding(Work const& work) const noexcept {
+    SlipCurves const& curves = work.plan.equations.slip_curves;
+    Matrix const& matrix = work.plan.equations.matrix;
+    if (curves.count == 0) return;
+    Index const half = work.derivative->row_length() / 2;  // numbers of x, then of y
+    curves.for_each([&](Index slot, Index point) {
+        auto const row = work.derivative->row(point);
+        SlipCurves::Place const& place = mesh.slid[slot];
+        for (Index k = 0; k < half; ++k) {
+            Real const along = place.stretch * (place.tangent.x * row[k] + place.tangent.y * row[half + k]);
+            row[k] = place.tangent.x * along;
+            row[half + k] = place.tangent.y * along;
+        }
+    });
+    for (Index k = 0; k < work.mesh().n_points; ++k) {
+        if (!matrix.slips(k)) continue;
+        Index const same = work.plan.equations.point_of(matrix.row_of[2 * k]);
+        if (same != k) copy_row(work.derivative->row(k), work.derivative->row(same), 2 * half);
+    }
 }
 
 void SafeMorph::measure(Work const& work, Points points, Outcome& outcome) const noexcept {
@@ -335,14 +358,19 @@ void SafeMorph::measure_worst(Work& work) const noexcept {
     }
 }
 
-void SafeMorph::finish_derivative(Work const& work) const noexcept {
+void SafeMorph::finish_derivative(Work& work) noexcept {
     Basis const& derivative = *work.derivative;
     Outcome const& best = work.report.outcome;
     if (!work.derivative_of_best) {  // the best mesh is that of one step, or the start
         fill(derivative.value, 0.0);
         Basis const& by = best.other == none ? work.basis : work.options.others[best.other];
         for (Index i = 0; i < weight.count(); ++i) weight[i] = mesh.path.weight(i, best.fraction);
-        if (best.steps > 0) add_weighted(derivative, by, weight, work.executor());
+        if (best.steps > 0) {
+            add_weighted(derivative, by, weight, work.executor());
+            mesh.begin(work.plan);
+            look_ahead(work, by, best.fraction);
+            turn_sliding(work);
+        }
     }
     derivative.header->coordinates = work.basis.header->coordinates;
     derivative.seal();

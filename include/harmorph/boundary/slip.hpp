@@ -1,14 +1,15 @@
-// Slip boundaries: points stay on a straight line and slide along it.
+// Slip boundaries: points stay on a straight line, or on a smooth curve, and slide along it.
 #pragma once
 
-#include "harmorph/boundary/conditions.hpp"
+#include "harmorph/boundary/slip_curves.hpp"
 
 namespace harmorph {
 
 // tangent [n_points]: unit vector along the line of a slipping point, (1, 0) elsewhere. Neighbouring faces that are
-// parallel are one straight line; the tangent of all points there is from the first point of the line to the last. A
-// point where two lines meet at an angle cannot slide and becomes fixed. A curved boundary is refused.
-Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
-                       Span<Vec2> tangent, Fault& fault) noexcept;
+// parallel are one straight line; the tangent of all points there is from the first point of the line to the last.
+// Faces that bend without a corner are one curve, which is added to `curves`. A point where two lines meet at a corner
+// cannot slide and becomes fixed.
+void find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
+                     Span<Vec2> tangent, SlipCurves& curves) noexcept;
 
 }  // namespace harmorph

@@ -63,6 +63,7 @@ struct Matrix {
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
     Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first dof
+    bool frames_change = false;  // with the coordinates: points slip along curves
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
@@ -114,10 +115,11 @@ struct Matrix {
         return n_ranges;
     }
 
-    // Do two points slip along different directions? Neither moves normal to its own slip line, so for the equation of
+    bool slips(Index point) const noexcept { return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none; }
+    // May two points slip along different directions? Neither moves normal to its own slip line, so for the equation of
     // the other point it is partly fixed.
     bool turns(Index point, Index other) const noexcept {
-        return frame[point].x != frame[other].x || frame[point].y != frame[other].y;
+        return frames_change || frame[point].x != frame[other].x || frame[point].y != frame[other].y;
     }
 
     // The rows and columns of the unknowns, of a real matrix; faces [entries] tells which entries are mesh edges.
@@ -134,7 +136,6 @@ private:
         bool turned = false;  // stored in the row of the second dof: the conjugate is wanted
     };
     Entry entry(RowRange rows, Index i, Index j) const noexcept;
-    bool slips(Index point) const noexcept { return row_of[2 * point] >= 0 && row_of[2 * point + 1] == none; }
     // Is the point an unknown, and the other one fixed, or slipping along another line?
     bool is_beside_fixed(Index point, Index other) const noexcept;
     bool stands_for_fixed(Index dof, Index other_dof) const noexcept;

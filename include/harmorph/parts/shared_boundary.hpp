@@ -33,6 +33,7 @@ struct SharedBoundary {
     Boundary boundary;
     Span<PointKind> kinds;
     Span<Vec2> tangent;           // where there are slip lines
+    SlipCurves slip_curves;
     Translations translations;
     Wall wall;
     WallWork wall_work;           // slot: number on the wall of each point, or none

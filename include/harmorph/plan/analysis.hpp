@@ -14,6 +14,7 @@
 #include "harmorph/boundary/periodic.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/boundary/slip.hpp"
+#include "harmorph/boundary/slip_followers.hpp"
 #include "harmorph/ordering/subtrees.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
 
@@ -43,6 +44,8 @@ struct Analysis {
     std::uint64_t conditions_fingerprint = 0;
     Span<PointKind> kinds;        // [n_points] without conditions: what is used by cells and what is not
     Span<Vec2> tangent;           // [n_points] where there are slip lines
+    SlipCurves slip_curves;       // those of them that are curved
+    SlipFollowers slip_followers;
     Translations translations;    // of periodic pairs
     Wall wall;
     Graph graph;

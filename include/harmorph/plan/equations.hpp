@@ -16,6 +16,8 @@ struct Equations {
     FaceDistance wall;            // faces that move
     Span<DelaunayEdge> delaunay_edges;       // bounded scheme only
     std::uint64_t analysed_coordinates = 0;  // fingerprint of the coordinates that these edges belong to
+    SlipCurves slip_curves;       // copies
+    SlipFollowers slip_followers;
     Span<Real> conductivity;      // of weighted operators: [n_cells], or of Delaunay edges
     Matrix matrix;                // of the compact or the bounded scheme; beside nodal gradients the compact scheme's
     NodalEquations nodal;         // schemes of nodal gradients only
@@ -35,6 +37,7 @@ struct Equations {
     Index point_of(Index position) const noexcept { return dof_of[position] / matrix.components(); }
 
 private:
+    void turn_frames(Points points) const noexcept;
     Status assemble_cells(Points points, Executor const& executor, Fault& fault) noexcept;
     Status assemble_edges(Points points, Executor const& executor, Fault& fault) noexcept;
 };

@@ -93,6 +93,7 @@ private:
     bool is_valid(Work const& work, Points points) const noexcept;
     Index count_inverted(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
+    void turn_sliding(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
     void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y, Span<const Real> movement) noexcept;
     void measure(Work const& work, Points points, Outcome& outcome) const noexcept;
@@ -116,7 +117,7 @@ private:
     void improve(Work& work) noexcept;
     void restore_heights(Work& work) noexcept;
     void measure_worst(Work& work) const noexcept;
-    void finish_derivative(Work const& work) const noexcept;
+    void finish_derivative(Work& work) noexcept;
     Status finish(Work& work) noexcept;
 };
 

@@ -1,0 +1,59 @@
+// The C interface: points that slide along curves, back onto their curves.
+#include "handles.hpp"
+#include "harmorph/base/range.hpp"
+#include "harmorph/morph/slide.hpp"
+
+namespace harmorph {
+namespace {
+
+Sliding sliding_of(Analysis const& analysis) noexcept {
+    return {analysis.slip_curves, analysis.slip_followers, analysis.problem.mesh.n_points};
+}
+
+Status check_sliding(SlipCurves const& curves, Points points, Fault& fault) noexcept {
+    curves.for_each([&](Index, Index point) {
+        if (failed(fault.status) || is_coordinate(points[point])) return;
+        fault.refuse(Status::bad_mesh, "sliding point # has a coordinate that is not finite, or larger than 1e100",
+                     Counts::mesh, point);
+    });
+    return fault.status;
+}
+
+}  // namespace
+}  // namespace harmorph
+
+using namespace harmorph;
+
+extern "C" {
+
+hm_status hm_slide(const hm_analysis* analysis, const hm_points* from, const hm_points_out* to, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        Points before;
+        MutablePoints after;
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(view_points(from, "from", before, fault));
+        HARMORPH_TRY(view_points(to, "to", after, fault));
+        HARMORPH_TRY(check_sliding(of->slip_curves, before, fault));
+        sliding_of(*of).slide(before, after);
+        return Status::ok;
+    });
+}
+
+hm_status hm_slide_adjoint(const hm_analysis* analysis, const hm_points* from, const hm_points* dj,
+                           const hm_points_out* dj_from, hm_error* err) {
+    return guarded(err, [&](CallFault& fault) {
+        const Analysis* of = nullptr;
+        Points before, derivative;
+        MutablePoints transposed;
+        HARMORPH_TRY(open_complete(analysis, of, fault));
+        HARMORPH_TRY(view_points(from, "from", before, fault));
+        HARMORPH_TRY(view_points(dj, "dj", derivative, fault));
+        HARMORPH_TRY(view_points(dj_from, "dj_from", transposed, fault));
+        HARMORPH_TRY(check_sliding(of->slip_curves, before, fault));
+        sliding_of(*of).transpose(before, derivative, transposed);
+        return Status::ok;
+    });
+}
+
+}  // extern "C"

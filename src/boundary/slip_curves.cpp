@@ -1,0 +1,138 @@
+#include "harmorph/boundary/slip_curves.hpp"
+
+#include "harmorph/base/angle.hpp"
+
+namespace harmorph {
+namespace {
+
+constexpr Index most_steps = 100;  // of Newton's method, or halvings, to a place on a segment
+
+Vec2 mirrored(Vec2 tangent, Vec2 chord) noexcept { return (2 * dot(tangent, chord)) * chord - tangent; }
+
+// Of the circle through three points, at the second one.
+Vec2 circle_tangent(Vec2 before, Vec2 here, Vec2 after) noexcept {
+    Vec2 const a = here - before, b = after - here;
+    Real const length_a = length(a), length_b = length(b);
+    Real const part = length_a / (length_a + length_b);
+    return direction(((1 - part) / length_a) * a + (part / length_b) * b);
+}
+
+// A cubic on 0..1 by its ends and the derivatives there.
+struct Cubic {
+    Vec2 begin, end, leaving, arriving;
+
+    Vec2 at(Real u) const noexcept {
+        Real const v = 1 - u;
+        return begin + (u * u * (3 - 2 * u)) * (end - begin) + (u * v * v) * leaving - (u * u * v) * arriving;
+    }
+    Vec2 slope(Real u) const noexcept {
+        Real const v = 1 - u;
+        return (6 * u * v) * (end - begin) + (v * (1 - 3 * u)) * leaving + (u * (3 * u - 2)) * arriving;
+    }
+    Vec2 bend(Real u) const noexcept {
+        return (6 - 12 * u) * (end - begin) + (6 * u - 4) * leaving + (6 * u - 2) * arriving;
+    }
+};
+
+// Is p well within the circle of curvature? `fall`: minus the derivative of (p - C(u)).C'(u).
+bool is_regular(Real fall, Vec2 slope) noexcept { return fall > 1e-3 * square(slope); }
+
+}  // namespace
+
+void SlipCurves::lay_out(Arena& arena, Size max_faces) noexcept {
+    arena.take(start, max_faces + 1);
+    arena.take(point, 2 * max_faces);
+    arena.take(own, 2 * max_faces);
+    arena.take(at, 2 * max_faces);
+    arena.take(tangent, 2 * max_faces);
+}
+
+void SlipCurves::lay_out_copy(Arena& arena, SlipCurves const& other) noexcept {
+    Index const n = other.n_slots();
+    arena.take(start, n == 0 ? 0 : Offset{other.count} + 1);
+    arena.take(point, n);
+    arena.take(own, n);
+    arena.take(at, n);
+    arena.take(tangent, n);
+}
+
+void SlipCurves::copy_from(SlipCurves const& other) noexcept {
+    count = other.count;
+    Index const n = other.n_slots();
+    if (n == 0) return;
+    copy(start, Span<const Index>(other.start.first(count + 1)));
+    copy(point, Span<const Index>(other.point.first(n)));
+    copy(own, Span<const Index>(other.own.first(n)));
+    copy(at, Span<const Vec2>(other.at.first(n)));
+    copy(tangent, Span<const Vec2>(other.tangent.first(n)));
+}
+
+void SlipCurves::find_tangents(Index curve, bool closed) const noexcept {
+    Index const first = start[curve], last = start[curve + 1] - 1;
+    for (Index k = first + 1; k < last; ++k) tangent[k] = circle_tangent(at[k - 1], at[k], at[k + 1]);
+    if (closed) {
+        tangent[first] = tangent[last] = circle_tangent(at[last - 1], at[first], at[first + 1]);
+    } else {
+        tangent[first] = mirrored(tangent[first + 1], direction(at[first + 1] - at[first]));
+        tangent[last] = mirrored(tangent[last - 1], direction(at[last] - at[last - 1]));
+    }
+}
+
+void SlipCurves::keep_sliding(Span<const PointKind> kinds) const noexcept {
+    for (Index slot = 0; slot < n_slots(); ++slot) {
+        if (kinds[point[slot]] != PointKind::slip) own[slot] = none;
+    }
+}
+
+Index SlipCurves::curve_of(Index slot) const noexcept {
+    Index first = 0, last = count;  // start[first] <= slot < start[last]
+    while (last - first > 1) {
+        Index const middle = first + (last - first) / 2;
+        (start[middle] <= slot ? first : last) = middle;
+    }
+    return first;
+}
+
+SlipCurves::Place SlipCurves::nearest(Index slot, Vec2 p) const noexcept {
+    Index const curve = curve_of(slot), first = start[curve], last = start[curve + 1] - 1;
+    auto const same = [](Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; };
+    if (same(p, at[slot])) return {at[slot], tangent[slot]};
+    bool const closed = same(at[first], at[last]) && same(tangent[first], tangent[last]);
+    auto const ahead = [&](Index k) { return dot(p - at[k], tangent[k]); };
+    bool const forwards = ahead(slot) >= 0;
+    Index here = slot;
+    for (Index step = first; step < last; ++step) {
+        Index const end = forwards ? last : first;
+        if (here == end && !closed) return {at[end] + ahead(end) * tangent[end], tangent[end]};
+        if (here == end) here = first + last - end;
+        Index const next = forwards ? here + 1 : here - 1;
+        if ((ahead(next) >= 0) != forwards) return on_segment(forwards ? here : next, p);
+        here = next;
+    }
+    if (closed) return {at[slot], tangent[slot]};  // p is so far away that no place is the nearest one
+    return {at[here] + ahead(here) * tangent[here], tangent[here]};
+}
+
+// (p - C(u)).C'(u) is positive where the segment begins and not where it ends, or zero there.
+SlipCurves::Place SlipCurves::on_segment(Index slot, Vec2 p) const noexcept {
+    Vec2 const side = at[slot + 1] - at[slot];
+    Real const chord = length(side);
+    Real const along = 0.5 / chord * dot(tangent[slot] + tangent[slot + 1], side);
+    Real const speed = 2 * chord / (1 + along);
+    Cubic const curve{at[slot], at[slot + 1], speed * tangent[slot], speed * tangent[slot + 1]};
+    Real low = 0, high = 1, u = clamp(dot(p - at[slot], side) / (chord * chord), 0.0, 1.0);
+    for (Index step = 0; step < most_steps && high - low > epsilon; ++step) {
+        Vec2 const slope = curve.slope(u), off = p - curve.at(u);
+        Real const value = dot(off, slope), fall = square(slope) - dot(off, curve.bend(u));
+        (value >= 0 ? low : high) = u;
+        Real const newton = is_regular(fall, slope) ? u + value / fall : low;
+        Real const next = newton > low && newton < high ? newton : 0.5 * (low + high);
+        if (absolute(next - u) <= epsilon) break;
+        u = next;
+    }
+    Vec2 const slope = curve.slope(u);
+    Real const fall = square(slope) - dot(p - curve.at(u), curve.bend(u));
+    return {curve.at(u), direction(slope), is_regular(fall, slope) ? square(slope) / fall : 1};
+}
+
+}  // namespace harmorph
