@@ -546,8 +546,8 @@ typedef struct hm_problem {
  *   HM_WEIGHTED   HM_COMPACT               HM_DIRECT      all             real; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_BOUNDED               HM_DIRECT      all but slip    real
  *   HM_WEIGHTED   HM_BOUNDED               HM_DIRECT      all but slip    real
- *   HM_LAPLACE    HM_COMPACT               HM_MULTIGRID   all but slip    real
- *   HM_WEIGHTED   HM_COMPACT               HM_MULTIGRID   all but slip    real
+ *   HM_LAPLACE    HM_COMPACT               HM_MULTIGRID   all             real; with slip 2 x 2 matrices
+ *   HM_WEIGHTED   HM_COMPACT               HM_MULTIGRID   all             real; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_COMPACT               HM_FAS         all but slip    real
  *   HM_WEIGHTED   HM_COMPACT               HM_FAS         all but slip    real
  *   HM_LAPLACE    HM_NODAL_GRADIENT        HM_DIRECT      no slip/given   real
@@ -759,6 +759,7 @@ HM_API hm_status hm_plan_solve(hm_plan *plan, hm_basis *basis, hm_solve_report *
 
 /* The agglomeration, after hm_plan_factor with an engine that has levels: cells [n_points] receives the merged cell,
  * from 0, that contains the control volume of each point on a level (0: the finest); -1 for points with known values.
+ * Where points slide, movements along x and y are merged separately; cells are those of the first component.
  * *n_cells: the number of merged cells. Refused if the level does not exist. */
 HM_API hm_status hm_plan_level(const hm_plan *plan, int32_t level, int32_t *cells, int32_t *n_cells, hm_error *err);
 

@@ -63,8 +63,8 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     if (problem.demands.given && problem.method.nodal_gradients()) {
         return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
     }
-    if (problem.demands.slip && problem.method.engine != Engine::direct) {
-        return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine only");
+    if (problem.demands.slip && problem.method.engine == Engine::fas) {
+        return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine and with multigrid only");
     }
     if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
     return fault.refuse(Status::unsupported,

@@ -250,11 +250,19 @@ void Matrix::couple_to_fixed(RowRange rows, Index point, Real conductance, Real 
 
 void Matrix::mark_faces(Edges const& edges, Span<std::uint8_t> faces) const noexcept {
     fill(faces, std::uint8_t{0});
-    edges.for_each([&](Index, Index low, Index high) {
-        Index const i = row_of[low], j = row_of[high];
+    auto const mark = [&](Index i, Index j) {
         if (i < 0 || j < 0 || i == j) return;
         Index const row = smaller(i, j);
         faces[find_in_row(column, start[row], start[row + 1], larger(i, j))] = 1;
+    };
+    edges.for_each([&](Index, Index low, Index high) {
+        if (components() == 1) return mark(row_of[low], row_of[high]);
+        bool const one_slides = slips(low) || slips(high);
+        for (Index p = 0; p < 2; ++p) {
+            for (Index q = 0; q < 2; ++q) {
+                if (p == q || one_slides) mark(row_of[2 * low + p], row_of[2 * high + q]);
+            }
+        }
     });
 }
 

@@ -52,14 +52,15 @@ void contract(SymmetricRows const& fine, Span<const Index> cell_of, Index n, Spa
     Span<Offset> const starts = coarse.start.first(n + 1);
     fill(starts, Offset{0});
     for (Index i = 0; i < fine.n; ++i) coarse.row_sum[cell_of[i]] += fine.row_sum[i];
-    fine.for_each([&](Index i, Index j, Offset) {
+    auto const is_needed = [&](Offset e) { return fine.value[e] != 0 || fine.faces[e] != 0; };
+    fine.for_each([&](Index i, Index j, Offset e) {
         Index const a = cell_of[i], b = cell_of[j];
-        if (a != b) ++starts[smaller(a, b)];
+        if (a != b && is_needed(e)) ++starts[smaller(a, b)];
     });
     counts_to_starts(starts);
     fine.for_each([&](Index i, Index j, Offset e) {
         Index const a = cell_of[i], b = cell_of[j];
-        if (a == b) return;
+        if (a == b || !is_needed(e)) return;
         Offset const to = starts[smaller(a, b)]++;
         coarse.column[to] = larger(a, b);
         coarse.value[to] = fine.value[e];

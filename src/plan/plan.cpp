@@ -123,7 +123,8 @@ Status Plan::level_cells(Index level, Span<Index> cell_of, Index& n_cells, Fault
     }
     Matrix const& matrix = equations.matrix;
     for (Index point = 0; point < mesh.n_points; ++point) {
-        Index cell = matrix.row_of[point] >= 0 ? matrix.row_of[point] : none;
+        Index const row = matrix.row_of[matrix.components() * point];
+        Index cell = row >= 0 ? row : none;
         for (Index l = 0; l < level && cell != none; ++l) cell = levels->cell_of[l][cell];
         cell_of[point] = cell;
     }
