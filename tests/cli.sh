@@ -540,9 +540,9 @@ refuses "--slip on a marker with a curve" 2 'two conditions' solve "$box" $on_bl
 refuses "--slip on an unknown marker" 2 "'high'" solve "$box" $on_block --slip top -o "$tmp/x"
 sed 's/^5 0$/5 -.01/' "$box" >"$tmp/bent.su2"
 runs "--slip on a bent line: a curve" 0 solve "$tmp/bent.su2" $on_block --slip low -o "$tmp/bent.basis"
-runs "--slip on a bent line: morph" 0 morph "$tmp/bent.su2" "$tmp/bent.basis" --move "$tmp/turn40.txt" -o "$tmp/x.su2"
+runs "--slip on a bent line: morph" 0 morph "$tmp/bent.su2" "$tmp/bent.basis" --move "$tmp/turn40.txt" -o "$tmp/bent-moved.su2"
 below() { awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && $2 < .02 && $1 > 4 && $1 < 6 { print $2 }' "$1"; }
-check "--slip on a bent line: points stay near it" sh -c "echo '$(below "$tmp/x.su2")' | awk '\$1 > 1e-9 || \$1 < -.0101 { bad = 1 } END { exit bad || NR < 2 }'"
+check "--slip on a bent line: points stay near it" sh -c "echo '$(below "$tmp/bent-moved.su2")' | awk '\$1 > 1e-9 || \$1 < -.0101 { bad = 1 } END { exit bad || NR < 2 }'"
 
 runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:let:out -o "$tmp/pair.basis"
 runs "--periodic: morph" 0 morph "$box" "$tmp/pair.basis" --move "$tmp/turn40.txt" -o "$tmp/pair.su2"
