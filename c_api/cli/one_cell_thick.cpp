@@ -9,174 +9,162 @@ namespace cli {
 
 namespace {
 
-constexpr double rounding = 1e-6; // of the thickness, for coordinates that should be equal
-const char* const names[] = {"x", "y", "z"};
-
-std::string place(const SpacePoints& space, std::int32_t point) {
-    const auto i = static_cast<std::size_t>(point);
-    return "point " + std::to_string(point + 1) + " of the file (" + brief(space.x[0][i]) + ", " +
-           brief(space.x[1][i]) + ", " + brief(space.x[2][i]) + ")";
-}
-
-// The first point that lies in neither plane; -1: there is none.
-std::int32_t split(const std::vector<double>& values, std::vector<char>& upper) {
-    const auto range = std::minmax_element(values.begin(), values.end());
-    const double low = *range.first, high = *range.second, tolerance = rounding * (high - low);
-    if (!(high > low)) return 0;
-    upper.assign(values.size(), 0);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (values[i] - low <= tolerance) continue;
-        if (high - values[i] > tolerance) return static_cast<std::int32_t>(i);
-        upper[i] = 1;
-    }
-    return -1;
-}
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 } // namespace
 
-Planes find_planes(const Mesh& mesh, const SpacePoints& space) {
-    Planes planes = {};
-    std::string offenders;
-    for (const int normal : {2, 1, 0}) {
-        const auto n = static_cast<std::size_t>(normal);
-        const std::int32_t offender = split(space.x[n], planes.upper);
-        if (offender < 0) {
-            planes.normal = normal;
-            planes.first = normal == 0 ? 1 : 0;
-            planes.second = normal == 2 ? 1 : 2;
-            return planes;
-        }
-        offenders += (offenders.empty() ? "" : "; ") + std::string("not two planes ") + names[normal] +
-                     " = constant: " + place(space, offender);
-    }
-    mesh.file.fail(space.offset[0].empty() ? 0 : space.offset[0][0],
-                   "the mesh has three dimensions and is not one cell thick: " + offenders);
+std::string OneCellThick::place(std::int32_t point) const {
+    const auto& x = space_.points.x;
+    return "(" + brief(x[0][at(point)]) + ", " + brief(x[1][at(point)]) + ", " + brief(x[2][at(point)]) + ")";
 }
 
-namespace {
-
-void follow(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point, std::size_t from) {
-    const auto p = static_cast<std::size_t>(point);
-    const auto one = [&](int axis, std::int32_t rule, double value) {
-        const auto a = static_cast<std::size_t>(axis);
-        // What is not the same to the last bit moves as far, and stays as different.
-        if (space.x[a][from] != value || std::signbit(space.x[a][from]) != std::signbit(value)) {
-            std::vector<Direction>& directions = mesh.in_file.directions;
-            if (directions.empty()) directions = {{{1, 0}}, {{0, 1}}};
-            rule = rule == takes_x ? 0 : 1;
-        }
-        mesh.in_file.slots.push_back({space.offset[a][from], point, rule});
-    };
-    one(planes.first, takes_x, mesh.x[p]);
-    one(planes.second, takes_y, mesh.y[p]);
-}
-
-} // namespace
-
-void add_plane_point(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t point,
-                     std::int32_t partner) {
-    const auto i = static_cast<std::size_t>(point);
-    const auto first = static_cast<std::size_t>(planes.first), second = static_cast<std::size_t>(planes.second);
-    const std::int32_t number = mesh.points();
-    mesh.x.push_back(space.x[first][i]);
-    mesh.y.push_back(space.x[second][i]);
-    mesh.point_offset.push_back(space.offset[first][i]);
-    follow_both(mesh, space, planes, number, point, partner);
-}
-
-void follow_both(Mesh& mesh, const SpacePoints& space, const Planes& planes, std::int32_t number, std::int32_t point,
-                 std::int32_t partner) {
-    const auto i = static_cast<std::size_t>(point), j = static_cast<std::size_t>(partner);
-    follow(mesh, space, planes, number, i);
-    if (partner < 0) return;
-    const auto normal = static_cast<std::size_t>(planes.normal);
-    const double thickness = std::fabs(space.x[normal][j] - space.x[normal][i]);
-    for (const int axis : {planes.first, planes.second}) {
-        const auto a = static_cast<std::size_t>(axis);
-        if (std::fabs(space.x[a][j] - space.x[a][i]) <= rounding * thickness) continue;
-        mesh.file.fail(space.offset[a][j], place(space, partner) + " is not opposite " + place(space, point) +
-                                               ": the mesh is not one cell thick");
-    }
-    if (thickness == 0) {
-        mesh.file.fail(space.offset[normal][j],
-                       place(space, partner) + " is in the same plane as " + place(space, point));
-    }
-    follow(mesh, space, planes, number, j);
-}
-
-OneCellThick::OneCellThick(Mesh& mesh, const SpacePoints& space)
-    : mesh_(mesh), space_(space), planes_(find_planes(mesh, space)), partner_(space.x[0].size(), -1) {}
-
-void OneCellThick::pair(std::int32_t lower, std::int32_t upper, std::size_t offset) {
-    std::int32_t& partner = partner_[static_cast<std::size_t>(lower)];
-    if (partner == -1) partner = upper;
-    if (partner == upper) return;
-    mesh_.file.fail(offset, place(space_, lower) + " has two points opposite: " + place(space_, partner) + " and " +
-                                place(space_, upper));
+std::array<double, 3> OneCellThick::corner(std::int32_t face, std::size_t k) const {
+    const auto point = at(cells_.faces[at(face)].points[k]);
+    return {space_.points.x[0][point], space_.points.x[1][point], space_.points.x[2][point]};
 }
 
 void OneCellThick::add_cell(const std::int32_t* points, std::size_t n, std::size_t offset) {
-    // Ways to see the cell as one side and the points opposite; a prism has one, a hexahedron three.
-    static constexpr int sides[3][8] = {{0, 1, 2, 3, 4, 5, 6, 7}, {0, 3, 7, 4, 1, 2, 6, 5}, {0, 1, 5, 4, 3, 2, 6, 7}};
-    const std::size_t half = n / 2;
-    for (std::size_t way = 0; way < (n == 8 ? 3u : 1u); ++way) {
-        const auto at = [&](std::size_t k) { return points[n == 8 ? static_cast<std::size_t>(sides[way][k]) : k]; };
-        const bool flipped = is_upper(at(0));
-        bool fits = true;
-        for (std::size_t k = 0; k < half; ++k) {
-            fits = fits && is_upper(at(k)) == flipped && is_upper(at(k + half)) != flipped;
-        }
-        if (!fits) continue;
-        Item cell = {{}, static_cast<std::int32_t>(half), -1, offset};
-        for (std::size_t k = 0; k < half; ++k) {
-            const std::int32_t a = at(k), b = at(k + half);
-            cell.points[k] = flipped ? b : a;
-            pair(flipped ? b : a, flipped ? a : b, offset);
-        }
-        cells_.push_back(cell);
-        return;
-    }
-    mesh_.file.fail(offset, "a cell does not reach from one plane to the other with a side in each; it begins at " +
-                                place(space_, points[0]));
+    cells_.add(points, n);
+    cell_offset_.push_back(offset);
 }
 
 void OneCellThick::add_side(const std::int32_t* points, std::size_t n, const std::string& marker, std::size_t offset) {
-    Item side = {{}, 0, -1, offset};
-    for (std::size_t k = 0; k < n; ++k) {
-        if (!is_upper(points[k])) side.points[static_cast<std::size_t>(side.n++)] = points[k];
+    const auto known = std::find(names_.begin(), names_.end(), marker);
+    const auto name = static_cast<std::size_t>(known - names_.begin());
+    if (known == names_.end()) names_.push_back(marker);
+    sides_.push_back({{points[0], points[1], points[2], points[n - 1]}, n, name, offset});
+}
+
+// From a face of one cell to the faces beyond its edges, in the neighbours there. False: this is no plane of the mesh,
+// as one of the faces has cells on both sides, or a cell beside one that was reached was not.
+bool OneCellThick::spread(std::int32_t first, PlaneFaces& plane, std::vector<std::int32_t>& cells) const {
+    const std::vector<CellFaces::Face>& faces = cells_.faces;
+    cells = {faces[at(first)].cell};
+    plane[at(cells[0])] = first;
+    bool holds = true;
+    for (std::size_t k = 0; k < cells.size() && holds; ++k) {
+        const CellFaces::Face& its = faces[at(plane[at(cells[k])])];
+        const auto begin = cells_.start[at(cells[k])], end = cells_.start[at(cells[k]) + 1];
+        holds = its.other < 0;
+        for (std::size_t corner = 0; corner < its.n() && holds; ++corner) {
+            const std::int32_t a = its.points[corner], b = its.points[(corner + 1) % its.n()];
+            for (std::int32_t side = begin; side < end && holds; ++side) {
+                const CellFaces::Face& across = faces[at(side)];
+                if (&across == &its || across.other < 0 || !across.has(a) || !across.has(b)) continue;
+                const std::int32_t next = faces[at(across.other)].cell;
+                std::int32_t beyond = -1;
+                for (std::int32_t f = cells_.start[at(next)]; f < cells_.start[at(next) + 1]; ++f) {
+                    if (f != across.other && faces[at(f)].has(a) && faces[at(f)].has(b)) beyond = f;
+                }
+                std::int32_t& known = plane[at(next)];
+                if (known < 0) cells.push_back(next);
+                holds = beyond >= 0 && (known < 0 || known == beyond);
+                known = beyond;
+            }
+        }
     }
-    if (side.n == 0 || side.n == static_cast<std::int32_t>(n)) return; // of a plane
-    if (n != 4 || side.n != 2) {
-        mesh_.file.fail(offset,
-                        "a face of the boundary is neither in a plane nor a quadrilateral from one to the other; "
-                        "it begins at " +
-                            place(space_, points[0]));
+    for (std::size_t k = 0; k < cells.size() && holds; ++k) {
+        for (std::int32_t f = cells_.start[at(cells[k])]; f < cells_.start[at(cells[k]) + 1] && holds; ++f) {
+            const std::int32_t other = faces[at(f)].other;
+            holds = other < 0 || plane[at(faces[at(other)].cell)] >= 0;
+        }
     }
-    side.marker = mesh_.add_marker(marker);
-    sides_.push_back(side);
+    if (!holds) {
+        for (const std::int32_t cell : cells) plane[at(cell)] = -1;
+    }
+    return holds;
+}
+
+// How far faces lie from the plane of the first one, on average.
+double OneCellThick::distance(const PlaneFaces& plane, const std::vector<std::int32_t>& cells) const {
+    double sum = 0;
+    for (const std::int32_t cell : cells) {
+        const std::array<double, 3> p = corner(plane[at(cell)], 0);
+        double off = 0;
+        for (std::size_t d = 0; d < 3; ++d) off += (p[d] - origin_[d]) * normal_[d];
+        sum += std::fabs(off) / static_cast<double>(cells.size());
+    }
+    return sum;
+}
+
+// Of the cells that are connected with this one. Of several such parts, planes that lie together are one.
+void OneCellThick::find_planes(std::int32_t cell) {
+    const bool is_first = cell == 0;
+    PlaneFaces found[2];
+    std::vector<std::int32_t> cells;
+    int n = 0;
+    for (std::int32_t face = cells_.start[at(cell)]; face < cells_.start[at(cell) + 1] && n < 2; ++face) {
+        if (n == 1 && found[0][at(cell)] == face) continue;
+        PlaneFaces& plane = found[n];
+        if (plane.empty()) plane.assign(at(cells_.cells()), -1);
+        if (spread(face, plane, cells)) ++n;
+    }
+    if (n < 2) {
+        mesh_.file.fail(cell_offset_[at(cell)],
+                        "the mesh has three dimensions and is not one cell thick: there are no two planes in which each "
+                        "cell has a face; cell " +
+                            std::to_string(cell + 1) + " begins at " +
+                            place(cells_.faces[at(cells_.start[at(cell)])].points[0]));
+    }
+    bool swapped = false;
+    if (is_first) { // the plane of the lower coordinates
+        std::array<double, 3> centre[2] = {};
+        for (const int side : {0, 1}) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                for (std::size_t d = 0; d < 3; ++d) centre[side][d] += corner(found[side][at(cell)], k)[d];
+            }
+        }
+        std::size_t across = 2;
+        for (const std::size_t d : {1, 0}) {
+            const auto apart = [&](std::size_t axis) { return std::fabs(centre[1][axis] - centre[0][axis]); };
+            if (apart(d) > apart(across)) across = d;
+        }
+        swapped = centre[1][across] < centre[0][across];
+        const std::int32_t face = found[swapped ? 1 : 0][at(cell)];
+        origin_ = corner(face, 0);
+        const std::array<double, 3> a = corner(face, 1), b = corner(face, 2);
+        double size = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
+            normal_[d] = (a[e] - origin_[e]) * (b[f] - origin_[f]) - (a[f] - origin_[f]) * (b[e] - origin_[e]);
+            size += normal_[d] * normal_[d];
+        }
+        for (double& its : normal_) its /= size > 0 ? std::sqrt(size) : 1;
+    } else {
+        swapped = distance(found[1], cells) < distance(found[0], cells);
+    }
+    for (const std::int32_t its : cells) {
+        for (const int side : {0, 1}) planes_[side][at(its)] = found[side == 0 ? swapped : !swapped][at(its)];
+    }
 }
 
 void OneCellThick::finish() {
-    std::vector<std::int32_t> number(partner_.size(), -1);
-    for (std::size_t point = 0; point < partner_.size(); ++point) {
-        if (partner_[point] < 0) continue;
-        number[point] = mesh_.points();
-        add_plane_point(mesh_, space_, planes_, static_cast<std::int32_t>(point), partner_[point]);
+    const std::int32_t third = cells_.connect(space_.points.points());
+    if (third >= 0) {
+        mesh_.file.fail(cell_offset_[at(cells_.faces[at(third)].cell)], "three cells have a common face; it begins at " +
+                                                                            place(cells_.faces[at(third)].points[0]));
     }
-    std::vector<std::int32_t> points;
-    for (const Item& cell : cells_) {
-        points.clear();
-        for (std::int32_t k = 0; k < cell.n; ++k) {
-            points.push_back(number[static_cast<std::size_t>(cell.points[static_cast<std::size_t>(k)])]);
+    for (PlaneFaces& plane : planes_) plane.assign(at(cells_.cells()), -1);
+    for (std::int32_t cell = 0; cell < cells_.cells(); ++cell) {
+        if (planes_[0][at(cell)] < 0) find_planes(cell);
+        const CellFaces::Face& face = cells_.faces[at(planes_[0][at(cell)])];
+        std::array<std::int32_t, 4> points = face.points;
+        space_.face_points.insert(space_.face_points.end(), points.begin(), points.begin() + std::ptrdiff_t(face.n()));
+        space_.face_start.push_back(static_cast<std::int32_t>(space_.face_points.size()));
+        space_.face_offset.push_back(cell_offset_[at(cell)]);
+    }
+    for (const Side& side : sides_) {
+        const std::int32_t face = cells_.find(side.points.data(), side.n);
+        if (face < 0) {
+            mesh_.file.fail(side.offset, "a face of the boundary is that of no cell; it begins at " + place(side.points[0]));
         }
-        mesh_.add_cell(points, cell.offset);
+        const auto cell = at(cells_.faces[at(face)].cell);
+        if (planes_[0][cell] == face || planes_[1][cell] == face) continue;
+        space_.side_points.insert(space_.side_points.end(), side.points.begin(), side.points.end());
+        space_.side_markers.push_back(mesh_.add_marker(names_[side.name]));
+        space_.side_offset.push_back(side.offset);
     }
-    for (const Item& side : sides_) {
-        const std::int32_t a = number[static_cast<std::size_t>(side.points[0])];
-        const std::int32_t b = number[static_cast<std::size_t>(side.points[1])];
-        if (a < 0 || b < 0) mesh_.file.fail(side.offset, "a face of the boundary has points that no cell has");
-        mesh_.add_face(a, b, side.marker, side.offset);
-    }
+    take_plane(mesh_, space_);
 }
 
 } // namespace cli

@@ -2,6 +2,8 @@
 
 #include "harmorph.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -51,7 +53,54 @@ private:
     mesh.file.fail(offset, "the mesh has three dimensions and is not one cell thick: " + text);
 }
 
+// In a wedge that reaches to the axis, its edges there are a boundary of the plane, but no face of the file.
+void add_axis(Mesh& mesh) {
+    double largest = 0;
+    for (const double y : mesh.y) largest = std::max(largest, std::fabs(y));
+    const auto is_on_axis = [&](std::int32_t point) {
+        return std::fabs(mesh.y[static_cast<std::size_t>(point)]) <= 1e-12 * largest;
+    };
+    for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
+        const std::int32_t begin = mesh.cell_start[cell], end = mesh.cell_start[cell + 1];
+        for (std::int32_t k = begin; k < end; ++k) {
+            const std::int32_t a = mesh.cell_points[static_cast<std::size_t>(k)];
+            const std::int32_t b = mesh.cell_points[static_cast<std::size_t>(k + 1 < end ? k + 1 : begin)];
+            if (!is_on_axis(a) || !is_on_axis(b)) continue;
+            mesh.add_face(a, b, mesh.add_marker("axis"), mesh.cell_offset[cell]);
+        }
+    }
+}
+
 } // namespace
+
+void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
+    std::size_t normal = 3, offender = 0;
+    for (const std::size_t d : {2, 1, 0}) {
+        const std::vector<double>& values = points.x[d];
+        std::size_t k = 1;
+        while (k < values.size() && values[k] == values[0]) ++k;
+        offender = std::max(offender, k);
+        if (normal == 3 && k >= values.size()) normal = d;
+    }
+    if (normal == 3) {
+        mesh.file.fail(points.offset[0][offender], "the points must lie in a plane x, y or z = constant, as cells of two "
+                                                   "dimensions do; point " +
+                                                       std::to_string(offender + 1) + " does not");
+    }
+    const std::size_t axes[2] = {normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
+    mesh.x = points.x[axes[0]];
+    mesh.y = points.x[axes[1]];
+    mesh.point_offset = points.offset[axes[0]];
+    Slots slots(mesh);
+    for (const std::size_t axis : {0, 1}) {
+        const Direction direction = {{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0}};
+        const std::size_t d = axes[axis];
+        for (std::size_t k = 0; k < points.x[d].size(); ++k) {
+            slots.add(points.offset[d][k], points.x[d][k], static_cast<std::int32_t>(k), direction);
+        }
+        for (const SpaceCopy& copy : copies) slots.add(copy.offset[d], copy.x[d], copy.of, direction);
+    }
+}
 
 void take_plane(Mesh& mesh, const SpaceMesh& space) {
     hm_space_mesh given = {};
@@ -89,10 +138,11 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
     mesh.cell_start.assign(found.cell_start, found.cell_start + found.n_cells + 1);
     mesh.cell_points.assign(found.cell_points, found.cell_points + mesh.cell_start.back());
     mesh.cell_offset = space.face_offset;
-    mesh.find_polygons();
     mesh.face_points.assign(found.face_points, found.face_points + 2 * found.n_faces);
     mesh.face_markers.assign(found.face_markers, found.face_markers + found.n_faces);
     mesh.face_offset = space.side_offset;
+
+    if (info.kind == HM_WEDGE) add_axis(mesh);
 
     // Where each point of space goes with a unit step of its point in the plane, along x and along y.
     const auto n = static_cast<std::size_t>(info.n_space_points), m = static_cast<std::size_t>(info.n_points);
@@ -109,11 +159,14 @@ void take_plane(Mesh& mesh, const SpaceMesh& space) {
         mesh.in_file.is_computed = mesh.in_file.is_computed || !is_axis;
     }
     Slots slots(mesh);
+    const auto add = [&](std::size_t k, std::size_t d, std::size_t offset, double value) {
+        slots.add(offset, value, info.follows[k], {{steps[0][d * n + k], steps[1][d * n + k]}});
+    };
     for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t d = 0; d < 3; ++d) {
-            slots.add(space.points.offset[d][k], space.points.x[d][k], info.follows[k],
-                      {{steps[0][d * n + k], steps[1][d * n + k]}});
-        }
+        for (std::size_t d = 0; d < 3; ++d) add(k, d, space.points.offset[d][k], space.points.x[d][k]);
+    }
+    for (const SpaceCopy& copy : space.copies) {
+        for (std::size_t d = 0; d < 3; ++d) add(static_cast<std::size_t>(copy.of), d, copy.offset[d], copy.x[d]);
     }
 }
 

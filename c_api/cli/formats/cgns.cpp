@@ -262,24 +262,7 @@ private:
     }
 
     // Cells of two dimensions: all points, in the plane x, y or z = constant.
-    void add_plane() {
-        Planes planes = {2, 0, 1, {}};
-        for (const int normal : {2, 1, 0}) {
-            const auto range = std::minmax_element(space_.x[static_cast<std::size_t>(normal)].begin(),
-                                                   space_.x[static_cast<std::size_t>(normal)].end());
-            if (*range.first != *range.second) continue;
-            planes = {normal, normal == 0 ? 1 : 0, normal == 2 ? 1 : 2, {}};
-            break;
-        }
-        const std::vector<double>& across = space_.x[static_cast<std::size_t>(planes.normal)];
-        for (std::size_t k = 0; k < across.size(); ++k) {
-            if (across[k] != across[0]) {
-                cgns_.fail("cells of two dimensions must lie in a plane x, y or z = constant; point " + std::to_string(k + 1) +
-                           " does not");
-            }
-            add_plane_point(mesh_, space_, planes, static_cast<std::int32_t>(k), -1);
-        }
-    }
+    void add_plane() { take_flat(mesh_, space_, {}); }
 
     void add_cell(const std::vector<std::int32_t>& points) {
         const std::size_t offset = space_.offset[0][static_cast<std::size_t>(points[0])];

@@ -82,6 +82,7 @@ public:
         for (const std::int64_t face : plane) add_plane_face(face);
         add_sides();
         take_plane(mesh_, space_);
+        mesh_.find_polygons();
     }
 
 private:

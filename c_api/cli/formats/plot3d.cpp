@@ -1,5 +1,6 @@
 // PLOT3D grids (https://www.grc.nasa.gov/www/wind/valid/plot3d.html): one block or many, two dimensions or one cell
-// thick, in text, in binary, or of Fortran's unformatted records; plot3d_layout finds out which.
+// thick (between planes of any direction, or in a wedge), in text, in binary, or of Fortran's unformatted records;
+// plot3d_layout finds out which.
 //
 // Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the mesh, so that
 // interfaces and cuts close and cells at a pole become triangles. What is left of the sides is boundary: of the names
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <unordered_map>
 
 namespace cli {
@@ -34,55 +36,65 @@ public:
 
 private:
     using Index3 = std::array<std::int64_t, 3>;
-    using Square = std::pair<std::int64_t, std::int64_t>; // of a fine grid, in which points of sides are looked up
-    struct SquareHash {
-        std::size_t operator()(const Square& square) const {
-            return static_cast<std::size_t>(square.first) * 0x9E3779B97F4A7C15u +
-                   static_cast<std::size_t>(square.second);
+    using Cube = std::array<std::int64_t, 3>; // of a fine grid, in which points of sides are looked up
+    struct CubeHash {
+        std::size_t operator()(const Cube& cube) const {
+            const auto mixed = [](std::int64_t value) { return static_cast<std::size_t>(value) * 0x9E3779B97F4A7C15u; };
+            return mixed(cube[0]) ^ mixed(cube[1]) >> 7 ^ mixed(cube[2]) >> 13;
         }
     };
 
     void read_points();
-    void read_block(const Plot3dBlock& block, NumberReader& numbers);
-    int direction_across(std::size_t block) const;
-    std::int64_t number(const Plot3dBlock& block, const Index3& index) const {
-        return index[0] + block.n[0] * (index[1] + block.n[1] * index[2]);
+    void join_points();
+    std::int32_t point_at(const std::array<double, 3>& place);
+    int across(const Plot3dBlock& block) const;
+    bool is_on_side(const Plot3dBlock& block, const Index3& index) const;
+    std::int32_t point(std::size_t block, const Index3& index) const {
+        const Plot3dBlock& its = layout_.blocks[block];
+        const auto number = first_[block] + index[0] + its.n[0] * (index[1] + its.n[1] * index[2]);
+        return point_of_[static_cast<std::size_t>(number)];
     }
-    std::int32_t point_on_side(double x, double y);
-    void build_block(std::size_t block);
-    void build_cells(std::size_t block, int across);
-    void build_sides(std::size_t block, int across);
-    void add_patch(const NmfPatch& patch, int across);
-    std::int32_t plane_point(std::size_t block, const Index3& index, int across) const;
+    std::vector<std::int32_t> corners(std::size_t block, const Index3& low, const Index3& high, int direction) const;
+    void build_cells(std::size_t block);
+    void build_sides(std::size_t block);
+    void add_side(const NmfPatch& side);
 
     Mesh& mesh_;
     const Plot3dLayout& layout_;
-    SpacePoints space_;
-    Planes planes_ = {2, 0, 1, {}};
-    std::vector<std::int64_t> first_;       // point of each block in space_
-    std::vector<std::int32_t> point_of_;    // the mesh's, of those in space_; -1: none
+    SpacePoints in_file_, points_;          // as the file has them; joined, each place on a side once
+    std::vector<SpaceCopy> copies_;
+    std::vector<std::int64_t> first_;       // point of each block in the file
+    std::vector<std::int32_t> point_of_;    // in points_, of those of the file
+    std::unique_ptr<OneCellThick> solid_;   // none: one plane
     std::vector<NmfPatch> patches_;
-    std::unordered_multimap<Square, std::int32_t, SquareHash> on_sides_;
+    std::unordered_multimap<Cube, std::int32_t, CubeHash> on_sides_;
     double same_place_ = 0; // coordinates that differ by no more are equal
     std::int64_t blanked_ = 0;
 };
 
 void Plot3dReader::read() {
     read_points();
-    if (layout_.dimensions == 3) planes_ = find_planes(mesh_, space_);
     const std::filesystem::path map = std::filesystem::path(mesh_.file.path()).replace_extension(".nmf");
     if (std::filesystem::exists(map)) {
         std::vector<Index3> sizes;
         for (const Plot3dBlock& block : layout_.blocks) sizes.push_back(block.n);
         patches_ = read_nmf(map.string(), sizes);
     }
-    double largest = 0;
-    for (const auto& values : space_.x) {
-        for (const double value : values) largest = std::max(largest, std::fabs(value));
+    join_points();
+    const auto has_one_plane = [](const Plot3dBlock& block) {
+        return std::count(block.n.begin(), block.n.end(), 1) > 0;
+    };
+    if (std::all_of(layout_.blocks.begin(), layout_.blocks.end(), has_one_plane)) {
+        take_flat(mesh_, points_, copies_);
+    } else {
+        solid_ = std::make_unique<OneCellThick>(mesh_, std::move(points_));
+        for (const SpaceCopy& copy : copies_) solid_->add_copy(copy);
     }
-    same_place_ = rounding * largest;
-    point_of_.assign(space_.x[0].size(), -1);
-    for (std::size_t block = 0; block < layout_.blocks.size(); ++block) build_block(block);
+    for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {
+        build_cells(block);
+        build_sides(block);
+    }
+    if (solid_) solid_->finish();
     drop_interior_faces(mesh_, false);
     drop_empty_markers(mesh_);
     if (blanked_ > 0) mesh_.remark(plural(blanked_, "point") + " with iblank 0: iblank is ignored (and kept)");
@@ -94,154 +106,207 @@ void Plot3dReader::read_points() {
     numbers.swapped = mesh_.in_file.swapped = layout_.swapped;
     if (!layout_.is_text) mesh_.in_file.kind = layout_.real_bytes == 8 ? NumberKind::real64 : NumberKind::real32;
     numbers.jump(layout_.data);
+    std::int64_t total = 0;
+    for (const Plot3dBlock& block : layout_.blocks) total += block.points();
+    if (total > INT32_MAX) mesh_.file.fail(0, "more than 2147483647 points");
+    const auto dimensions = static_cast<std::size_t>(layout_.dimensions);
+    for (std::size_t d = 0; d < 3; ++d) {
+        in_file_.x[d].reserve(static_cast<std::size_t>(total));
+        in_file_.offset[d].reserve(static_cast<std::size_t>(total));
+    }
     for (const Plot3dBlock& block : layout_.blocks) {
-        first_.push_back(static_cast<std::int64_t>(space_.x[0].size()));
+        first_.push_back(in_file_.points());
         if (!layout_.is_text) numbers.jump(block.data);
-        read_block(block, numbers);
-        if (space_.x[0].size() > INT32_MAX) mesh_.file.fail(0, "more than 2147483647 points");
-    }
-}
-
-void Plot3dReader::read_block(const Plot3dBlock& block, NumberReader& numbers) {
-    for (std::size_t d = 0; d < static_cast<std::size_t>(layout_.dimensions); ++d) {
-        for (std::int64_t i = 0; i < block.points(); ++i) {
-            space_.x[d].push_back(numbers.real("a coordinate", layout_.real_bytes));
-            space_.offset[d].push_back(numbers.number_offset());
+        for (std::size_t d = 0; d < dimensions; ++d) {
+            for (std::int64_t i = 0; i < block.points(); ++i) {
+                in_file_.x[d].push_back(numbers.real("a coordinate", layout_.real_bytes));
+                in_file_.offset[d].push_back(numbers.number_offset());
+            }
+        }
+        for (std::size_t d = dimensions; d < 3; ++d) {
+            in_file_.x[d].resize(in_file_.x[0].size());
+            in_file_.offset[d].resize(in_file_.x[0].size());
+        }
+        for (std::int64_t i = 0; layout_.has_iblank && i < block.points(); ++i) {
+            if (numbers.whole("an iblank") == 0) ++blanked_;
         }
     }
-    if (layout_.dimensions == 2) space_.x[2].resize(space_.x[0].size());
-    for (std::int64_t i = 0; layout_.has_iblank && i < block.points(); ++i) {
-        if (numbers.whole("an iblank") == 0) ++blanked_;
-    }
 }
 
-// Of a block one cell thick: the direction from one plane to the other.
-int Plot3dReader::direction_across(std::size_t block) const {
-    if (layout_.dimensions == 2) return 2;
-    const Plot3dBlock& its = layout_.blocks[block];
-    const auto upper = [&](const Index3& index) {
-        return planes_.upper[static_cast<std::size_t>(first_[block] + number(its, index))];
-    };
+// The direction from one plane of a block to the other, which has two points, or one where there is one plane; -1: several
+// directions have two, and only the whole mesh tells.
+int Plot3dReader::across(const Plot3dBlock& block) const {
     for (const int d : {2, 1, 0}) {
-        Index3 next = {0, 0, 0};
-        next[static_cast<std::size_t>(d)] = 1;
-        if (its.n[static_cast<std::size_t>(d)] == 2 && upper(next) != upper({0, 0, 0})) return d;
+        if (block.n[static_cast<std::size_t>(d)] == 1) return d;
     }
-    mesh_.file.fail(space_.offset[0][static_cast<std::size_t>(first_[block])],
-                    "block " + std::to_string(block + 1) + " (" + std::to_string(its.n[0]) + " x " +
-                        std::to_string(its.n[1]) + " x " + std::to_string(its.n[2]) + ") is not one cell thick");
+    const auto found = std::find(block.n.begin(), block.n.end(), 2);
+    if (std::count(block.n.begin(), block.n.end(), 2) != 1) return -1;
+    return static_cast<int>(found - block.n.begin());
 }
 
-std::int32_t Plot3dReader::plane_point(std::size_t block, const Index3& index, int across) const {
-    Index3 in_plane = index;
-    in_plane[static_cast<std::size_t>(across)] = 0;
-    return point_of_[static_cast<std::size_t>(first_[block] + number(layout_.blocks[block], in_plane))];
-}
-
-// The mesh's point at this place; if there is none, the number that it is going to have.
-std::int32_t Plot3dReader::point_on_side(double x, double y) {
-    const double size = 4 * same_place_; // of a square: a point has neighbours in its own and at most three more
-    const auto square = [size](double at) { return size > 0 ? static_cast<std::int64_t>(std::floor(at / size)) : 0; };
-    for (std::int64_t i = square(x - same_place_); i <= square(x + same_place_); ++i) {
-        for (std::int64_t j = square(y - same_place_); j <= square(y + same_place_); ++j) {
-            const auto range = on_sides_.equal_range({i, j});
-            for (auto other = range.first; other != range.second; ++other) {
-                const auto point = static_cast<std::size_t>(other->second);
-                if (std::fabs(mesh_.x[point] - x) <= same_place_ && std::fabs(mesh_.y[point] - y) <= same_place_) {
-                    return other->second;
-                }
-            }
-        }
-    }
-    on_sides_.emplace(Square(square(x), square(y)), mesh_.points());
-    return mesh_.points();
-}
-
-void Plot3dReader::build_block(std::size_t block) {
-    const Plot3dBlock& its = layout_.blocks[block];
-    const int across = direction_across(block);
-    const std::size_t a = static_cast<std::size_t>(across), p = a == 0 ? 1 : 0, q = a == 2 ? 1 : 2;
-    Index3 index = {0, 0, 0};
-    for (index[q] = 0; index[q] < its.n[q]; ++index[q]) {
-        for (index[p] = 0; index[p] < its.n[p]; ++index[p]) {
-            const auto here = static_cast<std::int32_t>(first_[block] + number(its, index));
-            Index3 opposite = index;
-            opposite[a] = 1;
-            const auto partner = its.n[a] < 2 ? -1 : static_cast<std::int32_t>(first_[block] + number(its, opposite));
-            std::int32_t& point = point_of_[static_cast<std::size_t>(here)];
-            point = mesh_.points();
-            if (index[p] == 0 || index[q] == 0 || index[p] + 1 == its.n[p] || index[q] + 1 == its.n[q]) {
-                point =
-                    point_on_side(space_.x[static_cast<std::size_t>(planes_.first)][static_cast<std::size_t>(here)],
-                                  space_.x[static_cast<std::size_t>(planes_.second)][static_cast<std::size_t>(here)]);
-            }
-            if (point == mesh_.points()) {
-                add_plane_point(mesh_, space_, planes_, here, partner);
-            } else {
-                follow_both(mesh_, space_, planes_, point, here, partner);
-            }
-        }
-    }
-    build_cells(block, across);
-    build_sides(block, across);
-}
-
-void Plot3dReader::build_cells(std::size_t block, int across) {
-    const Plot3dBlock& its = layout_.blocks[block];
-    const std::size_t a = static_cast<std::size_t>(across), p = a == 0 ? 1 : 0, q = a == 2 ? 1 : 2;
-    std::vector<std::int32_t> cell;
-    Index3 index = {0, 0, 0};
-    for (std::int64_t j = 0; j + 1 < its.n[q]; ++j) {
-        for (std::int64_t i = 0; i + 1 < its.n[p]; ++i) {
-            cell.clear();
-            for (const auto& corner : {std::array<std::int64_t, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-                index[p] = i + corner[0];
-                index[q] = j + corner[1];
-                const std::int32_t point = plane_point(block, index, across);
-                if (cell.empty() || (point != cell.back() && point != cell.front())) cell.push_back(point);
-            }
-            if (cell.size() >= 3) mesh_.add_cell(cell, mesh_.point_offset[static_cast<std::size_t>(cell[0])]);
-        }
-    }
-}
-
-// The parts of sides that no patch names get the side's name.
-void Plot3dReader::build_sides(std::size_t block, int across) {
-    const Plot3dBlock& its = layout_.blocks[block];
+bool Plot3dReader::is_on_side(const Plot3dBlock& block, const Index3& index) const {
+    const int except = across(block);
     for (int direction = 0; direction < 3; ++direction) {
-        if (direction == across) continue;
-        for (const bool at_end : {false, true}) {
-            NmfPatch whole = {std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min"),
-                              block,
-                              direction,
-                              at_end,
-                              {0, 0, 0},
-                              {its.n[0] - 1, its.n[1] - 1, its.n[2] - 1}};
-            const auto d = static_cast<std::size_t>(direction);
-            const auto along = static_cast<std::size_t>(3 - direction - across);
-            whole.low[d] = whole.high[d] = at_end ? its.n[d] - 1 : 0;
-            std::vector<NmfPatch> parts; // one for each edge, with the name of a patch that has it
-            for (std::int64_t i = 0; i + 1 < its.n[along]; ++i) {
-                NmfPatch part = whole;
-                part.low[along] = i;
-                part.high[along] = i + 1;
-                for (const NmfPatch& patch : patches_) {
-                    if (patch.block == block && patch.direction == direction && patch.at_end == at_end &&
-                        patch.low[along] <= i && i + 1 <= patch.high[along]) {
-                        part.name = patch.name;
+        const auto d = static_cast<std::size_t>(direction);
+        if (direction != except && (index[d] == 0 || index[d] + 1 == block.n[d])) return true;
+    }
+    return false;
+}
+
+// Points on the sides of blocks that are at one place become one.
+void Plot3dReader::join_points() {
+    double largest = 0;
+    for (const auto& values : in_file_.x) {
+        for (const double value : values) largest = std::max(largest, std::fabs(value));
+    }
+    same_place_ = rounding * largest;
+    point_of_.reserve(in_file_.x[0].size());
+    for (std::size_t d = 0; d < 3; ++d) {
+        points_.x[d].reserve(in_file_.x[0].size());
+        points_.offset[d].reserve(in_file_.x[0].size());
+    }
+    for (const Plot3dBlock& block : layout_.blocks) {
+        Index3 index = {0, 0, 0};
+        for (index[2] = 0; index[2] < block.n[2]; ++index[2]) {
+            for (index[1] = 0; index[1] < block.n[1]; ++index[1]) {
+                for (index[0] = 0; index[0] < block.n[0]; ++index[0]) {
+                    const std::size_t k = point_of_.size();
+                    SpaceCopy its = {points_.points(), {}, {}};
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        its.x[d] = in_file_.x[d][k];
+                        its.offset[d] = in_file_.offset[d][k];
+                    }
+                    if (is_on_side(block, index)) its.of = point_at(its.x);
+                    point_of_.push_back(its.of);
+                    if (its.of < points_.points()) {
+                        copies_.push_back(its);
+                        continue;
+                    }
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        points_.x[d].push_back(its.x[d]);
+                        points_.offset[d].push_back(its.offset[d]);
                     }
                 }
-                add_patch(part, across);
+            }
+        }
+    }
+    in_file_ = {};
+}
+
+// The point at this place; if there is none, the number that it is going to have.
+std::int32_t Plot3dReader::point_at(const std::array<double, 3>& place) {
+    const double size = 4 * same_place_; // of a cube: a point has neighbours in its own and at most seven more
+    const auto cube = [size](double at) { return size > 0 ? static_cast<std::int64_t>(std::floor(at / size)) : 0; };
+    const auto first = [&](std::size_t d) { return cube(place[d] - same_place_); };
+    const auto last = [&](std::size_t d) { return cube(place[d] + same_place_); };
+    for (std::int64_t i = first(0); i <= last(0); ++i) {
+        for (std::int64_t j = first(1); j <= last(1); ++j) {
+            for (std::int64_t k = first(2); k <= last(2); ++k) {
+                const auto range = on_sides_.equal_range({i, j, k});
+                for (auto other = range.first; other != range.second; ++other) {
+                    bool is_same = true;
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        const double its = points_.x[d][static_cast<std::size_t>(other->second)];
+                        is_same = is_same && std::fabs(its - place[d]) <= same_place_;
+                    }
+                    if (is_same) return other->second;
+                }
+            }
+        }
+    }
+    on_sides_.emplace(Cube{cube(place[0]), cube(place[1]), cube(place[2])}, points_.points());
+    return points_.points();
+}
+
+// Of a box of one cell, or of one of its sides: the points round it in the plane across `direction`, without those that
+// are the same as the one before.
+std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low, const Index3& high,
+                                                int direction) const {
+    const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0), v = static_cast<std::size_t>(direction == 2 ? 1 : 2);
+    std::vector<std::int32_t> found;
+    for (const auto& corner : {std::array<bool, 2>{false, false}, {true, false}, {true, true}, {false, true}}) {
+        Index3 index = low;
+        index[u] = corner[0] ? high[u] : low[u];
+        index[v] = corner[1] ? high[v] : low[v];
+        const std::int32_t its = point(block, index);
+        if (std::find(found.begin(), found.end(), its) == found.end()) found.push_back(its);
+    }
+    return found;
+}
+
+void Plot3dReader::build_cells(std::size_t block) {
+    const Plot3dBlock& its = layout_.blocks[block];
+    const int flat = solid_ ? -1 : across(its);
+    if (solid_ && std::count(its.n.begin(), its.n.end(), 2) == 0) {
+        const auto& offset = solid_->points().offset[0];
+        mesh_.file.fail(offset[static_cast<std::size_t>(point(block, {0, 0, 0}))],
+                        "the mesh has three dimensions and is not one cell thick: block " + std::to_string(block + 1) +
+                            " (" + std::to_string(its.n[0]) + " x " + std::to_string(its.n[1]) + " x " +
+                            std::to_string(its.n[2]) + ") has no direction of two points");
+    }
+    const auto cells_along = [&](std::size_t d) { return static_cast<int>(d) == flat ? 1 : its.n[d] - 1; };
+    Index3 low = {0, 0, 0};
+    for (low[2] = 0; low[2] < cells_along(2); ++low[2]) {
+        for (low[1] = 0; low[1] < cells_along(1); ++low[1]) {
+            for (low[0] = 0; low[0] < cells_along(0); ++low[0]) {
+                Index3 high = low;
+                for (std::size_t d = 0; d < 3; ++d) high[d] += static_cast<int>(d) == flat ? 0 : 1;
+                if (!solid_) {
+                    const std::vector<std::int32_t> cell = corners(block, low, high, flat);
+                    if (cell.size() >= 3) mesh_.add_cell(cell, mesh_.point_offset[static_cast<std::size_t>(cell[0])]);
+                    continue;
+                }
+                std::array<std::int32_t, 8> cell;
+                for (std::size_t c = 0; c < 8; ++c) { // round the lower side, then the upper
+                    const bool i = c % 4 == 1 || c % 4 == 2, j = c % 4 >= 2, k = c >= 4;
+                    cell[c] = point(block, {i ? high[0] : low[0], j ? high[1] : low[1], k ? high[2] : low[2]});
+                }
+                solid_->add_cell(cell.data(), 8, solid_->points().offset[0][static_cast<std::size_t>(cell[0])]);
             }
         }
     }
 }
 
-void Plot3dReader::add_patch(const NmfPatch& patch, int across) {
-    const std::int32_t a = plane_point(patch.block, patch.low, across),
-                       b = plane_point(patch.block, patch.high, across);
-    if (a == b) return; // a pole
-    mesh_.add_face(a, b, mesh_.add_marker(patch.name), mesh_.point_offset[static_cast<std::size_t>(a)]);
+// Face by face, with the name of a patch that has the face, else the side's.
+void Plot3dReader::build_sides(std::size_t block) {
+    const Plot3dBlock& its = layout_.blocks[block];
+    for (int direction = 0; direction < 3; ++direction) {
+        if (direction == across(its)) continue;
+        const std::size_t d = static_cast<std::size_t>(direction), u = d == 0 ? 1 : 0, v = d == 2 ? 1 : 2;
+        for (const bool at_end : {false, true}) {
+            const std::string name =
+                std::to_string(block + 1) + ":" + "ijk"[direction] + (at_end ? "max" : "min");
+            for (std::int64_t i = 0; i < std::max<std::int64_t>(its.n[u] - 1, 1); ++i) {
+                for (std::int64_t j = 0; j < std::max<std::int64_t>(its.n[v] - 1, 1); ++j) {
+                    NmfPatch face = {name, block, direction, at_end, {0, 0, 0}, {0, 0, 0}};
+                    face.low[d] = face.high[d] = at_end ? its.n[d] - 1 : 0;
+                    face.low[u] = i;
+                    face.low[v] = j;
+                    face.high[u] = std::min(i + 1, its.n[u] - 1);
+                    face.high[v] = std::min(j + 1, its.n[v] - 1);
+                    for (const NmfPatch& patch : patches_) {
+                        if (patch.block == block && patch.direction == direction && patch.at_end == at_end &&
+                            patch.low[u] <= face.low[u] && face.high[u] <= patch.high[u] &&
+                            patch.low[v] <= face.low[v] && face.high[v] <= patch.high[v]) {
+                            face.name = patch.name;
+                        }
+                    }
+                    add_side(face);
+                }
+            }
+        }
+    }
+}
+
+void Plot3dReader::add_side(const NmfPatch& side) {
+    const std::vector<std::int32_t> its = corners(side.block, side.low, side.high, side.direction);
+    if (its.size() < (solid_ ? 3 : 2)) return; // a pole
+    const auto first = static_cast<std::size_t>(its[0]);
+    if (solid_) {
+        solid_->add_side(its.data(), its.size(), side.name, solid_->points().offset[0][first]);
+    } else {
+        mesh_.add_face(its[0], its[1], mesh_.add_marker(side.name), mesh_.point_offset[first]);
+    }
 }
 
 bool begins_with_number(const TextFile& file) {

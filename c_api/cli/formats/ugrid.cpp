@@ -1,5 +1,5 @@
 // AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
-// cell thick: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file
+// cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file
 // beside the mesh gives their tags, else the tags themselves.
 #include "formats/format.hpp"
 
@@ -17,6 +17,7 @@ namespace {
 
 enum Count { nodes, triangles, quads, tetrahedra, pyramids, prisms, hexahedra, n_counts };
 using Counts = std::array<std::int64_t, n_counts>;
+constexpr std::size_t corners[n_counts] = {1, 3, 4, 4, 5, 6, 8};
 
 struct Layout {
     bool is_text = true, swapped = false;
@@ -112,20 +113,22 @@ public:
 
     void read() {
         for (std::int64_t& n : counts_) n = numbers_.count("a count");
-        if (counts_[tetrahedra] + counts_[pyramids] > 0) {
-            numbers_.fail("the mesh has tetrahedra or pyramids: it has three dimensions, and is not one cell thick");
-        }
         if (counts_[nodes] == 0 || counts_[prisms] + counts_[hexahedra] == 0) {
-            numbers_.fail("the mesh has no prisms and no hexahedra");
+            numbers_.fail("the mesh has no prisms and no hexahedra: it is not one cell thick");
         }
-        read_points();
-        OneCellThick thick(mesh_, space_);
+        OneCellThick thick(mesh_, read_points());
         read_sides(thick);
-        for (const Count kind : {prisms, hexahedra}) {
+        for (const Count kind : {tetrahedra, pyramids, prisms, hexahedra}) {
             for (std::int64_t i = 0; i < counts_[kind]; ++i) {
-                const std::size_t n = kind == prisms ? 6 : 8;
+                const std::size_t n = corners[kind];
                 std::int32_t points[8];
                 const std::size_t offset = read_item(points, n);
+                if (kind == pyramids) { // the base is 1 4 5 2, the apex 3
+                    const std::int32_t apex = points[2];
+                    points[2] = points[4];
+                    points[4] = apex;
+                    std::swap(points[1], points[3]);
+                }
                 thick.add_cell(points, n, offset);
             }
         }
@@ -133,13 +136,15 @@ public:
     }
 
 private:
-    void read_points() {
+    SpacePoints read_points() {
+        SpacePoints space;
         for (std::int64_t i = 0; i < counts_[nodes]; ++i) {
             for (std::size_t d = 0; d < 3; ++d) {
-                space_.x[d].push_back(numbers_.real("a coordinate", layout_.real_bytes));
-                space_.offset[d].push_back(numbers_.number_offset());
+                space.x[d].push_back(numbers_.real("a coordinate", layout_.real_bytes));
+                space.offset[d].push_back(numbers_.number_offset());
             }
         }
+        return space;
     }
 
     std::size_t read_item(std::int32_t* points, std::size_t n) {
@@ -182,7 +187,6 @@ private:
     const Layout& layout_;
     NumberReader numbers_;
     Counts counts_ = {};
-    SpacePoints space_;
 };
 
 // Of text the first line: seven counts and nothing else.

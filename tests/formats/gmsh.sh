@@ -1,0 +1,43 @@
+# Gmsh: bad files, and the files of gmsh itself. (A part of tests/formats.sh.)
+sed 's/^2.2 /2.9 /' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: another version" 'bad.msh:2: expected version 2.2 or 4.1' "$harmorph" check "$tmp/bad.msh"
+sed '50s/ 0$/ 1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: three dimensions" 'bad.msh:50: expected points in one plane' "$harmorph" check "$tmp/bad.msh"
+sed 's/^100 3 2 3 7 \(.*\)/100 5 2 3 7 \1 \1/' "$tmp/text-2.msh" >"$tmp/bad.msh"
+refuses "gmsh: hexahedra" 'element type 5: a mesh of three dimensions' "$harmorph" check "$tmp/bad.msh"
+sed '/^\$EndNodes/,$d' "$tmp/text-4.msh" >"$tmp/bad.msh"
+refuses "gmsh: cut off" 'found the end of the file' "$harmorph" check "$tmp/bad.msh"
+sed '/^[0-9]* 1 2 2 7/d; s/^192$/168/' "$tmp/text-2.msh" >"$tmp/open.msh"
+check "gmsh: boundary without lines" "$harmorph" check "$tmp/open.msh" --json
+says "gmsh: boundary without lines: gets a name" '"boundary1", "faces": 24'
+
+if command -v gmsh >/dev/null 2>&1; then
+    cat >"$tmp/two.geo" <<'END'
+Point(1) = {0, 0, 0, .3}; Point(2) = {1, 0, 0, .3}; Point(3) = {-1, 0, 0, .3};
+Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 2};
+Point(4) = {-4, -4, 0, 2}; Point(5) = {4, -4, 0, 2}; Point(6) = {4, 4, 0, 2}; Point(7) = {-4, 4, 0, 2};
+Line(3) = {4, 5}; Line(4) = {5, 6}; Line(5) = {6, 7}; Line(6) = {7, 4};
+Curve Loop(1) = {3, 4, 5, 6}; Curve Loop(2) = {1, 2}; Plane Surface(1) = {1, 2};
+Physical Curve("body") = {1, 2}; Physical Curve("far") = {3, 4, 5, 6}; Physical Surface("air") = {1};
+END
+    for variant in "msh22 0 1" "msh22 1 2" "msh41 0 2" "msh41 1 1"; do
+        set -- $variant
+        mesh=$tmp/gmsh-$1-$2-$3.msh
+        check "gmsh: writes $variant" gmsh -2 "$tmp/two.geo" -format $1 -setnumber Mesh.Binary $2 -order $3 -o "$mesh"
+        check "gmsh $variant: fit" "$harmorph" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
+        check "gmsh $variant: solve" "$harmorph" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
+        check "gmsh $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$mesh.same.msh"
+        check "gmsh $variant: zero move: the same file" cmp "$mesh" "$mesh.same.msh"
+        check "gmsh $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$mesh.moved.msh"
+        gmsh -check "$mesh.moved.msh" >"$tmp/gmsh" 2>&1
+        check "gmsh $variant: gmsh finds nothing wrong" sh -c "! grep -E 'Error|Warning' '$tmp/gmsh'"
+    done
+    check "gmsh: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.msh"
+    check "gmsh: reads what convert writes" gmsh -check "$tmp/ring.msh"
+    check "gmsh: writes SU2 of it" gmsh -2 "$tmp/ring.msh" -save -o "$tmp/again.su2"
+    check "gmsh: its SU2 file" "$harmorph" check "$tmp/again.su2" --json
+    says "gmsh: its SU2 file: the same cells" '"points": 168, "cells": 144'
+    says "gmsh: its SU2 file: the same markers" '"body", "faces": 24}, {"name": "far", "faces": 24'
+else
+    echo "gmsh is not installed: its own files are not tested (Debian's gmsh)"
+fi

@@ -1,0 +1,78 @@
+# VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
+sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
+refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangles, quadrilaterals and polygons are read; the mesh has three' \
+    "$harmorph" check "$tmp/bad.vtk"
+check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
+check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
+says "vtk: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
+
+# VTK XML
+change() { sed "$1" "$tmp/text.vtu" >"$tmp/bad.vtu"; }
+change 's/9 9 9/12 9 9/'
+refuses "vtu: three dimensions in earnest" 'cell 0 is of type 12 with 4 points' "$harmorph" check "$tmp/bad.vtu"
+change 's/type="UnstructuredGrid"/type="PolyData"/'
+refuses "vtu: another kind of data" "bad.vtu:3: expected a file of type UnstructuredGrid, found 'PolyData'" \
+    "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfPoints="168"/NumberOfPoints="169"/'
+refuses "vtu: too few points" "expected a point's x, found the end of the numbers" "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfPoints="168"/NumberOfPoints="167"/'
+refuses "vtu: too many points" 'the array Points has more numbers than 167 points' "$harmorph" check "$tmp/bad.vtu"
+change 's/NumberOfCells="144"/NumberOfCells="143"/'
+refuses "vtu: too many cells" 'the array offsets has 144 numbers for 143 cells' "$harmorph" check "$tmp/bad.vtu"
+change 's/format="ascii"/format="binary"/'
+refuses "vtu: base64" "this one has 'binary'" "$harmorph" check "$tmp/bad.vtu"
+change 's/Name="offsets"/Name="starts"/'
+refuses "vtu: an array is missing" 'the file has no array offsets' "$harmorph" check "$tmp/bad.vtu"
+head -c 5000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: cut off before an array" "found '8832'" "$harmorph" check "$tmp/bad.vtu"
+head -c 10000 "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: cut off in an array" 'the array offsets has 1152 bytes, 8 for each number, but only' \
+    "$harmorph" check "$tmp/bad.vtu"
+sed 's/header_type="UInt64"/& compressor="vtkLZ4DataCompressor"/' "$tmp/appended-64.vtu" >"$tmp/bad.vtu"
+refuses "vtu: compressed" 'the array is compressed: save the file without compression' "$harmorph" check "$tmp/bad.vtu"
+check "vtu: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtu"
+check "vtu: what convert writes" "$harmorph" check "$tmp/ring.vtu" --json
+says "vtu: what convert writes: the same mesh" '"boundary1", "faces": 24}, {"name": "boundary2", "faces": 24}'
+check "vtu: what convert writes: the same points" "$harmorph" convert "$tmp/ring.vtu" "$tmp/again.su2"
+sed -n '/^NPOIN/,/^NMARK/p' "$tmp/ring.su2" | awk '{ print $1, $2 }' >"$tmp/points-before"
+sed -n '/^NPOIN/,/^NMARK/p' "$tmp/again.su2" | awk '{ print $1, $2 }' >"$tmp/points-after"
+check "vtu: what convert writes: the same coordinates" alike 0 "$tmp/points-before" "$tmp/points-after"
+
+if /usr/bin/python3 -c 'import vtk' 2>/dev/null; then
+    cat >"$tmp/grid.py" <<'END'
+import sys, vtk
+def grid(path):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(path)
+    reader.Update()
+    return reader.GetOutput()
+if sys.argv[1] == 'write':
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetInputData(grid(sys.argv[2]))
+    if sys.argv[3] == '0': writer.SetDataModeToAscii()
+    else:
+        writer.SetDataModeToAppended()
+        writer.EncodeAppendedDataOff()
+        writer.SetCompressorTypeToNone()
+    if sys.argv[3] == '64': writer.SetHeaderTypeToUInt64()
+    writer.SetFileName(sys.argv[4])
+    writer.Write()
+else:
+    read = grid(sys.argv[2])
+    for i in range(read.GetNumberOfPoints()): print(*map(repr, read.GetPoint(i)[:2]))
+END
+    for variant in 0 32 64; do # text; raw with headers of that many bits
+        mesh=$tmp/vtk-$variant.vtu
+        check "VTK: writes $variant" /usr/bin/python3 "$tmp/grid.py" write "$tmp/ring.vtu" $variant "$mesh"
+        check "VTK $variant: fit" "$harmorph" fit "$mesh" --marker boundary1 --points 8 -o "$tmp/curve"
+        check "VTK $variant: solve" "$harmorph" solve "$mesh" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
+        check "VTK $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$tmp/same.vtu"
+        check "VTK $variant: zero move: the same file" cmp "$mesh" "$tmp/same.vtu"
+        check "VTK $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/vtk-moved.vtu"
+        check "VTK $variant: reads the morphed" /usr/bin/python3 "$tmp/grid.py" read "$tmp/vtk-moved.vtu"
+        cp "$tmp/out" "$tmp/points"
+        check "VTK $variant: moves as all do" alike 1e-9 "$tmp/points-of-all" "$tmp/points"
+    done
+else
+    echo "VTK for Python is not installed: its own files are not tested (Debian's python3-vtk9)"
+fi
