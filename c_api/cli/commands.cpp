@@ -3,6 +3,7 @@
 #include "formats/format.hpp"
 #include "harmorph.h"
 #include "marker_names.hpp"
+#include "progress_bar.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -66,7 +67,11 @@ void run_command(const std::vector<std::string>& words) {
 }
 
 Mesh read_mesh(const std::string& path, const ReadOptions& options) {
-    Mesh mesh = read_mesh_file(path, options);
+    ProgressBar bar;
+    ReadOptions watched = options;
+    watched.progress = [&bar](double fraction) { bar.draw("reading", fraction); };
+    Mesh mesh = read_mesh_file(path, watched);
+    bar.wipe();
     number_by_name(mesh);
     for (const std::string& remark : mesh.remarks) warn(path + ": " + remark);
     return mesh;

@@ -1,9 +1,6 @@
 #include "progress.hpp"
 
 #include <cstdint>
-#include <cstdio>
-#include <string>
-#include <unistd.h>
 
 namespace cli {
 
@@ -13,13 +10,6 @@ constexpr const char* phase_names[] = {"structure", "ordering", "symbolic pass",
                                        "factor",    "solve",    "residual"};
 
 } // namespace
-
-Progress::Progress() : has_bar_(isatty(STDERR_FILENO) != 0) {}
-
-void Progress::wipe() {
-    if (drawn_percent_ >= 0) std::fputs("\r\033[K", stderr);
-    drawn_percent_ = -1;
-}
 
 void Progress::listen(hm_options& options) {
     options.progress = on_progress;
@@ -34,18 +24,7 @@ std::int32_t Progress::on_progress(void* self, std::int32_t phase, double fracti
 void Progress::report(std::int32_t phase, double fraction) {
     if (fraction <= 0) phase_watch_ = Stopwatch();
     seconds_[static_cast<std::size_t>(phase)] = phase_watch_.seconds();
-    if (has_bar_) draw(phase, fraction);
-}
-
-void Progress::draw(std::int32_t phase, double fraction) {
-    constexpr int width = 40;
-    const int percent = static_cast<int>(100 * fraction);
-    if (percent == drawn_percent_) return;
-    drawn_percent_ = percent;
-    const auto filled = static_cast<std::size_t>(percent * width / 100);
-    const std::string bar = std::string(filled, '#') + std::string(width - filled, '.');
-    std::fprintf(stderr, "\r%-13s [%s] %3d %%", phase_names[phase], bar.c_str(), percent);
-    std::fflush(stderr);
+    bar_.draw(phase_names[phase], fraction);
 }
 
 } // namespace cli

@@ -66,6 +66,16 @@ void TextFile::fail(std::size_t offset, const std::string& message) const {
     throw Failure(exit_file, place(offset) + ": " + message);
 }
 
+void TextFile::listen(std::function<void(double)> listener) {
+    listener_ = std::move(listener);
+    next_mark_ = listener_ ? 0 : std::numeric_limits<std::size_t>::max();
+}
+
+void TextFile::report(std::size_t offset) const {
+    next_mark_ = offset + text_.size() / 100 + 1;
+    listener_(std::min(1.0, static_cast<double>(offset) / static_cast<double>(text_.size() + 1)));
+}
+
 LineReader::LineReader(const TextFile& file, char comment) : file_(file), comment_(comment) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (std::string_view(file.text()).substr(0, 3) == byte_order_mark) next_ = byte_order_mark.size();
@@ -75,6 +85,7 @@ LineReader::LineReader(const TextFile& file, char comment) : file_(file), commen
 bool LineReader::next() {
     const char* const text = file_.text().data();
     const std::size_t size = file_.text().size();
+    file_.passed(next_);
     while (next_ < size) {
         std::size_t at = next_;
         while (at < size && kind(text[at]) == blank) ++at;

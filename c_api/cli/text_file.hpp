@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,8 +21,18 @@ public:
     std::string place(std::size_t offset) const; // "FILE:LINE"; behind binary parts "FILE: byte N"
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
 
+    // Readers say how far they have come; hundredth by hundredth the listener hears which part that is, 0 .. 1.
+    void listen(std::function<void(double)> listener);
+    void passed(std::size_t offset) const {
+        if (offset >= next_mark_) report(offset);
+    }
+
 private:
+    void report(std::size_t offset) const;
+
     std::string path_, text_;
+    std::function<void(double)> listener_;
+    mutable std::size_t next_mark_ = std::numeric_limits<std::size_t>::max();
 };
 
 // Runs over the lines that are not empty once the comment is cut off. A line ends with LF, CR LF or CR.

@@ -17,3 +17,14 @@ refuses "no mesh at all" "bad.mesh:1: no mesh file that is known begins with 'he
 refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
 "$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>&1
 says "an unknown format" "unknown format 'cgnz'"
+# How far a file has been read is for people at a terminal.
+if command -v script >/dev/null 2>&1 && script -qec true /dev/null </dev/null >/dev/null 2>&1; then
+    script -qec "'$harmorph' check '$tmp/ring.su2'" /dev/null </dev/null >"$tmp/out" 2>&1
+    says "a terminal shows how far the file has been read" 'reading       ['
+    script -qec "'$harmorph' check '$tmp/bad.mesh'" /dev/null </dev/null >"$tmp/out" 2>&1
+    says "a terminal shows what is wrong with a file" 'the file is empty'
+else
+    skip "the bar on a terminal" "there is no program script (Debian's bsdutils)"
+fi
+check "no terminal: check" "$harmorph" check "$tmp/ring.su2"
+check "no terminal: no bar" sh -c "! grep reading '$tmp/out'"

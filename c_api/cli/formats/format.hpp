@@ -3,6 +3,7 @@
 
 #include "mesh.hpp"
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace cli {
 struct ReadOptions {
     std::string format; // empty: found by content
     std::string zone;   // of a file that has several; empty: the file must have one
+    std::function<void(double)> progress; // hears which part of the file has been read, 0 .. 1; may be empty
 };
 
 struct Format {

@@ -69,7 +69,9 @@ Mesh read_mesh_file(const std::string& path, const ReadOptions& options) {
     const Format* forced = options.format.empty() ? nullptr : find_format(options.format);
     Mesh mesh(mesh_file(path));
     const Format& format = forced ? *forced : format_of(mesh.file);
+    mesh.file.listen(options.progress);
     format.read(mesh, options);
+    mesh.file.listen(nullptr);
     check_points(mesh);
     drop_interior_faces(mesh, true);
     return mesh;

@@ -16,6 +16,7 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',';
 // Commas separate numbers in what Fortran's list-directed output and C programs write.
 std::string_view NumberReader::word() {
     const std::string& text = file_.text();
+    file_.passed(at_);
     while (at_ < end_ && is_blank(text[at_])) ++at_;
     number_ = at_;
     while (at_ < end_ && !is_blank(text[at_])) ++at_;
@@ -42,6 +43,7 @@ const char* NumberReader::found_end() const {
 
 const char* NumberReader::take(std::size_t bytes, const char* what) {
     if (at_ > end_ || bytes > end_ - at_) file_.fail(end_, std::string("expected ") + what + ", found " + found_end());
+    file_.passed(at_);
     number_ = at_;
     at_ += bytes;
     return file_.text().data() + number_;
