@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: petsc.sh BUILD   (FC, FFLAGS, CC, CFLAGS, MPICC, MPIFC, MPIRUN as in mpi.sh; MESHES: a directory of SU2 files
 # to solve on as well; LARGE: O-meshes NI:NJ:FIRST; PARTITIONS, SOLVERS, OPERATORS: see petsc/main.c)
-# harmorph_petsc.c and harmorph_petsc.f90, compiled without a warning, on 1 to 4 processes of this machine; where Debian's
-# PETSc with complex scalars is installed, with it, too.
+# harmorph_petsc.c and harmorph_petsc.f90, compiled without a warning, on 1 to 4 processes of this machine; where
+# Debian's PETSc with complex scalars is installed, with it, too.
 : "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 : "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
 build=$(cd "$1" && pwd)
@@ -15,7 +15,8 @@ if ! pkg-config --exists petsc; then
     exit 0
 fi
 export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMP_NUM_THREADS=1
-case $($MPIRUN --version 2>&1) in *Open*) is_open=1 local="--allow-run-as-root --timeout 900" ;; *) is_open= local= ;; esac
+is_open= local=
+case $($MPIRUN --version 2>&1) in *Open*) is_open=1 local="--allow-run-as-root --timeout 900" ;; esac
 processors=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 # Processes that share a processor yield it while they wait; with one for each, beside other work, yielding would cost a
 # turn of everything else for each message.
@@ -50,7 +51,7 @@ run() {   # directory, processes, arguments: the program prints its counts
 
 compile_tests "$dir" petsc
 for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 fortran/harmorph_petsc.f90 fortran/read_su2.f90 \
-    fortran/examples/partitioned.f90; do
+    fortran/examples/partitioned_flow.f90 fortran/examples/partitioned.f90; do
     name=$(basename "$source" .f90)
     check "$name.f90" $MPIFC -std=f2018 $FFLAGS -J"$dir" -I"$dir" -c "$source" -o "$dir/${name}_f.o"
 done

@@ -73,7 +73,8 @@ static uint64_t add_options(uint64_t sum, const hm_options *options) {
 /* After make_equations, which has examined them. */
 static hm_status compare_problems(const hm_petsc *system, const hm_problem *problem, const hm_options *options,
                                   hm_error *err) {
-    const uint64_t sum = add_options(add_conditions(add_curves(0xcbf29ce484222325u, problem->curves), problem), options);
+    const uint64_t start = 0xcbf29ce484222325u;
+    const uint64_t sum = add_options(add_conditions(add_curves(start, problem->curves), problem), options);
     uint64_t bounds[2]; /* the least of sum, and of its complement */
     bounds[0] = sum;
     bounds[1] = ~sum;

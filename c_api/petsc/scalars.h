@@ -1,5 +1,5 @@
-/* Numbers of the core and scalars of PETSc: with real scalars an unknown a + i b of the conformal operator is a, b; with
- * complex scalars it is one, and a real unknown has the imaginary part 0. */
+/* Numbers of the core and scalars of PETSc: with real scalars an unknown a + i b of the conformal operator is a, b;
+ * with complex scalars it is one, and a real unknown has the imaginary part 0. */
 #ifndef HARMORPH_PETSC_SCALARS_H
 #define HARMORPH_PETSC_SCALARS_H
 

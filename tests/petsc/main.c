@@ -1,7 +1,7 @@
 /* usage: petsc [MESH.su2 ... | NI:NJ:FIRST ...]   Functions by PETSc on parts of meshes against those of the direct
- * engine. Without arguments: small generated meshes with all conditions, and refusals. MESH.su2: a file; NI:NJ:FIRST: an
- * O-mesh, see make_o_mesh. Environment: PARTITIONS, SOLVERS, OPERATORS: digits, of partitions in parts.h, of solvers in
- * check.h, of operators in harmorph.h; VERBOSE. */
+ * engine. Without arguments: small generated meshes with all conditions, and refusals. MESH.su2: a file; NI:NJ:FIRST:
+ * an O-mesh, see make_o_mesh. Environment: PARTITIONS, SOLVERS, OPERATORS: digits, of partitions in parts.h, of solvers
+ * in check.h, of operators in harmorph.h; VERBOSE. */
 #include "check.h"
 
 #include "../mpi_case.h"
@@ -45,8 +45,8 @@ static void check_large(const char *what, int operator_kind) {
     free_case(&of);
 }
 
-/* Of a small mesh one partition, another one for each case and number of processes, so that all have their turn. On more
- * than two processes, which may share processors and then wait for each other, CG solves the first case alone, and
+/* Of a small mesh one partition, another one for each case and number of processes, so that all have their turn. On
+ * more than two processes, which may share processors and then wait for each other, CG solves the first case alone, and
  * MUMPS, which has fewer messages, the others. All combinations: PARTITIONS=012345 SOLVERS=01 OPERATORS=012. */
 static void check_small(reference *of, int *turn) {
     const char partition[2] = {(char)('0' + *turn % N_PARTITIONS), 0};

@@ -195,8 +195,8 @@ static void check_displacement_and_assessment(hm_petsc *system, const own_part *
         hm_status status;
         if (is_last && kind == NO_ARRAY) to.x = NULL;
         if (is_last && kind == UNSET) report.struct_size = step.struct_size = 0;
-        status = hm_petsc_displace(is_last && kind == NO_SYSTEM ? NULL : system, is_last && kind == NO_FIELD ? NULL : &to,
-                                   &report, MPI_COMM_WORLD, &error);
+        status = hm_petsc_displace(is_last && kind == NO_SYSTEM ? NULL : system,
+                                   is_last && kind == NO_FIELD ? NULL : &to, &report, MPI_COMM_WORLD, &error);
         check_refused(status, &error, 1, names[kind]);
         status = hm_petsc_assess(is_last && kind == NO_SYSTEM ? NULL : system, NULL, NULL,
                                  &(hm_points){field, field + n, 1}, is_last && kind == NO_FIELD ? NULL : &step,
