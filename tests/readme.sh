@@ -94,6 +94,12 @@ several_processes() {
     cat "$dir/out"
     grep -q "agree on processes: 2" "$dir/out"
 }
+partitioned_lines() {
+    sed -n 's/ *!hm$//p' fortran/examples/partitioned.f90 | sed 's/^ *//' >"$dir/known"
+    block fortran 5 | grep -vxF -f "$dir/known" | grep . && return 1
+    block fortran 5 | grep -q system%solve
+}
+check "the lines of fortran/examples/partitioned.f90" partitioned_lines
 if command -v $MPIFC >/dev/null; then check "the lines for several processes" several_processes; fi
 
 finish "$dir"
