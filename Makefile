@@ -6,7 +6,8 @@
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
 #                         SECONDS=600; see tests/fuzz/run.sh
 #   make coverage         branches of the library that the C++ tests take, by gcov; see tests/coverage.sh
-#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 FILES=...
+#   make mutate           small errors put into the library, and how many the tests find: MUTANTS=200 SEED=1 LIMIT=3600; see
+#                         tests/mutate.sh
 #   make sanitize         memory read before it is written, races between threads; see tests/sanitize.sh
 #   make mpi              harmorph_mpi.c as a library of its own, by mpicc; the core never needs it
 #   make test-petsc       harmorph_petsc.c on 1 to 4 processes, where petsc-dev is installed; MESHES=directory of SU2
@@ -14,7 +15,7 @@
 #   make check-link       the library needs nothing but mem*: it links into C programs
 #   make shared           build/shared/libharmorph.so.ABI, its symbols versioned, for other languages (ELF systems)
 #   make abi              exported calls, structs and constants against tests/abi/interface.txt, and by abidiff against
-#                         the last tagged release, or RELEASE=tarball
+#                         the last tagged release, RELEASE=tarball, or BASE=revision
 #   make cross            other processors and systems under emulators, as far as Debian's cross compilers are there;
 #                         TARGETS="s390x musl"; see tests/cross/run.sh
 #   make compilers        all compilers that are installed, without a warning; LEVELS=-O2; see tests/compilers.sh
@@ -155,7 +156,8 @@ coverage:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/coverage.sh
 
 mutate:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' sh tests/mutate.sh
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
+	    LIMIT='$(LIMIT)' sh tests/mutate.sh
 
 sanitize:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/sanitize.sh
@@ -176,7 +178,7 @@ shared: all
 	@ln -sf libharmorph.so.$(ABI) $(BUILD)/shared/libharmorph.so
 
 abi: all
-	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' sh tests/abi/run.sh $(BUILD)
+	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/abi/run.sh $(BUILD)
 
 manual: all
 	@sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $(BUILD)/harmorph.1

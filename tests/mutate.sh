@@ -1,9 +1,11 @@
 #!/bin/sh
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
-# in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled. A
-# mutant is caught if a test of its room fails, or a random problem, or any test. Those that survive are listed with
-# the reason that tests/mutants.txt gives for the line; the last line counts. FILES='src/safe/*.cpp': of these files.
-: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}"
+# in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a mutant
+# that compiles to the same instructions is none. A mutant is caught if a test of its room fails, or a random problem, or
+# any test. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the last line
+# counts. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next
+# run with this seed goes on from there, as build/mutants remembers what became of each mutant of an unchanged file.
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}"
 dir=$BUILD/mutants
 known=tests/mutants.txt
 mkdir -p "$dir"
@@ -50,34 +52,63 @@ candidates | awk -v seed="$SEED" -v n="$MUTANTS" '
 $MAKE -s BUILD="$BUILD" all fuzzer tests-only || exit 1
 flags="-O1 -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off -fno-threadsafe-statics -fPIC"
 flags="$flags -w -Iinclude -Isrc -Ic_api"
-caught=0 explained=0 survived=0 built=0
 finds() {   # command with its words: does it fail on the mutant?
     ! (
         ulimit -v 8000000
         timeout 300 "$@"
     ) >"$dir/out" 2>&1
 }
-while IFS='	' read -r file line column from to; do
-    name="$file:$line: '$from' becomes '$to'"
-    awk -v line="$line" -v column="$column" -v from="$from" -v to="$to" '
-        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$file" >"$dir/mutant.cpp"
-    $CXX $flags -I"$(dirname "$file")" -c -o "$dir/mutant.o" "$dir/mutant.cpp" 2>/dev/null || continue   # no C++
-    built=$((built + 1))
-    room=$(basename "$(dirname "$file")")
-    $CXX -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o "$dir/mutant.o" "$BUILD/libharmorph.a" || exit 1
-    $CXX -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o "$dir/mutant.o" \
-        $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$BUILD/libharmorph.a" || exit 1
+compile() {   # source: what stands in `mutant.cpp`, so that names in objects are equal
+    $CXX $flags -I"$(dirname "$1")" -c -o "$dir/mutant.o" "$dir/mutant.cpp" 2>/dev/null
+}
+link() {
+    $CXX -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o "$dir/mutant.o" "$BUILD/libharmorph.a" &&
+        $CXX -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o "$dir/mutant.o" \
+            $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$BUILD/libharmorph.a"
+}
+fate() {   # file line column from to: what becomes of the mutant
+    original=$dir/$(echo "$1" | tr / -).$(cksum <"$1" | tr ' ' -).o
+    if [ ! -e "$original" ]; then
+        cp "$1" "$dir/mutant.cpp"
+        compile "$1" && mv "$dir/mutant.o" "$original" || exit 1
+    fi
+    awk -v line="$2" -v column="$3" -v from="$4" -v to="$5" '
+        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$1" >"$dir/mutant.cpp"
+    compile "$1" || { echo "no C++"; return; }
+    if cmp -s "$dir/mutant.o" "$original"; then echo "the same instructions"; return; fi
+    link >/dev/null || exit 1
+    room=$(basename "$(dirname "$1")")
     if finds "$dir/tests" -aa=1 -sf="*tests/$room/*" || finds "$dir/fuzzer" problem 400 1 ||
         finds "$dir/tests" -aa=1 -sfe="*tests/$room/*"; then
-        caught=$((caught + 1))
-        continue
+        echo caught
+    else
+        echo survives
     fi
-    text=$(sed -n "${line}s/^ *//p" "$file")
-    reason=$(awk -F'\t' -v file="$file" -v text="$text" '$1 == file && index(text, $2) { print $3; exit }' "$known")
-    if [ -n "$reason" ]; then explained=$((explained + 1)); else survived=$((survived + 1)); fi
-    echo "survives: $name"
-    echo "    $text"
-    echo "    ${reason:-not explained}"
+}
+
+remembered=$dir/fates
+touch "$remembered"
+begun=$(date +%s)
+caught=0 explained=0 survived=0 built=0
+while IFS='	' read -r file line column from to; do
+    mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
+    known_fate=$(awk -v mutant="$mutant" 'index($0, mutant "\t") == 1 { sub(/.*\t/, ""); print; exit }' "$remembered")
+    if [ -z "$known_fate" ]; then
+        if [ $(($(date +%s) - begun)) -ge "$LIMIT" ]; then continue; fi
+        known_fate=$(fate "$file" "$line" "$column" "$from" "$to") || exit 1
+        printf '%s\t%s\n' "$mutant" "$known_fate" >>"$remembered"
+    fi
+    case $known_fate in
+    caught) built=$((built + 1)) caught=$((caught + 1)) ;;
+    survives)
+        built=$((built + 1))
+        text=$(sed -n "${line}s/^ *//p" "$file")
+        reason=$(awk -F'\t' -v file="$file" -v text="$text" '$1 == file && index(text, $2) { print $3; exit }' "$known")
+        if [ -n "$reason" ]; then explained=$((explained + 1)); else survived=$((survived + 1)); fi
+        echo "survives: $file:$line: '$from' becomes '$to'"
+        echo "    $text"
+        echo "    ${reason:-not explained}" ;;
+    esac
 done <"$list"
 echo "$built mutants: $caught caught, $explained survive with a reason, $survived without one"
 [ $((100 * (caught + explained))) -ge $((95 * built)) ]

@@ -1,9 +1,10 @@
 #!/bin/sh
-# usage: run.sh BUILD [quick]   (MAKE, CC, CXX from the environment; RELEASE: a tarball of `make dist`)
+# usage: run.sh BUILD [quick]   (MAKE, CC, CXX from the environment; RELEASE: a tarball of `make dist`; BASE: a revision)
 # The interface that programs are compiled against: calls, structs, constants as tests/abi/interface.txt has them; the
 # shared library exports these calls, all of the version HARMORPH_ABI, and a C program runs with it. Without `quick` also
-# abidiff against the last release: RELEASE, or the last tag v*, of which the tarball is made from git's history.
-: "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${CFLAGS:=-O2}" "${RELEASE=}"
+# abidiff against the last release: RELEASE, or BASE, or the last tag v*, of which the tarball is made from git's
+# history.
+: "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${CFLAGS:=-O2}" "${RELEASE=}" "${BASE=}"
 build=$(cd "$1" && pwd)
 dir=$build/abi
 topic="binary interface" log=$dir/log
@@ -49,8 +50,8 @@ describe() {   # where, which
 unpack() { mkdir -p "$dir/release" && tar xzf "$1" -C "$dir/release" --strip-components=1; }
 if [ "${2-}" != quick ]; then
     if [ -z "$RELEASE" ]; then
-        tag=$(git tag --list 'v[0-9]*' --sort=-version:refname 2>/dev/null | head -n 1)
-        if [ -n "$tag" ] && git archive --format=tar.gz --prefix=release/ -o "$dir/release.tar.gz" "$tag"; then
+        : "${BASE:=$(git tag --list 'v[0-9]*' --sort=-version:refname 2>/dev/null | head -n 1)}"
+        if [ -n "$BASE" ] && git archive --format=tar.gz --prefix=release/ -o "$dir/release.tar.gz" "$BASE"; then
             RELEASE=$dir/release.tar.gz
         fi
     fi

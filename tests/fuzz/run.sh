@@ -6,8 +6,8 @@
 dir=$BUILD/fuzz
 mkdir -p "$dir"
 checks="address,undefined,float-cast-overflow"
-targets="problem polygons basis sequence files shape given"
-each=$((FUZZ_SECONDS / 7 > 0 ? FUZZ_SECONDS / 7 : 1))
+targets="problem polygons basis sequence files shape given parts plane"
+each=$((FUZZ_SECONDS / 9 > 0 ? FUZZ_SECONDS / 9 : 1))
 flags="-g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 

@@ -15,6 +15,8 @@ Outcome run_sequence(Input& input);
 Outcome run_files(Input& input);
 Outcome run_shape(Input& input);
 Outcome run_given(Input& input);
+Outcome run_parts(Input& input);
+Outcome run_plane(Input& input);
 
 struct Target {
     const char* name;
@@ -22,6 +24,7 @@ struct Target {
 };
 inline constexpr Target targets[] = {
     {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis}, {"given", run_given},
+    {"parts", run_parts},       {"plane", run_plane},
     {"sequence", run_sequence}, {"files", run_files},       {"shape", run_shape}};
 
 }   // namespace fuzz
