@@ -1,8 +1,9 @@
 #!/bin/sh
 # usage: run.sh BUILD   Displacements given point by point on the shipped meshes; MESHES: on those too, words FILE:MARKER,
 # or a folder: each SU2 file there, by its first marker that the program can fit a curve to. SEEDS random fields of each kind.
+# GMSH new meshes of random sections, where gmsh is installed; FIRST: the seed of the first one.
 build=${1:?usage: run.sh BUILD}
-: "${CXX:=c++}" "${CXXFLAGS:=-O2}" "${SEEDS:=2}"
+: "${CXX:=c++}" "${CXXFLAGS:=-O2}" "${SEEDS:=2}" "${GMSH:=2}" "${FIRST:=1}"
 dir=$build/given
 mkdir -p "$dir"
 words="tests/meshes/naca0012.su2:airfoil tests/meshes/two_bodies.su2:left"
@@ -16,6 +17,15 @@ for word in $MESHES; do
             break
         done
     done
+done
+k=0
+while [ $k -lt "$GMSH" ]; do
+    command -v gmsh >/dev/null || { echo "skipped: meshes of random sections, as gmsh is not installed"; break; }
+    section=$dir/section-$((FIRST + k))
+    awk -v seed=$((FIRST + k)) -f tests/given/section.awk </dev/null >"$section.geo"
+    gmsh -2 -v 1 "$section.geo" -format su2 -o "$section.su2" >/dev/null 2>&1 || { echo "gmsh failed: $section.geo"; exit 1; }
+    words="$words $section.su2:wing"
+    k=$((k + 1))
 done
 for word in $words; do
     name=$(basename "${word%:*}")
