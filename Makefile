@@ -95,7 +95,7 @@ all: rules
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
 	@for file in harmorph harmorph77; do sh fortran/join.sh $$file >$(BUILD)/$$file.f90 || exit 1; done
-	@sh c_api/petsc/join.sh >$(BUILD)/harmorph_petsc.c
+	@for part in mpi petsc; do sh c_api/join.sh $$part >$(BUILD)/harmorph_$$part.c || exit 1; done
 	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
 	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
 	@echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
@@ -257,7 +257,7 @@ install: manual
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 $(BUILD)/harmorph77.f90 $(BUILD)/harmorph_petsc.c fortran/*.f90 c_api/harmorph_mpi.c \
+	cp $(BUILD)/harmorph.f90 $(BUILD)/harmorph77.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 
