@@ -28,8 +28,8 @@ program petsc_refusals
     call never%solve(basis, stat=stat, err=err)
     call check_refused("a system that was never created")
 
-    call system%create(mesh, numbers(:np - is_last), conditions=[hm_condition(airfoil, hm_rigid)], comm=MPI_COMM_WORLD, &
-        stat=stat, err=err)
+    call system%create(mesh, numbers(:np - is_last), conditions=[hm_condition(airfoil, hm_rigid)], &
+        comm=MPI_COMM_WORLD, stat=stat, err=err)
     call check_refused("a global number less than points")
     call system%solve(basis, stat=stat, err=err)
     call check_refused("a system whose creation was refused")

@@ -22,8 +22,9 @@ typedef struct reference {
 /* O-mesh round an ellipse, with a seam, that is, a cut. first: height of the first layer, 0: cells of like sides. The
  * wall is on a curve of four control points, from which its points are off. */
 void make_o_mesh(reference *of, int32_t ni, int32_t nj, double first, int32_t operator_kind);
-/* Two units long, one high, with a bump on the lower wall, which is on a curve; the sides are straight. */
-void make_channel(reference *of, int32_t ni, int32_t nj, int32_t operator_kind);
+/* Two units long, one high and in the middle `arch` higher, with a bump on the lower wall, which is on a curve; the
+ * sides are straight. */
+void make_channel(reference *of, double arch, int32_t operator_kind);
 /* A rectangle with a hole, whose outline is on a curve: a passage of a cascade. TOP and BOTTOM are translates. Points
  * inside the hole are in no cell. */
 void make_passage(reference *of, int32_t operator_kind);

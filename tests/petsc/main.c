@@ -86,10 +86,15 @@ static void check_conditions(int operator_kind, int *turn) {
     snprintf(of.name, sizeof of.name, "rigid body, operator %d", operator_kind);
     check_small(&of, turn);
     free_case(&of);
-    make_channel(&of, 17, 9, operator_kind);
+    make_channel(&of, 0, operator_kind);
     add_condition(&of, RIGHT, HM_SLIP);
     add_condition(&of, LEFT, HM_SLIP);
     snprintf(of.name, sizeof of.name, "sliding sides, operator %d", operator_kind);
+    check_small(&of, turn);
+    free_case(&of);
+    make_channel(&of, 0.2, operator_kind);
+    add_condition(&of, TOP, HM_SLIP);
+    snprintf(of.name, sizeof of.name, "sliding along a smooth curve, operator %d", operator_kind);
     check_small(&of, turn);
     free_case(&of);
     make_passage(&of, operator_kind);
@@ -102,7 +107,7 @@ static void check_given_conditions(int operator_kind, int *turn) {
     make_o_mesh(&of, 25, 9, 1e-4, operator_kind);
     check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
     free_case(&of);
-    make_channel(&of, 17, 9, operator_kind);
+    make_channel(&of, 0, operator_kind);
     add_condition(&of, RIGHT, HM_SLIP);
     add_condition(&of, LEFT, HM_SLIP);
     check_given(&of, (*turn)++ % N_PARTITIONS, FACTORED);
