@@ -15,6 +15,7 @@
 #include "measures.hpp"
 #include "movements.hpp"
 #include "radial_basis.hpp"
+#include "task.hpp"
 
 #include <cstdio>
 #include <ctime>
@@ -198,16 +199,6 @@ void begin_table(const std::string& mesh, const char* remark) {
                 "error the mean of |ratio - 1|; a star: the best, or within 2 %% of the best valid one\n", mesh.c_str(), remark);
     std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps", "cells", "min q", "mean q", "angle",
                 "lowest", "highest", "error", "seconds");
-}
-
-cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves) {
-    cli::Task task;
-    task.curves = curves;
-    auto condition = cli::sized<hm_condition>();
-    condition.marker = mesh.find_markers(marker)[0];
-    condition.n_curves = static_cast<std::int32_t>(curves.curves.size());
-    task.conditions = {condition};
-    return task;
 }
 
 void airfoil(const std::string& folder, const std::string& path, const std::string& marker,

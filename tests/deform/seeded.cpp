@@ -1,5 +1,6 @@
 // Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few solutions.
-// Movements whose prescribed walls cross are not counted: the library says so before anything moves.
+// Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are those whose
+// walls fold so sharply that no mesh with these cells is good: of them a bound of the quality is computed from the wall.
 //   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -10,6 +11,8 @@
 #include "../../c_api/cli/output_file.hpp"
 #include "../../c_api/cli/solver.hpp"
 #include "seeds.hpp"
+#include "task.hpp"
+#include "wall_bound.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -25,21 +28,37 @@ constexpr int few_solutions = 6;
 
 // What was counted on all meshes.
 struct Counts {
-    int counted = 0, impossible = 0, reached = 0, good = 0, quick = 0;
+    int counted = 0, impossible = 0, folded = 0, reached = 0, good = 0, quick = 0;
     void add(const Counts& more) {
         counted += more.counted;
         impossible += more.impossible;
+        folded += more.folded;
         reached += more.reached;
         good += more.good;
         quick += more.quick;
     }
     void print(const std::string& name, double seconds) const {
-        std::printf("  %-28s  %5d  %8d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted, impossible, reached, good, quick,
+        std::printf("  %-28s  %5d  %8d  %6d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted, impossible, folded, reached, good, quick,
                     seconds);
     }
 };
 
 using Movement = std::function<std::vector<double>(const std::vector<double>& control, std::uint64_t seed)>;
+
+// The wall as the linear step has it.
+cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vector<double>& moves, const cli::Threads& threads) {
+    cli::Field out = cli::displacement(basis, mesh, moves, threads);
+    for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+        out.x[k] += mesh.x[k];
+        out.y[k] += mesh.y[k];
+    }
+    return out;
+}
+
+WallBound bound_of(const cli::Mesh& mesh, const cli::Task& task, const cli::Field& at) {
+    return {mesh.cell_start, mesh.cell_points, mesh.face_points, mesh.face_markers, task.conditions[0].marker, mesh.x, mesh.y,
+            at.x, at.y};
+}
 
 Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& task, const std::string& folder, int wanted,
              const cli::Threads& threads, const Movement& movement) {
@@ -65,6 +84,14 @@ Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& ta
         const bool whole = morph.valid() && report.step_fraction >= 1;
         const bool good = whole && morph.quality.min_quality >= good_quality * report.start_quality;
         const bool quick = report.resolves <= few_solutions;
+        const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, movement(task.curves.control, seed), threads));
+        if (!good && bound.quality < good_quality * report.start_quality) {
+            ++counts.folded;
+            std::printf("    seed %d: left out: the wall's angle at point %d is %.2f degrees, no smallest quality can be above %.4f of the\n"
+                        "        start's; found was %.4f\n", static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
+                        bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);
+            continue;
+        }
         ++counts.counted;
         counts.reached += whole ? 1 : 0;
         counts.good += good ? 1 : 0;
@@ -72,22 +99,14 @@ Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& ta
         seconds.push_back(morph.seconds);
         const std::string& why = morph.refusal.empty() ? morph.warning : morph.refusal;
         if (details || !good || !quick) {
-            std::printf("    seed %d: %d solutions, strategy %d, quality %.3f of the start's; %s\n", static_cast<int>(seed),
-                        report.resolves, report.strategy, morph.quality.min_quality / report.start_quality, why.c_str());
+            std::printf("    seed %d: %d solutions, strategy %d, quality %.3f of the start's, at most %.3f; %s\n",
+                        static_cast<int>(seed), report.resolves, report.strategy,
+                        morph.quality.min_quality / report.start_quality,
+                        std::min(1.0, bound.quality / report.start_quality), why.c_str());
         }
     }
     counts.print(name, seconds.empty() ? 0 : cli::median(seconds));
     return counts;
-}
-
-cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves) {
-    cli::Task task;
-    task.curves = curves;
-    auto condition = cli::sized<hm_condition>();
-    condition.marker = mesh.find_markers(marker)[0];
-    condition.n_curves = static_cast<std::int32_t>(curves.curves.size());
-    task.conditions = {condition};
-    return task;
 }
 
 cli::Curves fit(const std::string& path, const std::string& marker, const std::string& folder) {
@@ -178,10 +197,11 @@ void run(const std::string& folder, int wanted, const std::vector<std::string>& 
     const auto colon = [](const std::string& word) { return word.rfind(':'); };
     for (const std::string& word : airfoils)
         curves.push_back(fit(word.substr(0, colon(word)), word.substr(colon(word) + 1), folder));
-    std::printf("\ntable Movements that cross no walls, how many that do were left out, how many of the first end at the target\n"
+    std::printf("\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold so sharply that no\n"
+                "mesh can have the quality asked for; how many of the first end at the target\n"
                 "with valid cells, how many of these with %.2f of the smallest quality of the start or more, how many of all\n"
                 "with at most %d solutions, and the median of the time\n"
-                "  mesh                          count  crossing  at target    good   quick   seconds\n",
+                "  mesh                          count  crossing  folded  at target    good   quick   seconds\n",
                 good_quality, few_solutions);
     Counts all;
     all.add(channel(folder, wanted, threads));

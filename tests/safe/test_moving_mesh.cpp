@@ -1,0 +1,118 @@
+// A mesh on the way of a large movement: one step ahead, and back to the start.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/operators.hpp>
+
+#include <harmorph/safe/moving_mesh.hpp>
+
+using namespace fixtures;
+using harmorph::EndOf;
+using harmorph::Index;
+
+namespace {
+
+struct Moving {
+    Moving(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_LAPLACE)
+        : options(options_of(operator_kind)), solved(its, &options), plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
+          basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
+        harmorph::Arena counting;
+        mesh.lay_out(counting, plan, basis.header->counts);
+        block = std::make_unique<Guarded>(counting.bytes());
+        harmorph::Arena placing(block->data(), block->size());
+        mesh.lay_out(placing, plan, basis.header->counts);
+        plan.equations.wall.build(plan.mesh.points);
+        mesh.init(plan, basis, move.data());
+        CHECK(block->guards_intact());
+    }
+    harmorph::AdmissibleStep look(double to) { return mesh.look_ahead(plan, basis, basis, to); }
+
+    hm_options options;
+    Solved solved;
+    harmorph::Plan& plan;
+    harmorph::Basis basis;
+    harmorph::MovingMesh mesh;
+    std::unique_ptr<Guarded> block;
+};
+
+}  // namespace
+
+TEST_CASE("one step to the target is the morph, and the admissible step is that of its displacement") {
+    Case its = airfoil_case();
+    std::vector<double> const move = some_move(12, 0.02, 3);
+    Moving moving(its, move);
+    double const admissible = moving.look(1).step;
+    std::vector<double> x(its.mesh.x.size()), y(x.size());
+    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
+            HM_OK);
+    double off = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        harmorph::Vec2 const at = moving.mesh.ahead()[static_cast<Index>(k)];
+        off = std::fmax(off, std::hypot(at.x - x[k], at.y - y[k]));
+    }
+    CHECK(off < 1e-15);
+    Field const by = displacement(moving.solved, move);
+    std::vector<double> dx, dy;
+    for (Complex const d : by) {
+        dx.push_back(d.real());
+        dy.push_back(d.imag());
+    }
+    hm_step_report step{};
+    step.struct_size = sizeof step;
+    hm_mesh const view = its.mesh.view();
+    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) >= HM_OK);
+    CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
+}
+
+TEST_CASE("looking moves nothing; steps do; begin() is the start, bit by bit") {
+    Case its = airfoil_case();
+    Moving moving(its, some_move(12, 0.02, 4));
+    auto const is_start = [&] {
+        for (std::size_t k = 0; k < its.mesh.x.size(); ++k) {
+            harmorph::Vec2 const at = moving.mesh.now()[static_cast<Index>(k)];
+            if (at.x != its.mesh.x[k] || at.y != its.mesh.y[k]) return false;
+        }
+        return true;
+    };
+    CHECK(is_start());
+    moving.look(0.4);
+    CHECK(is_start());
+    CHECK(moving.mesh.time == 0);
+    moving.mesh.advance();
+    CHECK(!is_start());
+    CHECK(moving.mesh.time == 0.4);
+    moving.mesh.begin(moving.plan);
+    CHECK(is_start());
+    CHECK(moving.mesh.time == 0);
+}
+
+TEST_CASE("after a hundred steps the wall is where the B-spline is: rounding does not add up") {
+    Case its = airfoil_case();
+    std::vector<double> const move = some_move(12, 0.02, 5);
+    Moving moving(its, move);
+    for (int step = 1; step <= 100; ++step) {
+        moving.look(step / 100.0);
+        moving.mesh.advance();
+    }
+    double off = 0;
+    for (Index slot = 0; slot < moving.basis.wall_point.count(); ++slot) {
+        Index const point = moving.basis.wall_point[slot];
+        harmorph::Vec2 const by = moving.basis.wall_move(slot, move.data()), at = moving.mesh.now()[point];
+        auto const k = static_cast<std::size_t>(point);
+        off = std::fmax(off, std::fabs(at.x - (its.mesh.x[k] + by.x)));
+        off = std::fmax(off, std::fabs(at.y - (its.mesh.y[k] + by.y)));
+    }
+    CHECK(off == 0);
+}
+
+TEST_CASE("what is known of the ends: walls and fixed points, lines, nothing inside") {
+    Case its = tiny_case();
+    its.set_slip(bottom);
+    Moving moving(its, some_move(4, 0.1, 6));
+    CHECK(moving.mesh.ends[0] == EndOf::prescribed);    // a corner with a fixed side
+    CHECK(moving.mesh.ends[3] == EndOf::on_line);
+    CHECK(moving.mesh.ends[8] == EndOf::unknown);
+    CHECK(moving.mesh.ends[16] == EndOf::prescribed);   // on the wall
+    CHECK(moving.mesh.held[3] == 1);
+    CHECK(moving.mesh.held[8] == 0);
+}
