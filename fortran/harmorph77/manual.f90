@@ -45,8 +45,9 @@
 ! CONDITIONS
 !     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)     KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed
 !                                                              (as markers without condition), 3 slips along its
-!                                                              straight lines, 4 free (not with OPERATOR 0), 6 moved
-!                                                              by HMGIVE; ICURV and NCURV both 0 or 1 then
+!                                                              lines (on curves HMMORF moves points along tangents,
+!                                                              HMSAFE puts them back), 4 free (not with OPERATOR 0),
+!                                                              6 moved by HMGIVE; ICURV and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)          belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                  these two are translates of each other and move alike
 !     CALL HMNEAR (W, X, Y, IERR, MSG)                         the last condition is only of the piece of its marker

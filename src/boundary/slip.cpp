@@ -70,7 +70,9 @@ private:
         return dot(a, b) > 0 ? cross(a, b) / scale : 1;
     }
     // Where the face begins.
-    Real bend_at(Index loop, Index face) const noexcept { return bend(side(loop, before(loop, face)), side(loop, face)); }
+    Real bend_at(Index loop, Index face) const noexcept {
+        return bend(side(loop, before(loop, face)), side(loop, face));
+    }
     bool is_between_slipping_faces(Index loop, Index face) const noexcept {
         Index const previous = before(loop, face);
         return previous != face && slips(previous) && slips(face);

@@ -1,6 +1,7 @@
 // Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few solutions.
 // Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are those whose
-// walls fold so sharply that no mesh with these cells is good: of them a bound of the quality is computed from the wall.
+// walls fold so sharply, or stretch so much, that no mesh with these cells is good: a bound of the quality is computed
+// from the wall (wall_bound.hpp).
 //   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -84,11 +85,13 @@ Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& ta
         const bool whole = morph.valid() && report.step_fraction >= 1;
         const bool good = whole && morph.quality.min_quality >= good_quality * report.start_quality;
         const bool quick = report.resolves <= few_solutions;
-        const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, movement(task.curves.control, seed), threads));
+        const std::vector<double> moves = movement(task.curves.control, seed);
+        const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, moves, threads));
         if (!good && bound.quality < good_quality * report.start_quality) {
             ++counts.folded;
-            std::printf("    seed %d: left out: the wall's angle at point %d is %.2f degrees, no smallest quality can be above %.4f of the\n"
-                        "        start's; found was %.4f\n", static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
+            std::printf("    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: length of a face) no\n"
+                        "        smallest quality is above %.4f of the start's; found was %.4f\n",
+                        static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
                         bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);
             continue;
         }
@@ -197,8 +200,8 @@ void run(const std::string& folder, int wanted, const std::vector<std::string>& 
     const auto colon = [](const std::string& word) { return word.rfind(':'); };
     for (const std::string& word : airfoils)
         curves.push_back(fit(word.substr(0, colon(word)), word.substr(colon(word) + 1), folder));
-    std::printf("\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold so sharply that no\n"
-                "mesh can have the quality asked for; how many of the first end at the target\n"
+    std::printf("\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold or stretch so much\n"
+                "that no mesh can have the quality asked for; how many of the first end at the target\n"
                 "with valid cells, how many of these with %.2f of the smallest quality of the start or more, how many of all\n"
                 "with at most %d solutions, and the median of the time\n"
                 "  mesh                          count  crossing  folded  at target    good   quick   seconds\n",

@@ -1,10 +1,12 @@
-// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell with a small angle is
-// poor. So the wall at the target alone bounds the smallest quality that a mesh with these cells can have.
+// What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell with a small angle
+// is poor; where a face of the wall becomes longer, a triangle on the face is large or flat. So the wall at the target
+// alone bounds the smallest size-skew quality that a mesh with these cells can have.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -32,11 +34,26 @@ inline double best_quality(double angle, int n_triangles, int n_quads) {
     return high;
 }
 
-// The bound of all points of a wall between two faces of the wall. Rows of cells; faces: pairs of points with markers;
+// The largest size-skew quality of a triangle with a side of this length, relative to a cell of this area. With the
+// height h and the third corner over the middle of the side, the skew quality is 2 sqrt(3) l h / (3/2 l^2 + 2 h^2), the
+// largest of this height, and the size the root of the ratio of the areas; their product has its largest value where
+// the areas are equal, or at h = l/2 of larger triangles, or at h = 3/2 l of smaller ones.
+inline double best_on_side(double length, double area) {
+    double best = 0;
+    for (double const h : {2 * area / length, .5 * length, 1.5 * length}) {
+        double const ratio = .5 * length * h / area;
+        double const skew = 2 * std::sqrt(3.) * length * h / (1.5 * length * length + 2 * h * h);
+        best = std::max(best, skew * std::sqrt(std::min(ratio, 1 / ratio)));
+    }
+    return best;
+}
+
+// The bound of all points of a wall between two faces of the wall, and of all triangles on its faces. Rows of cells; faces: pairs of points with markers;
 // x, y at the start; wall_x, wall_y at the target, looked at on the wall only.
 struct WallBound {
-    double quality = 1, angle = 0;  // [-], [degrees]
-    std::size_t point = 0;          // where
+    double quality = 1;     // [-]
+    double angle = 0;       // [degrees] of the wall where this is so; 0: because of the length of a face
+    std::size_t point = 0;  // where this is so
 
     WallBound(const std::vector<int>& cell_start, const std::vector<int>& cell_points, const std::vector<int>& faces,
               const std::vector<int>& markers, int wall, const std::vector<double>& x, const std::vector<double>& y,
@@ -50,7 +67,8 @@ struct WallBound {
         for (std::size_t end = 0; end < faces.size(); ++end) {
             if (markers[end / 2] == wall) corners[at(faces[end])].is_on_wall = true;
         }
-        std::set<std::pair<int, int>> sides;  // of cells, counter-clockwise
+        std::set<std::pair<int, int>> sides;          // of cells, counter-clockwise
+        std::map<std::pair<int, int>, double> on_side;  // areas of triangles
         for (std::size_t i = 0; i + 1 < cell_start.size(); ++i) {
             int const begin = cell_start[i], n = cell_start[i + 1] - begin;
             auto const corner = [&](int k) { return cell_points[at(begin + k % n)]; };
@@ -62,13 +80,25 @@ struct WallBound {
             }
             for (int k = 0; k < n; ++k) {
                 int const a = corner(k), b = corner(k + 1);
-                if (corners[at(a)].is_on_wall && corners[at(b)].is_on_wall) sides.insert({area > 0 ? a : b, area > 0 ? b : a});
+                if (!corners[at(a)].is_on_wall || !corners[at(b)].is_on_wall) continue;
+                sides.insert({area > 0 ? a : b, area > 0 ? b : a});
+                if (n == 3) on_side[{std::min(a, b), std::max(a, b)}] = .5 * std::fabs(area);
             }
         }
         for (std::size_t face = 0; face < markers.size(); ++face) {
             if (markers[face] != wall) continue;
             bool const is_forwards = sides.count({faces[2 * face], faces[2 * face + 1]}) > 0;
             int const begin = faces[2 * face + (is_forwards ? 0 : 1)], end = faces[2 * face + (is_forwards ? 1 : 0)];
+            auto const triangle = on_side.find({std::min(begin, end), std::max(begin, end)});
+            if (triangle != on_side.end()) {
+                std::size_t const a = at(begin), b = at(end);
+                double const length = std::hypot(wall_x[b] - wall_x[a], wall_y[b] - wall_y[a]);
+                double const best = best_on_side(length, triangle->second);
+                if (best < quality) {
+                    quality = best;
+                    point = a;
+                }
+            }
             corners[at(begin)].next = end;
             corners[at(end)].previous = begin;
         }

@@ -108,6 +108,7 @@ TEST_CASE("hm_slide: what is not finite is refused by its number, NULL is refuse
     hm_error error{};
     CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), &error) == HM_BAD_MESH);
     CHECK(error.item == static_cast<std::int32_t>(of.x.size()) - 1);
+    CHECK(std::string(error.text).find("sliding point") == 0);
     CHECK(x[0] == 7);
     CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(x, y), points_out(x, y), &error) ==
           HM_BAD_MESH);

@@ -36,7 +36,8 @@ TEST_CASE("no cell with this angle is better, and one is as good") {
             CHECK(least_angle(n, bound) == doctest::Approx(angle).epsilon(1e-9));
             double best = 0;
             for (int trial = 0; trial < 20000; ++trial) {
-                double const a = std::pow(10, uniform(random) - 0.5), b = trial < 10 ? a : std::pow(10, uniform(random) - 0.5);
+                double const a = std::pow(10, uniform(random) - 0.5);
+                double const b = trial < 10 ? a : std::pow(10, uniform(random) - 0.5);
                 std::vector<double> x = {0, a, b * std::cos(angle)}, y = {0, 0, b * std::sin(angle)};
                 if (n == 4) {
                     double const s = 3 * uniform(random), t = 3 * uniform(random);
@@ -55,6 +56,23 @@ TEST_CASE("no cell with this angle is better, and one is as good") {
     CHECK(best_quality(0.06, 1, 1) < best_quality(0.06, 1, 0));
 }
 
+TEST_CASE("no triangle on a side of this length is better, and one is as good") {
+    for (double const length : {0.05, 0.7, 1.0, 3.0, 50.0}) {
+        double const area = 0.4, bound = best_on_side(length, area);
+        double best = 0;
+        for (int i = -30; i <= 30; ++i)
+            for (int j = 1; j <= 4000; ++j) {
+                double const h = length * std::pow(10, -4 + 0.002 * j), x = length * (0.5 + 0.05 * i);
+                double const skew = quality_of({0, length, x}, {0, 0, h}), ratio = 0.5 * length * h / area;
+                best = std::fmax(best, skew * std::sqrt(std::fmin(ratio, 1 / ratio)));
+            }
+        CHECK(best <= bound * (1 + 1e-12));
+        CHECK(best > 0.999 * bound);
+    }
+    CHECK(best_on_side(1, std::sqrt(3.0) / 4) < 1 + 1e-12);
+    CHECK(best_on_side(1, std::sqrt(3.0) / 4) > 1 - 1e-12);
+}
+
 TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whichever side that is") {
     // Four triangles above a wall of three points, and the mirror image.
     for (double const side : {1.0, -1.0}) {
@@ -69,11 +87,12 @@ TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whiche
             wall_x[2] = std::sin(half);
             wall_y[0] = wall_y[2] = side * std::cos(half);
             WallBound const bound({0, 3, 6, 9, 12}, cells, {0, 1, 1, 2}, {7, 7}, 7, x, y, wall_x, wall_y);
-            CHECK(bound.quality == doctest::Approx(best_quality(fold * pi / 180, 4, 0)));
-            if (fold < 240) {
+            CHECK(bound.quality == doctest::Approx(std::fmin(best_quality(fold * pi / 180, 4, 0), best_on_side(1, 0.5))));
+            if (bound.angle > 0) {
                 CHECK(bound.point == 1);
                 CHECK(bound.angle == doctest::Approx(fold));
             }
+            CHECK((bound.angle > 0) == (fold < 150));
         }
     }
 }

@@ -21,7 +21,7 @@ struct SlipCurves {
     Index count = 0;
     Span<Index> start;    // [count + 1] first slot of each curve
     Span<Index> point;    // [slots] mesh points in order along the boundary
-    Span<Index> own;      // [slots] the slot itself where its point slides, the first slot at the end of a closed curve;
+    Span<Index> own;      // [slots] the slot itself where its point slides, the first one at the end of a closed curve;
                           // none where the point is held
     Span<Vec2> at;        // [slots] where the points of the boundary are at the start; a closed curve repeats the first
     Span<Vec2> tangent;   // [slots] of length 1

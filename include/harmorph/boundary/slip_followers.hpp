@@ -1,10 +1,10 @@
 // How the mesh follows points that are put back onto their curves. A step along tangents by d leaves these points about
-// d^2 / (2 R) beside a curve of radius R; were only they put back, the cells behind them would become thinner with every
-// step. So inner points are moved by
+// d^2 / (2 R) beside a curve of radius R; were only they put back, the cells behind them would become thinner with
+// every step. So inner points are moved by
 //     (o / (s + o))^(q + 1) ((1 - t) c_a + t c_b),
-// c the displacements by which the sliding points a and b at both ends of the nearest face of a curve are put back, t the
-// place of the foot on this face, s the distance from there, o the distance from the other boundaries: all on the mesh at
-// the start. The power is what minimises the integral of o^-q (dw/ds)^2 between the two boundaries, as the functions of
+// c the displacements by which the sliding points a and b at both ends of the nearest face of a curve are put back, t
+// the place of the foot on this face, s the distance from there, o the distance from the other boundaries: all on the
+// mesh at the start. The power is what minimises the integral of o^-q (dw/ds)^2 between the two boundaries, as the functions of
 // an operator with the exponent q do in two dimensions.
 #pragma once
 
