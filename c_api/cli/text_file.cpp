@@ -53,6 +53,7 @@ unsigned char kind(char c) { return kinds[static_cast<unsigned char>(c)]; }
 TextFile::TextFile(const std::string& path) : path_(path), text_(read_whole(path)) {}
 
 std::string TextFile::place(std::size_t offset) const {
+    if (name_of_place_) return path_ + ": " + name_of_place_(offset);
     std::size_t line = 1;
     for (std::size_t i = 0; i < offset && i < text_.size(); ++i) {
         const bool lone_return = text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n');

@@ -19,6 +19,8 @@ public:
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }
     std::string place(std::size_t offset) const; // "FILE:LINE"; behind binary parts "FILE: byte N"
+    // Where the text is not what people see of the file: other words for an offset.
+    void name_places(std::function<std::string(std::size_t)> name) { name_of_place_ = std::move(name); }
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
 
     // Readers say how far they have come; hundredth by hundredth the listener hears which part that is, 0 .. 1.
@@ -31,6 +33,7 @@ private:
     void report(std::size_t offset) const;
 
     std::string path_, text_;
+    std::function<std::string(std::size_t)> name_of_place_;
     std::function<void(double)> listener_;
     mutable std::size_t next_mark_ = std::numeric_limits<std::size_t>::max();
 };

@@ -1,10 +1,10 @@
 # CGNS: files that are written and read by a program made with libcgns. (A part of tests/formats.sh.)
 if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v cgnsdiff >/dev/null 2>&1; then
-    # What `make CGNS=1` makes: the same objects but for one, which is compiled with libcgns.
+    # What `make CGNS=1` makes: the same objects but for some, which are compiled with libcgns.
     with_cgns=$tmp/harmorph-cgns build=`dirname "$harmorph"`
     objects=`ls "$build"/objects/cli/c_api-cli-*.o "$build"/objects/cli/*page_text.o | grep -v formats-cgns`
     check "a program with CGNS is made" $CXX -std=c++17 -O1 -pthread -DHARMORPH_CGNS -Ic_api -Ic_api/cli -o "$with_cgns" \
-        c_api/cli/formats/cgns.cpp $objects "$build/libharmorph.a" -lcgns
+        c_api/cli/formats/cgns*.cpp $objects "$build/libharmorph.a" -lcgns
     check "make_cgns is compiled" ${CC:-cc} -O0 -o "$tmp/make_cgns" tests/formats/make_cgns.c -lcgns -lm
     for kind in plane planes block cells polygons solid; do
         for real in double single; do
@@ -35,6 +35,15 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     done
     "$tmp/make_cgns" "$tmp/cube.cgns" cube double
     refuses "cgns: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$with_cgns" check "$tmp/cube.cgns"
+    refuses "cgns: three dimensions in earnest: where" "zone 'Zone1', point (1, 1, 1), CoordinateX" "$with_cgns" check "$tmp/cube.cgns"
+    for kind in nan skew outside; do "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
+    refuses "cgns: a coordinate that is not finite" "nan.cgns: zone 'Zone1', point (6, 2, 1), CoordinateY is not finite" \
+        "$with_cgns" check "$tmp/nan.cgns"
+    refuses "cgns: a point that is opposite none" "skew.cgns: zone 'Zone1', point (4, 3, 2), CoordinateX: the mesh has three" \
+        "$with_cgns" check "$tmp/skew.cgns"
+    refuses "cgns: a cell of a point that does not exist" \
+        "outside.cgns: zone 'Ring', section 'Cells': element 168 has point 1000, but there are 168 points" \
+        "$with_cgns" check "$tmp/outside.cgns"
     head -c 3000 "$tmp/plane.cgns" >"$tmp/bad.cgns"
     check "cgns: cut off" sh -c "'$with_cgns' check '$tmp/bad.cgns' >'$tmp/err' 2>&1; test \$? -eq 3"
     refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" check "$tmp/plane.cgns"

@@ -3,7 +3,8 @@
  *   make_cgns FILE KIND REAL
  *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell thick; cells: QUAD_4 and TRI_3
  *            in one section of MIXED elements, BAR_2 at the boundary; polygons: NGON_n; solid: HEXA_8 between two planes;
- *            cube: three cells thick
+ *            cube: three cells thick; and what is wrong: nan: plane with a coordinate that is not finite; skew: block with a
+ *            point that is opposite none; outside: cells with a point that does not exist
  *     REAL   double or single */
 #include <cgnslib.h>
 #include <math.h>
@@ -13,6 +14,7 @@
 
 enum { around = 24, outwards = 6 };
 static int file, base, zone, number, is_single;
+static int has_nan, is_skew, is_outside;
 static const double pi = 3.14159265358979323846;
 
 static void call(int status) {
@@ -36,6 +38,8 @@ static void write_coordinates(int i0, int ni, int nk, int dimensions) {
             for (j = 0; j <= outwards; ++j)
                 for (i = i0; i < i0 + ni; ++i, ++n) {
                     values[n] = d == 0 ? radius(j) * cos(angle(i)) : d == 1 ? radius(j) * sin(angle(i)) : .5 * k;
+                    if (has_nan && d == 1 && n == 30) values[n] = strtod("nan", NULL);
+                    if (is_skew && d == 0 && k == 1 && i == 3 && j == 2) values[n] += .3;
                     singles[n] = (float)values[n];
                 }
         call(cg_coord_write(file, base, zone, is_single ? RealSingle : RealDouble, names[d],
@@ -108,7 +112,7 @@ static void unstructured(const char *kind, int nk) {
     enum { n_cells = around * outwards, layer = around * (outwards + 1) };
     static cgsize_t data[10 * n_cells], start[2 * n_cells + 1], bars[4 * around], wall[2], far[2];
     cgsize_t size[3];
-    int i, j, n = 0, cells = 0, s, k, is_mixed = strcmp(kind, "cells") == 0;
+    int i, j, n = 0, cells = 0, s, k, is_mixed = strcmp(kind, "cells") == 0 || is_outside;
     size[0] = layer * nk;
     size[2] = 0;
     for (j = 0; j < outwards; ++j)
@@ -134,6 +138,7 @@ static void unstructured(const char *kind, int nk) {
             for (k = 0; nk == 2 && k < 4; ++k, ++n) data[n] = data[n - 4] + layer;
         }
     start[cells] = n;
+    if (is_outside) data[n - 1] = 1000;
     size[1] = cells;
     open_zone("Ring", nk == 1 ? 2 : 3, size, Unstructured);
     write_coordinates(0, around, nk, nk == 1 ? 2 : 3);
@@ -165,9 +170,12 @@ int main(int argc, char **argv) {
     kind = argv[2];
     is_single = strcmp(argv[3], "single") == 0;
     call(cg_open(argv[1], CG_MODE_WRITE, &file));
-    if (strcmp(kind, "plane") == 0) structured(1, 1);
+    has_nan = strcmp(kind, "nan") == 0;
+    is_skew = strcmp(kind, "skew") == 0;
+    is_outside = strcmp(kind, "outside") == 0;
+    if (strcmp(kind, "plane") == 0 || has_nan) structured(1, 1);
     else if (strcmp(kind, "planes") == 0) structured(2, 1);
-    else if (strcmp(kind, "block") == 0) structured(1, 2);
+    else if (strcmp(kind, "block") == 0 || is_skew) structured(1, 2);
     else if (strcmp(kind, "cube") == 0) structured(1, 4);
     else unstructured(kind, strcmp(kind, "solid") == 0 ? 2 : 1);
     call(cg_close(file));

@@ -1,0 +1,66 @@
+// What a CGNS file has of zones and coordinates, by libcgns. Only in programs made with `make CGNS=1`.
+#pragma once
+
+#ifdef HARMORPH_CGNS
+#include "failure.hpp"
+#include "mesh.hpp"
+
+#include <cgnslib.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+constexpr int cgns_base = 1;
+
+// Calls of libcgns that must succeed; every file that is opened is closed.
+class Cgns {
+public:
+    Cgns(const std::string& name, int mode, const std::string& path);
+    ~Cgns() {
+        if (is_open_) cg_close(file);
+    }
+    Cgns(const Cgns&) = delete;
+
+    void close();
+    // what: "zone 'a', CoordinateX", for the message of libcgns.
+    void operator()(int status, const std::string& what = "") const {
+        if (status != CG_OK) fail((what.empty() ? "" : what + ": ") + cg_get_error());
+    }
+    [[noreturn]] void fail(const std::string& message) const { throw Failure(exit_file, path_ + ": " + message); }
+
+    int file = 0;
+
+private:
+    std::string path_;
+    bool is_open_ = false;
+};
+
+struct CgnsZone {
+    std::string name;
+    bool is_structured = false;
+    std::array<std::int64_t, 3> n = {1, 1, 1}; // points along i, j, k; of unstructured zones all in the first
+    std::size_t first = 0;                     // its first point of all
+    std::size_t points() const { return static_cast<std::size_t>(n[0] * n[1] * n[2]); }
+    // "zone 'a', point 12", or "zone 'a', point (4, 1, 1)": the k-th of its points, from 0, in the file's numbering.
+    std::string point(std::size_t k) const;
+};
+
+struct CgnsArray {
+    std::string name;
+    DataType_t type;
+};
+
+std::string in_zone(const CgnsZone& zone);
+std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension);
+// The arrays of CoordinateX, Y and, if there is one, Z.
+std::vector<CgnsArray> read_arrays(const Cgns& cgns, int zone, const std::string& where);
+void whole_range(const CgnsZone& zone, cgsize_t* low, cgsize_t* high);
+
+// The file with other coordinates, for FileCoordinates::store: a copy, in which libcgns writes the arrays anew.
+void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers);
+
+} // namespace cli
+#endif

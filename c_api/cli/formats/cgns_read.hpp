@@ -1,0 +1,12 @@
+// The mesh of a CGNS file. Only in programs made with `make CGNS=1`.
+#pragma once
+
+#ifdef HARMORPH_CGNS
+#include "mesh.hpp"
+
+namespace cli {
+
+void read_cgns(Mesh& mesh);
+
+} // namespace cli
+#endif
