@@ -32,6 +32,21 @@ END
         gmsh -check "$mesh.moved.msh" >"$tmp/gmsh" 2>&1
         check "gmsh $variant: gmsh finds nothing wrong" sh -c "! grep -E 'Error|Warning' '$tmp/gmsh'"
     done
+    # PLOT3D, of which gmsh reads text: all points of the morphed file, where the file has them.
+    mesh=$tmp/text-k.p3d
+    check "gmsh plot3d: fit" "$harmorph" fit "$mesh" --marker 1:jmin --points 8 -o "$tmp/curve"
+    check "gmsh plot3d: solve" "$harmorph" solve "$mesh" --curve "1:jmin=$tmp/curve" -o "$tmp/basis"
+    check "gmsh plot3d: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved.p3d"
+    check "gmsh plot3d: is read" gmsh -0 -v 2 "$tmp/moved.p3d" -save -format msh22 -o "$tmp/of-gmsh.msh"
+    check "gmsh plot3d: no error" sh -c "! grep -E 'Error|Warning' '$tmp/out'"
+    sed '1,/^\$Nodes/d; /^\$EndNodes/,$d' "$tmp/of-gmsh.msh" | awk 'NF == 4 { print $2, $3, $4 }' | sort >"$tmp/a"
+    awk '{ for (k = 1; k <= NF; k++) word[n++] = $k }
+        END { for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0 }' "$tmp/moved.p3d" |
+        sort >"$tmp/b"
+    check "gmsh plot3d: 350 points" sh -c "test \$(wc -l <'$tmp/a') -eq 350"
+    awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/a" >"$tmp/sum-a"
+    awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/b" >"$tmp/sum-b"
+    check "gmsh plot3d: the same places" alike 1e-3 "$tmp/sum-a" "$tmp/sum-b"
     check "gmsh: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.msh"
     check "gmsh: reads what convert writes" gmsh -check "$tmp/ring.msh"
     check "gmsh: writes SU2 of it" gmsh -2 "$tmp/ring.msh" -save -o "$tmp/again.su2"
