@@ -1,7 +1,8 @@
 // Random cases without libFuzzer, always the same ones.
 //
-//   fuzzer TARGET CASES SEED [CASE]   cases of a seed, or one of them; the last line counts them
-//   fuzzer TARGET FILE...             the cases whose bytes are in these files
+//   fuzzer TARGET CASES SEED [CASE [FILE]]   cases of a seed, or one of them; the last line counts them. FILE receives
+//                                            the bytes that this one takes: corpus/ keeps such files
+//   fuzzer TARGET FILE...                    the cases whose bytes are in these files
 //
 // Built with -DLIBFUZZER there is no main here, but libFuzzer's; HARMORPH_TARGET in the environment names the target.
 #include "failure.hpp"
@@ -41,14 +42,17 @@ struct Count {
     long done = 0, refused = 0, failed = 0;
 };
 
-void run(fuzz::Target const& target, std::vector<unsigned char> const& bytes, std::string const& which, Count& count) {
+// Returns how many bytes the case takes.
+std::size_t run(fuzz::Target const& target, std::vector<unsigned char> const& bytes, std::string const& which,
+                Count& count) {
+    fuzz::Input input(bytes.data(), bytes.data() + bytes.size());
     try {
-        fuzz::Input input(bytes.data(), bytes.data() + bytes.size());
         ++(target.run(input) == fuzz::Outcome::done ? count.done : count.refused);
     } catch (fuzz::Failure const& failure) {
         std::printf("fuzzer %s %s: %s\n", target.name, which.c_str(), failure.what());
         ++count.failed;
     }
+    return bytes.size() - input.rest().size();
 }
 
 std::vector<unsigned char> bytes_of_case(unsigned seed, long number) {
@@ -74,8 +78,12 @@ int main(int argc, char** argv) {
     } else {
         unsigned const seed = argc > 3 ? static_cast<unsigned>(std::strtoul(argv[3], nullptr, 10)) : 1;
         long const first = argc > 4 ? std::strtol(argv[4], nullptr, 10) : 0, last = argc > 4 ? first + 1 : cases;
-        for (long k = first; k < last; ++k)
-            run(target, bytes_of_case(seed, k), "1 " + std::to_string(seed) + " " + std::to_string(k), count);
+        for (long k = first; k < last; ++k) {
+            std::vector<unsigned char> bytes = bytes_of_case(seed, k);
+            bytes.resize(run(target, bytes, "1 " + std::to_string(seed) + " " + std::to_string(k), count));
+            if (argc > 5)
+                std::ofstream(argv[5], std::ios::binary) << std::string(bytes.begin(), bytes.end());
+        }
     }
     std::printf("%s: %ld cases succeed, %ld are refused\n%ld passed, %ld failed\n", target.name, count.done,
                 count.refused, count.done + count.refused, count.failed);

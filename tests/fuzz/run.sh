@@ -19,8 +19,10 @@ build() {   # compiler, flags to compile, flags to link, flags of files whose br
 }
 run_libfuzzer() {   # target
     mkdir -p "$dir/$1" "$dir/findings"
+    seeds=
+    if [ -d "tests/fuzz/corpus/$1" ]; then seeds=tests/fuzz/corpus/$1; fi
     HARMORPH_TARGET=$1 "$dir/fuzzer" -max_total_time=$each -max_len=4096 -timeout=20 -rss_limit_mb=4096 \
-        -print_final_stats=1 -artifact_prefix="$dir/findings/$1-" "$dir/$1" >"$dir/$1.log" 2>&1 || {
+        -print_final_stats=1 -artifact_prefix="$dir/findings/$1-" "$dir/$1" $seeds >"$dir/$1.log" 2>&1 || {
         findings=$((findings + 1))
         tail -n 30 "$dir/$1.log"
     }
