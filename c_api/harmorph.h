@@ -949,8 +949,8 @@ HM_API hm_status hm_displace_size(const hm_plan *plan, int32_t n_fields, size_t 
  * must have no number of `to` in common. With `from`, a boundary that crosses itself at `to` is refused (HM_CROSSING,
  * error.item: a point of the face); cells may be inverted (hm_assess). All fields are computed before any is written.
  * report may be NULL; functions are fields there, and what concerns curves is 0. Where nothing cancelled in the factor
- * of HM_DIRECT, the solution is as accurate as the factor, and residuals are computed only for the report, which takes
- * a third of the time of the substitution. Otherwise, and with engines that iterate, HM_NOT_CONVERGED as of
+ * of HM_DIRECT, the solution is as accurate as the factor, and residuals are computed only for the report, which makes
+ * the call half as long again, or more. Otherwise, and with engines that iterate, HM_NOT_CONVERGED as of
  * hm_plan_solve. progress is called for HM_PHASE_SOLVE and HM_PHASE_RESIDUAL of each substitution. */
 HM_API hm_status hm_displace(hm_plan *plan, int32_t n, const int32_t *points, int32_t n_fields, const hm_points *wall,
                              const hm_points *from, const hm_points_out *to, void *work, size_t bytes,

@@ -194,9 +194,9 @@ void copy_rows(Kernel kernel, Index n, const Number* y, const Index* targets, Nu
 }
 
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
             Index planes) noexcept {
-    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, begin, n, y, row, planes);
+    flushed<Number>(copy_kernels<Number, Value>(kernel).gather, from, begin, n, behind, y, row, planes);
 }
 
 template <class Number, class Value>
@@ -215,7 +215,7 @@ void scatter(Kernel kernel, const Number* y, Index row, Index planes, RowsOf<Val
     template void add_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;                         \
     template void copy_rows(Kernel, Index, const Number*, const Index*, Number*, Index) noexcept;
 #define HARMORPH_MAKE_MOVES(Number, Value)                                                                               \
-    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Number*, Index, Index) noexcept;                    \
+    template void gather(Kernel, RowsOf<Value> const&, Index, Index, Index, Number*, Index, Index) noexcept;             \
     template void scatter(Kernel, const Number*, Index, Index, RowsOf<Value> const&, Index, Index) noexcept;
 HARMORPH_MAKE(double)
 HARMORPH_MAKE(float)

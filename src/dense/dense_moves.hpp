@@ -89,7 +89,7 @@ HARMORPH_INLINE Value* row_at(Value* data, const Index* row_of, Offset length, I
     return data + (row_of != nullptr ? row_of[position] : position) * length;
 }
 
-constexpr Index rows_ahead = 4;  // rows of values are read in no order of memory, so the next ones are prefetched
+constexpr Index rows_ahead = 16;  // rows of values are read in no order of memory, so the next ones are prefetched
 
 template <class Value>
 HARMORPH_INLINE void prefetch_row(const Value* row, Offset numbers) noexcept {
@@ -121,11 +121,12 @@ void copy_rows(Index n, const Number* y, const Index* targets, Number* to, Index
 }
 
 template <class Number, class Value>
-void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept {
+void gather(harmorph::RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
+            Index planes) noexcept {
     auto const values = [&](Index k) { return row_at(from.data, from.row_of, from.row_length, begin + k); };
     Offset const numbers = (planes - 1) * from.plane + from.width;
     for (Index k = 0; k < n; ++k) {
-        if (k + rows_ahead < n) prefetch_row(values(k + rows_ahead), numbers);
+        if (k + rows_ahead < n + behind) prefetch_row(values(k + rows_ahead), numbers);
         const Value* value = values(k);
         for (Index plane = 0; plane < planes; ++plane, value += from.plane, y += row) {
             if (from.width < row) clear_last(y + row);

@@ -51,7 +51,8 @@ struct MoveKernels {
 // Moves between fronts and rows of values; see dense.hpp.
 template <class Number, class Value>
 struct CopyKernels {
-    void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row, Index planes) noexcept;
+    void (*gather)(RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
+                   Index planes) noexcept;
     void (*scatter)(const Number* y, Index row, Index planes, RowsOf<Value> const& to, Index begin, Index n) noexcept;
 };
 

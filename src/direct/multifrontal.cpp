@@ -27,6 +27,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
     arena.take(border, sizes.border_entries);
     arena.take(target, sizes.border_entries);
     arena.take(panel_start, Offset{nodes} + 1);
+    arena.take(is_zero, nodes);
     if (precision == Precision::in_single) {
         lay_out_numbers(arena, sizes.factor_entries, singles);
     } else {

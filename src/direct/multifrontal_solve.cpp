@@ -22,28 +22,28 @@ public:
 
     // Forward substitution U^H y = b in place. `front` receives the right-hand sides of the node: first the rows of the
     // pivots, then the updates for the rows of the border. Most nodes are far from all known values: where all
-    // right-hand sides of a subtree are 0, nothing is computed, is_zero is set and `front` is not written.
+    // right-hand sides of a subtree are 0, nothing is computed, is_zero of the node is set and `front` holds nothing.
     template <class Told>
-    Status forward(Index node, Number* front, Number* free, Worker const& worker, Told const& told,
-                   bool& is_zero) const noexcept {
+    Status forward(Index node, Number* front, Number* free, Worker const& worker, Told const& told) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, front, width_, engine_.planes);
+        Index const behind = engine_.tree.nodes[engine_.tree.count - 1].end - own.end;
+        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, behind, front, width_, engine_.planes);
         Span<Number> const pivots(front, static_cast<Size>(Offset{panel.pivots} * row_));
         Span<Number> const border(front + pivots.size(), static_cast<Size>(Offset{panel.border} * row_));
-        is_zero = all_zero(pivots);
+        bool is_zero = all_zero(pivots);
         if (!is_zero) fill(border, Number{0});
         for (Index child = own.child; child != none; child = engine_.tree.nodes[child].sibling) {
             Index const done = engine_.subtrees.find(child);
             Number* const from = done != none ? engine_.kept_rows<Number>(done) : free;
-            bool adds_nothing = done != none && engine_.subtrees.all[done].adds_nothing;
-            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), worker, told, adds_nothing));
-            if (adds_nothing) continue;
+            if (done == none) HARMORPH_TRY(forward(child, free, free + entries(child), worker, told));
+            if (engine_.is_zero[child]) continue;
             if (is_zero) fill(border, Number{0});
             is_zero = false;
             dense::add_rows(engine_.kernel, engine_.border_of(child).count(), border_rows(child, from),
                             engine_.targets_of(child), front, row_);
         }
+        engine_.is_zero[node] = is_zero;
         if (is_zero) return told(node);
         prefetch_after(panel);
         dense::solve_forward(engine_.kernel, panel, front, width_, worker.executor);
@@ -57,7 +57,11 @@ public:
     Status backward(Index node, Number* front, Number* free, Worker const& worker, Told const& told) const noexcept {
         auto const& own = engine_.tree.nodes[node];
         Panel const panel = engine_.panel<Number>(node);
-        dense::gather(engine_.kernel, values_, own.begin, panel.pivots, front, width_, engine_.planes);
+        if (engine_.is_zero[node]) {
+            fill(Span<Number>(front, static_cast<Size>(Offset{panel.pivots} * row_)), Number{0});
+        } else {
+            dense::gather(engine_.kernel, values_, own.begin, panel.pivots, 0, front, width_, engine_.planes);
+        }
         dense::solve_backward(engine_.kernel, panel, front, width_, worker.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
         HARMORPH_TRY(told(node));
@@ -122,14 +126,11 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
     Worker<Number> const worker = top_worker<Number>();
     for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& own) {
         Index const number = subtrees.find(subtree.root);
-        substitution.forward(subtree.root, kept_rows<Number>(number), own.rows, own, [](Index) { return Status::ok; },
-                             subtrees.all[number].adds_nothing);
+        substitution.forward(subtree.root, kept_rows<Number>(number), own.rows, own, [](Index) { return Status::ok; });
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
-        bool is_zero;
-        HARMORPH_TRY(substitution.forward(node, worker.rows, worker.rows + substitution.entries(node), worker, told,
-                                          is_zero));
+        HARMORPH_TRY(substitution.forward(node, worker.rows, worker.rows + substitution.entries(node), worker, told));
     }
     for (Index node = tree.count - 1; node >= 0; --node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;

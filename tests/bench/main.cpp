@@ -23,7 +23,7 @@ namespace {
 char const* const usage =
     "usage: bench [--parts \"dense solve iterative displace morph\"] [--sizes \"10000 100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
-    "             [--kernel 0..4] [--precision double|single] [--json FILE]\n";
+    "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json FILE]\n";
 
 template <class T>
 std::vector<T> words(std::string const& text) {
@@ -53,6 +53,7 @@ Settings read(int argc, char** argv) {
         else if (name == "--repeats") out.repeats = words<int>(text)[0];
         else if (name == "--kernel") out.kernel = words<int>(text)[0];
         else if (name == "--precision") out.precision = precision(text);
+        else if (name == "--elasticity") out.elasticity = words<std::int32_t>(text)[0];
         else if (name == "--json") out.json = text;
         else throw std::invalid_argument("no such option: " + name);
     }

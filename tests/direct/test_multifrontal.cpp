@@ -144,6 +144,27 @@ struct Threads {
 
 }  // namespace
 
+TEST_CASE("targets: where the positions of a border are in the parent's front") {
+    Case its = ring_case(12, 60, 0.5, 2, Cells::triangles);
+    Solved const solved(its);
+    FrontalSystem const system(inside(solved.analysis), false, 2);
+    harmorph::Multifrontal const& engine = system.engine;
+    Index wrong = 0, checked = 0;
+    for (Index node = 0; node < engine.tree.count; ++node) {
+        Index const parent = engine.tree.nodes[node].parent;
+        if (parent == harmorph::none) continue;
+        Index const pivots = engine.pivots_of(parent);
+        for (Index k = 0; k < engine.border_of(node).count(); ++k, ++checked) {
+            Index const target = engine.targets_of(node)[k];
+            Index const found = target < pivots ? engine.tree.nodes[parent].begin + target
+                                                : engine.border_of(parent)[target - pivots];
+            if (found != engine.border_of(node)[k]) ++wrong;
+        }
+    }
+    CHECK(checked > 500);
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("Hermitian matrices with random circulations: the same as dense Cholesky, in both precisions, in any number of lanes") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 12})

@@ -152,9 +152,9 @@ template <class Number>
 void solve_backward(Kernel kernel, Panel<Number> const& panel, Number* y, Index row, Executor const& executor) noexcept;
 
 // Copies the rows at positions begin .. begin+n-1 to rows of y, with zeros in the padding. `row` as above. Values are
-// doubles, or floats where the numbers are floats.
+// doubles, or floats where the numbers are floats. The first of the `behind` rows behind them are prefetched.
 template <class Number, class Value>
-void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Number* y, Index row,
+void gather(Kernel kernel, RowsOf<Value> const& from, Index begin, Index n, Index behind, Number* y, Index row,
             Index planes) noexcept;
 // And back to positions begin .. begin+n-1.
 template <class Number, class Value>

@@ -32,6 +32,7 @@ struct Multifrontal {
     Span<Offset> border_start;  // [nodes + 1]
     Span<Index> border;
     Span<Offset> panel_start;   // [nodes + 1] in `factor`
+    Span<bool> is_zero;         // [nodes] all right-hand sides at hand are 0 in the subtree of the node
     Span<Index> target;         // [as border] where the positions of a border are in the parent's front; they increase
     FrontalNumbers<double> doubles;  // these ...
     FrontalNumbers<float> singles;   // ... or those

@@ -14,7 +14,6 @@ struct Subtree {
     Offset work = 0;   // multiplications
     Offset kept = 0;       // where the update matrix of the root is kept
     Offset kept_rows = 0;  // where the right-hand sides of the root's front are kept
-    bool adds_nothing = false;  // all right-hand sides at hand are 0 in the subtree, and nothing is kept
 };
 
 struct Subtrees {
