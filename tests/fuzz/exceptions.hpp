@@ -9,10 +9,13 @@ namespace fuzz {
 
 struct Exceptions {
     static void clear() { std::feclearexcept(FE_ALL_EXCEPT); }
-    static void expect_none(std::string const& call) {
+    // clang assumes that nobody looks at the flags, and divides where the source does not: then they tell nothing.
+    static void expect_none([[maybe_unused]] std::string const& call) {
+#ifndef __clang__
         expect(std::fetestexcept(FE_INVALID) == 0, call + ": an invalid operation");
         expect(std::fetestexcept(FE_DIVBYZERO) == 0, call + ": a division by zero");
         expect(std::fetestexcept(FE_OVERFLOW) == 0, call + ": an overflow");
+#endif
     }
 };
 

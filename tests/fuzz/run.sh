@@ -1,7 +1,7 @@
 #!/bin/sh
 # Called by `make fuzz`: all targets under the address and undefined-behaviour sanitizers, float-cast-overflow among
 # these, for FUZZ_SECONDS together. With clang, libFuzzer looks for cases that run through new code; without, cases are
-# random. The last line counts executions, edges of the control flow that were seen, and findings; the cases of these are kept.
+# random. The last line counts executions, edges of the control flow that were seen, and findings, whose cases are kept.
 : "${MAKE:=make}" "${BUILD:=build}" "${JOBS:=2}" "${FUZZ_SECONDS:=60}" "${CLANG:=clang++}"
 dir=$BUILD/fuzz
 mkdir -p "$dir"
@@ -11,7 +11,7 @@ each=$((FUZZ_SECONDS / 9 > 0 ? FUZZ_SECONDS / 9 : 1))
 flags="-g1 -fno-omit-frame-pointer -fno-sanitize-recover=all"
 executions=0 edges=0 findings=0
 
-# clang takes hours to follow the branches of these two tables: its comparisons of vectors are taken apart without an end.
+# clang takes hours to follow the branches of these tables: its comparisons of vectors are taken apart without an end.
 not_followed="src/dense/dense_table.cpp src/operators/residual_table.cpp"
 build() {   # compiler, flags to compile, flags to link, flags of files whose branches are followed
     $MAKE -s JOBS="$JOBS" BUILD="$dir" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" LEVEL="-O1 ${4-}" LEVEL_OF_LOOPS=-O1 \
