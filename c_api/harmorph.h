@@ -737,7 +737,7 @@ typedef struct hm_solve_report {
     int32_t  boundary_error_point; /* the point with the boundary error below */
     double   boundary_error;       /* [-] largest |F_i - N_i(u)| on the curves, with N_i evaluated again */
     double   partition_defect;     /* [-] largest |sum_i F_i - 1| on the curves */
-    double   min_value, max_value; /* [-] of all F_i */
+    double   min_value, max_value; /* [-] of all F_i of control points */
     double   max_distance;         /* [length] largest distance of a curve point from the curve. The morph preserves
                                       this offset between mesh and fit */
     int32_t  max_distance_point;

@@ -101,6 +101,12 @@ contours_are_true() {
 }
 check "contour lines" contours_are_true
 
+# Cells that are not convex are painted without overlaps: their triangles run the same way round.
+awk -f "$meshes/l_cells.awk" >"$tmp/l_cells.vtk"
+check "solve on reflex cells" "$harmorph" solve "$tmp/l_cells.vtk" --rigid boundary2=.5,.5 --operator laplace -o "$tmp/l_cells.basis"
+check "picture of reflex cells" "$harmorph" export "$tmp/l_cells.vtk" "$tmp/l_cells.basis" --function 1 --svg "$tmp/l_cells.svg"
+check "reflex cells: one orientation" sh -c 'awk -f "$0" "$1" | grep -E "^0 [1-9][0-9]{2}"' "${0%/*}/orientations.awk" "$tmp/l_cells.svg"
+
 # The table of curves: control points move by moves.txt, points of the mesh to where they are in the morphed mesh.
 curves_are_true() {
     awk -F '[ ,]' '

@@ -57,11 +57,13 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
         std::printf("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
                     plural(report.levels, "level").c_str(), plural(report.fine_sweeps, "sweep").c_str());
     }
-    std::printf("boundary error   %s; sum of the functions there: 1 to %s\n", brief(report.boundary_error).c_str(),
-                brief(report.partition_defect).c_str());
-    std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
-    std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
-                report.max_distance_point);
+    if (report.curve_points > 0) {
+        std::printf("boundary error   %s; sum of the functions there: 1 to %s\n", brief(report.boundary_error).c_str(),
+                    brief(report.partition_defect).c_str());
+        std::printf("values           %s to %s\n", brief(report.min_value).c_str(), brief(report.max_value).c_str());
+        std::printf("mesh from curve  %s at most (point %d), kept by every morph\n", brief(report.max_distance).c_str(),
+                    report.max_distance_point);
+    }
     std::printf("seconds          %s set-up, %s %s, %s solution\n", brief(times.setup).c_str(),
                 brief(times.factor).c_str(),
                 report.factor_entries > 0 ? "factorisation" : "agglomeration", brief(times.solve).c_str());

@@ -5,18 +5,30 @@
 #include "mesh.hpp"
 
 #include <array>
+#include <vector>
 
 namespace cli {
 
 using Corners = std::array<std::int32_t, 3>; // points of the mesh
 
-// visit(corners) for each triangle that the window shows at least a part of: a triangular cell, or the two of a quad.
+// Adds the triangles of a cell that need not be convex, by cutting off its ears (G. H. Meisters, Polygons have ears, The
+// American Mathematical Monthly 82, 1975).
+void divide_polygon(const Mesh& mesh, std::size_t cell, std::vector<Corners>& triangles);
+
+// visit(corners) for each triangle that the window shows at least a part of: a triangular cell, the two of a quad, those of
+// a polygon.
 template <class Visit> void for_each_triangle(const Mesh& mesh, const Box& window, Visit visit) {
+    std::vector<Corners> triangles;
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
-        const auto first = static_cast<std::size_t>(mesh.cell_start[cell]);
-        const auto end = static_cast<std::size_t>(mesh.cell_start[cell + 1]);
-        for (std::size_t i = first + 1; i + 1 < end; ++i) {
-            const Corners corners = {mesh.cell_points[first], mesh.cell_points[i], mesh.cell_points[i + 1]};
+        const std::int32_t* const points = &mesh.cell_points[static_cast<std::size_t>(mesh.cell_start[cell])];
+        const auto n = mesh.cell_start[cell + 1] - mesh.cell_start[cell];
+        triangles.clear();
+        if (n > 4) {
+            divide_polygon(mesh, cell, triangles);
+        } else {
+            for (std::int32_t i = 1; i + 1 < n; ++i) triangles.push_back({points[0], points[i], points[i + 1]});
+        }
+        for (const Corners& corners : triangles) {
             Box box;
             for (const std::int32_t corner : corners) {
                 box.include(Point{mesh.x[static_cast<std::size_t>(corner)], mesh.y[static_cast<std::size_t>(corner)]});
