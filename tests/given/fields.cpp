@@ -62,7 +62,8 @@ struct Way {
 constexpr Way ways[] = {{"conformal", HM_CONFORMAL, HM_DIRECT},
                         {"Laplace", HM_LAPLACE, HM_DIRECT},
                         {"weighted", HM_WEIGHTED, HM_DIRECT},
-                        {"multigrid", HM_LAPLACE, HM_MULTIGRID}};
+                        {"Laplace*", HM_LAPLACE, HM_MULTIGRID},
+                        {"weighted*", HM_WEIGHTED, HM_MULTIGRID}};
 
 cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, std::int32_t kind, const Way& way) {
     cli::Task task;
@@ -229,7 +230,7 @@ void run(const std::string& folder, int seeds, const std::string& path, const st
 
 int main(int argc, char** argv) {
     if (argc < 4) return 2;
-    std::printf("largest difference from the morph, in extents of the wall (multigrid: Laplace's functions by the iterative engine,\n"
+    std::printf("largest difference from the morph, in extents of the wall (*: by multigrid,\n"
                 "to its tolerance of 1e-10); random fields: at the target, poor, part of the way, refused\n"
                 "%-24s %7s  %-9s %9s  %-15s  %-15s  %-15s\n", "mesh", "points", "operator", "morph", "smooth", "rough", "large");
     for (int i = 3; i < argc; ++i) {
