@@ -11,7 +11,9 @@ $CXX --coverage -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o "$dir/libharm
 $CXX --coverage -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o \
     $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$dir/libharmorph.a" || exit 1
 "$dir/tests" >"$dir/log" || { cat "$dir/log"; exit 1; }
-for run in "problem 2000" "basis 1000" "sequence 500"; do "$dir/fuzzer" $run 1 >>"$dir/log" || exit 1; done
+for run in "problem 6000" "basis 2000" "sequence 1000" "polygons 600" "given 600" "parts 400" "plane 400" "shape 600"; do
+    "$dir/fuzzer" $run 1 >>"$dir/log" || exit 1
+done
 for notes in "$dir"/objects/core/*.gcno; do
     $GCOV -b -c -t "$notes" 2>/dev/null
 done | awk -F: '

@@ -5,9 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void check(hm_status status, const hm_error *error) {
-    if (status < 0) exit((fprintf(stderr, "%s: %s\n", hm_status_name(status), error->text), 1));
-}
+static hm_error error;
+static void check(hm_status status) { if (status < 0) exit((fprintf(stderr, "%s\n", error.text), 1)); }
 
 int main(int argc, char **argv) {
     su2_mesh file;
@@ -21,36 +20,33 @@ int main(int argc, char **argv) {
     hm_problem problem = {.struct_size = sizeof problem, .mesh = &mesh, .n_conditions = 1, .conditions = &given};
     hm_analysis *analysis;
     hm_plan *plan;
-    hm_basis *judge;   /* has no functions: it knows the cells, for the assessment */
-    hm_error error;
+    hm_basis *judge;   /* has no functions: it knows the cells, for their quality */
     size_t bytes;
-    check(hm_analysis_size(&problem, NULL, &bytes, &error), &error);
-    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error), &error);
-    check(hm_plan_size(analysis, &bytes, &error), &error);
-    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_basis_size(analysis, &bytes, &error), &error);
-    check(hm_basis_init(&judge, malloc(bytes), bytes, analysis, &error), &error);
-    check(hm_plan_factor(plan, NULL, &error), &error);
-    check(hm_displace_size(plan, 1, &bytes, &error), &error);
+    check(hm_analysis_size(&problem, NULL, &bytes, &error));
+    check(hm_analysis_init(&analysis, malloc(bytes), bytes, &problem, NULL, &error));
+    check(hm_plan_size(analysis, &bytes, &error));
+    check(hm_plan_init(&plan, malloc(bytes), bytes, analysis, &error));
+    check(hm_basis_size(analysis, &bytes, &error));
+    check(hm_basis_init(&judge, malloc(bytes), bytes, analysis, &error));
+    check(hm_plan_factor(plan, NULL, &error));
+    check(hm_displace_size(plan, 1, &bytes, &error));
 
-    int n = 0, steps = 0, refused = scanf("%d", &n) != 1 || n < 1;
-    int32_t *points = calloc((size_t)n + 1, sizeof *points);
-    double *wall = calloc(2 * (size_t)n + 2, sizeof *wall), *d = malloc(2 * sizeof *d * (size_t)mesh.n_points), worst = 1;
+    int n, k = 0, steps = 0;   /* the points of the wall, then dx and dy of each, step by step */
+    if (scanf("%d", &n) != 1 || n < 1 || n > mesh.n_points) exit((fprintf(stderr, "no number of points\n"), 1));
+    int32_t *points = calloc((size_t)n, sizeof *points);
+    double *wall = calloc(2 * (size_t)n, sizeof *wall), *x = malloc(2 * sizeof *x * (size_t)mesh.n_points), worst = 1;
     void *work = malloc(bytes);
-    for (int k = 0; k < n; ++k) refused += scanf("%d", &points[k]) != 1;
-    hm_points given_wall = {wall, wall + 1, 2}, displacement = {d, d + mesh.n_points, 1};
-    hm_points_out to = {d, d + mesh.n_points, 1};
-    for (; !refused; ++steps) {
-        int k = 0;
-        while (k < 2 * n && scanf("%lf", &wall[k]) == 1) ++k;
-        if (k < 2 * n) break;
-        hm_step_report step = {.struct_size = sizeof step};
+    for (int i = 0; i < n; ++i) if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
+    for (; scanf("%lf", &wall[k]) == 1; k = (k + 1) % (2 * n)) {
+        if (k < 2 * n - 1) continue;
         hm_quality_report quality = {.struct_size = sizeof quality};
-        check(hm_displace(plan, n, points, 1, &given_wall, NULL, &to, work, bytes, NULL, &error), &error);
-        check(hm_assess(judge, &mesh, NULL, &displacement, NULL, &step, &quality, &error), &error);
+        check(hm_displace(plan, n, points, 1, &(hm_points){wall, wall + 1, 2}, &mesh.points,
+                          &(hm_points_out){x, x + mesh.n_points, 1}, work, bytes, NULL, &error));
+        check(hm_quality(judge, &mesh, &(hm_points){x, x + mesh.n_points, 1}, NULL, NULL, &quality, &error));
         if (quality.min_quality < worst) worst = quality.min_quality;
-        refused = quality.inverted > 0;   /* here a code would factor again on the last good mesh */
+        if (quality.inverted > 0) break;   /* here a code would factor again on the last good mesh */
+        ++steps;
     }
     printf("coupling: %d steps, %d points of the wall, quality of at least %.2f\n", steps, n, worst);
-    return steps < 1 || refused;
+    return steps == 0 || k > 0;   /* k > 0: stopped within a step */
 }
