@@ -109,6 +109,17 @@ TEST_CASE("without a weight: Laplace's functions, bit by bit; the larger q, the 
     }
 }
 
+TEST_CASE("a plan without a weight stores no conductivities: it is smaller by one number for each cell") {
+    for (Cells const kind : {Cells::quads, Cells::triangles}) {
+        Case its = ring_case(8, 32, 0.5, 2, kind);
+        hm_options const weighted = options_of(HM_WEIGHTED, 4), none_at_all = options_of(HM_WEIGHTED, HM_NO_WEIGHT);
+        Solved const with(its, &weighted), without(its, &none_at_all), laplace(its);
+        std::size_t const more = with.plan_block->size() - without.plan_block->size();
+        CHECK(more == 8 * static_cast<std::size_t>(its.mesh.n_cells()));   // a multiple of the alignment of arrays
+        CHECK(without.plan_block->size() == laplace.plan_block->size());
+    }
+}
+
 TEST_CASE("rigid bodies count for the distance as curves do, fixed boundaries do not") {
     Case curve = ring_case(8, 32, 0.5, 2);
     Case rigid = curve, shifted = curve;
