@@ -22,8 +22,8 @@ struct RowsCall {
         if (basis.header->solved == 0) return Status::ok;
         return fault.refuse(Status::bad_basis, "the rows are finished: make new ones by hm_rows_init");
     }
-    Status check_column(Index column, const double* numbers, Fault& fault) const noexcept {
-        HARMORPH_TRY(require({{"numbers", numbers}}, fault));
+    Status check_column(Index column, Argument const& numbers, Fault& fault) const noexcept {
+        HARMORPH_TRY(require({numbers}, fault));
         if (column >= 0 && column < equations->columns(basis)) return Status::ok;
         return fault.refuse(Status::bad_argument, "there is no column # (from 0) of @", Counts::from_zero, column,
                             equations->columns(basis));
@@ -66,7 +66,7 @@ hm_status hm_rows_get(const hm_equations* equations, const hm_basis* rows, int32
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
-        HARMORPH_TRY(call.check_column(column, numbers, fault));
+        HARMORPH_TRY(call.check_column(column, {"numbers", numbers}, fault));
         call.equations->get(call.equations->dofs(call.basis), column, numbers);
         return Status::ok;
     });
@@ -77,7 +77,7 @@ hm_status hm_rows_set(const hm_equations* equations, hm_basis* rows, int32_t col
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
-        HARMORPH_TRY(call.check_column(column, numbers, fault));
+        HARMORPH_TRY(call.check_column(column, {"numbers", numbers}, fault));
         call.equations->set(call.equations->dofs(call.basis), column, numbers);
         return Status::ok;
     });
@@ -88,7 +88,7 @@ hm_status hm_rows_residual(hm_equations* equations, const hm_basis* rows, int32_
     return guarded(err, [&](CallFault& fault) {
         RowsCall call;
         HARMORPH_TRY(call.open_both(equations, rows, fault));
-        HARMORPH_TRY(call.check_column(column, residual, fault));
+        HARMORPH_TRY(call.check_column(column, {"residual", residual}, fault));
         call.equations->find_residual(call.equations->dofs(call.basis), column, residual);
         return Status::ok;
     });
