@@ -51,7 +51,8 @@ run() {   # directory, processes, arguments: the program prints its counts
 
 compile_tests "$dir" petsc
 for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 fortran/harmorph_petsc.f90 fortran/read_su2.f90 \
-    fortran/examples/partitioned_flow.f90 fortran/examples/partitioned.f90; do
+    fortran/examples/bfgs.f90 fortran/examples/stream_function.f90 fortran/examples/partitioned_flow.f90 \
+    fortran/examples/partitioned.f90; do
     name=$(basename "$source" .f90)
     check "$name.f90" $MPIFC -std=f2018 $FFLAGS -J"$dir" -I"$dir" -c "$source" -o "$dir/${name}_f.o"
 done

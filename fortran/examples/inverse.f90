@@ -2,6 +2,7 @@
 ! objective by all mesh points; harmorph carries both between mesh and control points. Lines with !hm touch harmorph.
 program inverse
     use harmorph                                                                        !hm
+    use bfgs
     use potential
     use picture
     implicit none
@@ -13,7 +14,7 @@ program inverse
     type(hm_step_report) :: limit                                                       !hm
     type(hm_quality_report) :: quality                                                  !hm
     real(dp) :: move(2, n), goal(2, n), slope(2, n), old_slope(2, n), direction(2, n), change(2, n), h(2 * n, 2 * n)
-    real(dp) :: error(0:most), j, old_j, step, s
+    real(dp) :: error(0:most), j, old_j, step
     real(dp), allocatable :: x_start(:), y_start(:), dx(:), dy(:), gx(:), gy(:)
     integer, allocatable :: points(:)
     logical :: loop
@@ -55,10 +56,7 @@ program inverse
     call check_gradients()
 
     ! BFGS on the control points' heights; the trailing edge, the first one, stays.
-    h = 0
-    do k = 1, 2 * n
-        h(k, k) = 0.01_dp / maxval(abs(slope))
-    end do
+    h = scaled_identity(reshape(slope, [2 * n]), longest=0.01_dp)
     print "(a)", "step  pressure error  admissible  inverted"
     do k = 0, most
         error(k) = sqrt(2 * j / sum(weight))
@@ -80,7 +78,7 @@ program inverse
             step = 0.5_dp * step
         end do
         move = move + change
-        call update(reshape(change, [2 * n]), reshape(slope - old_slope, [2 * n]))
+        call update(h, reshape(change, [2 * n]), reshape(slope - old_slope, [2 * n]))
     end do
     call draw_result(x(points), y(points), wall_x(), cp)
     call write_picture("inverse.svg", error(0:k))
@@ -105,23 +103,6 @@ contains
         slope(1, :) = 0
         slope(2, 1) = 0
     end subroutine
-
-    ! The inverse of the Hessian.
-    subroutine update(ds, dg)
-        real(dp), intent(in) :: ds(2 * n), dg(2 * n)
-        real(dp) :: hg(2 * n), curvature
-        curvature = dot_product(ds, dg)
-        if (curvature <= 0) return
-        hg = matmul(h, dg)
-        s = (1 + dot_product(dg, hg) / curvature) / curvature
-        h = h + s * outer(ds, ds) - (outer(ds, hg) + outer(hg, ds)) / curvature
-    end subroutine
-
-    pure function outer(u, v) result(uv)
-        real(dp), intent(in) :: u(:), v(:)
-        real(dp) :: uv(size(u), size(v))
-        uv = spread(u, 2, size(v)) * spread(v, 1, size(u))
-    end function
 
     function wall_x() result(middle)
         real(dp) :: middle(nw)

@@ -6,6 +6,7 @@ program partitioned
     use harmorph                                                                        !hm
     use harmorph_mpi, only: hm_mpi_adjoint                                              !hm
     use harmorph_petsc                                                                  !hm
+    use bfgs
     use partitioned_flow
     implicit none
     integer, parameter :: n = 14, n_outline = 200, most = 40
@@ -60,10 +61,7 @@ program partitioned
     call check_slope()
 
     ! BFGS on the control points' heights; the trailing edge, the first one, stays.
-    h = 0
-    do k = 1, 2 * n
-        h(k, k) = 0.01_dp / maxval(abs(slope))
-    end do
+    h = scaled_identity(reshape(slope, [2 * n]), longest=0.01_dp)
     do k = 0, most
         error(k) = sqrt(j)
         if (error(k) < 0.05_dp * error(0) .or. k == most) exit
@@ -81,7 +79,7 @@ program partitioned
             step = 0.5_dp * step
         end do
         move = move + change
-        call update(reshape(change, [2 * n]), reshape(slope - old_slope, [2 * n]))
+        call update(h, reshape(change, [2 * n]), reshape(slope - old_slope, [2 * n]))
     end do
     call basis%displacement(move, dx, dy)                                               !hm
     call system%assess(basis, dx, dy, limit, quality)                                   !hm
@@ -127,21 +125,4 @@ contains
         if (abs(by_adjoint - by_differences) > 1e-6_dp * abs(by_adjoint)) error stop "the derivatives disagree"
         call go_to(move)
     end subroutine
-
-    ! The inverse of the Hessian.
-    subroutine update(ds, dg)
-        real(dp), intent(in) :: ds(2 * n), dg(2 * n)
-        real(dp) :: hg(2 * n), curvature
-        curvature = dot_product(ds, dg)
-        if (curvature <= 0) return
-        hg = matmul(h, dg)
-        h = h + (1 + dot_product(dg, hg) / curvature) / curvature * outer(ds, ds) - &
-            (outer(ds, hg) + outer(hg, ds)) / curvature
-    end subroutine
-
-    pure function outer(u, v) result(uv)
-        real(dp), intent(in) :: u(:), v(:)
-        real(dp) :: uv(size(u), size(v))
-        uv = spread(u, 2, size(v)) * spread(v, 1, size(u))
-    end function
 end program
