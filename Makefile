@@ -1,6 +1,6 @@
 # harmorph. POSIX make and any C++17 compiler; there is no configure step.
 #
-#   make                  library and program; harmorph.f90 and harmorph77.f90, each of one piece
+#   make                  library and program; harmorph.f90, harmorph77.f90 and harmorph_mpi.f90, each of one piece
 #   make test             all tests; the last line counts them
 #   make unit             the C++ tests alone; UNITS='tests/safe/test_*.cpp': those of these files only
 #   make fuzz             random problems, damaged bases, calls in any order and damaged files, under sanitizers;
@@ -94,7 +94,7 @@ all: rules
 # files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
-	@for file in harmorph harmorph77; do sh fortran/join.sh $$file >$(BUILD)/$$file.f90 || exit 1; done
+	@for file in harmorph harmorph77 harmorph_mpi; do sh fortran/join.sh $$file >$(BUILD)/$$file.f90 || exit 1; done
 	@for part in mpi petsc; do sh c_api/join.sh $$part >$(BUILD)/harmorph_$$part.c || exit 1; done
 	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
 	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
@@ -257,7 +257,7 @@ install: manual
 	sed "s|@UP@|../..|; s|@VERSION@|$$version|" c_api/harmorph.pc.in >"$$to/lib/pkgconfig/harmorph.pc"; \
 	cp c_api/harmorphConfig.cmake c_api/harmorphConfigVersion.cmake "$$to/lib/cmake/harmorph/"; \
 	mkdir -p "$$to/share/harmorph"; \
-	cp $(BUILD)/harmorph.f90 $(BUILD)/harmorph77.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
+	cp $(BUILD)/harmorph*.f90 $(BUILD)/harmorph_mpi.c $(BUILD)/harmorph_petsc.c fortran/*.f90 \
 	    c_api/examples/read_su2.c c_api/examples/read_su2.h tests/meshes/naca0012.su2 "$$to/share/harmorph/"; \
 	echo "harmorph $$version is in $$to"
 

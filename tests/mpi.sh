@@ -29,7 +29,9 @@ c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-m
 check "harmorph_mpi.c" c -Ic_api -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "harmorph_mpi.c, as it is installed" c -Ic_api -c "$build/harmorph_mpi.c" -o "$dir/harmorph_mpi.o"
 check "mpi.c" c -pthread -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c "$dir/harmorph_mpi.o" "$build/libharmorph.a" -lm
-for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 tests/o_mesh.f90 tests/mpi.f90; do check "$(basename "$source")" fortran "$source"; done
+for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" tests/o_mesh.f90 tests/mpi.f90; do
+    check "$(basename "$source")" fortran "$source"
+done
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do

@@ -50,7 +50,7 @@ run() {   # directory, processes, arguments: the program prints its counts
 }
 
 compile_tests "$dir" petsc
-for source in "$build/harmorph.f90" fortran/harmorph_mpi.f90 fortran/harmorph_petsc.f90 fortran/read_su2.f90 \
+for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" fortran/harmorph_petsc.f90 fortran/read_su2.f90 \
     fortran/examples/bfgs.f90 fortran/examples/stream_function.f90 fortran/examples/partitioned_flow.f90 \
     fortran/examples/partitioned.f90; do
     name=$(basename "$source" .f90)

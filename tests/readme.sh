@@ -85,7 +85,7 @@ export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yi
 several_processes() {
     block fortran 4 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
     (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
-        for file in "$build/harmorph.f90" "$source/fortran/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
+        for file in "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -c "$file" || exit 1
         done &&
         $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1

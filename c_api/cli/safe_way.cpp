@@ -31,9 +31,9 @@ void add_safe(JsonObject& object, const hm_safe_report& safe, const std::string&
 }
 
 void print_target(const hm_safe_report& safe) {
-    std::printf("target           %s %% of the way in %s, solved again %d times; strategy: %s\n",
-                brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(), safe.resolves,
-                strategy_name(safe.strategy));
+    std::printf("target           %s %% of the way in %s, %s of the functions; strategy: %s\n",
+                brief(100 * safe.step_fraction).c_str(), plural(safe.steps, "step").c_str(),
+                plural(safe.resolves, "new solution").c_str(), strategy_name(safe.strategy));
 }
 
 void print_worst_cells(const hm_safe_report& safe) {

@@ -17,8 +17,7 @@ subroutine hmwall(w, mark, nmax, ipts, n, loop, ierr, msg)
     call this%open(w)
     call analyse(this, .false., analysis)
     if (this%ok()) call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, &
-        ipts, &
-        int(nmax, c_int32_t), found, is_loop, this%e))
+        ipts, int(nmax, c_int32_t), found, is_loop, this%e))
     n = int(found)
     loop = int(is_loop)
     call this%finish(ierr, msg)
@@ -57,9 +56,8 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
     call this%room(8_c_size_t * n, wall%x)
     call this%room(8_c_size_t * n, wall%y)
     if (this%ok()) then
-        call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, n, &
-            n, &
-            is_loop, this%e))
+        call this%told(hm_c_analysis_boundary(analysis, 1_c_int32_t, [int(mark, c_int32_t)], 0_c_int32_t, points, &
+            n, n, is_loop, this%e))
     end if
     if (this%ok()) then
         associate (mesh => this%kept%mesh)
@@ -79,8 +77,8 @@ subroutine hmfit(w, mark, ncp, ideg, iclos, dmax, ierr, msg)
         call this%told(hm_c_fit_size(n, options, bytes, this%e))
     end if
     call this%room(bytes, place)
-    if (this%ok()) call this%told(hm_c_fit(made, place, bytes, wall, n, is_loop, options, &
-        report, this%e))
+    if (this%ok()) call this%told(hm_c_fit(made, place, bytes, wall, n, is_loop, options, report, &
+        this%e))
     if (this%ok()) call keep_set(this, made)
     if (this%ok()) dmax = report%max_error
     call this%finish(ierr, msg)

@@ -100,9 +100,8 @@ subroutine hmpadj(w, gx, gy, gz, inc, g, ierr, msg)
     type(legacy_call) :: this
     call open_plane(this, w)
     call this%open_solved(w)
-    if (this%ok()) call this%told(hm_c_plane_adjoint(this%kept%plane, this%kept%basis, space_points_of(gx, gy, gz, &
-        inc), g, &
-        c_null_ptr, this%e))
+    if (this%ok()) call this%told(hm_c_plane_adjoint(this%kept%plane, this%kept%basis, &
+        space_points_of(gx, gy, gz, inc), g, c_null_ptr, this%e))
     call this%finish(ierr, msg)
 end subroutine
 
@@ -133,8 +132,7 @@ subroutine hmpgat(w, gx, gy, gz, inc, px, py, ierr, msg)
     character(len=*), intent(inout) :: msg
     type(legacy_call) :: this
     call open_plane(this, w)
-    if (this%ok()) call this%told(hm_c_plane_gather(this%kept%plane, space_points_of(gx, gy, gz, inc), points_of(px, &
-        py, 1), &
-        c_null_ptr, this%e))
+    if (this%ok()) call this%told(hm_c_plane_gather(this%kept%plane, space_points_of(gx, gy, gz, inc), &
+        points_of(px, py, 1), c_null_ptr, this%e))
     call this%finish(ierr, msg)
 end subroutine

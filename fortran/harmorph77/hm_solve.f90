@@ -36,9 +36,8 @@ subroutine hmcomb(w, n, num, a, ierr, msg)
     if (this%ok()) call this%told(hm_c_combine_size(this%kept%basis, int(n, c_int32_t), int(num, c_int32_t), bytes, &
         this%e))
     call this%spare(bytes, place)
-    if (this%ok()) call this%told(hm_c_combine(made, place, bytes, this%kept%basis, int(n, c_int32_t), int(num, &
-        c_int32_t), &
-        a, this%e))
+    if (this%ok()) call this%told(hm_c_combine(made, place, bytes, this%kept%basis, int(n, c_int32_t), &
+        int(num, c_int32_t), a, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine
@@ -63,9 +62,8 @@ subroutine hmtabl(w, m, num, n, ip, v, ierr, msg)
     call this%room(work_bytes, work)
     call this%spare(bytes, place)
     report%struct_size = int(c_sizeof(report), c_int64_t)
-    if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, int(n, &
-        c_int32_t), &
-        c_loc(ip), int(m, c_int32_t), int(num, c_int32_t), v, work, work_bytes, report, this%e))
+    if (this%ok()) call this%told(hm_c_tabulate(made, place, bytes, this%kept%plan, this%kept%basis, &
+        int(n, c_int32_t), c_loc(ip), int(m, c_int32_t), int(num, c_int32_t), v, work, work_bytes, report, this%e))
     call replace_functions(this, made)
     call this%finish(ierr, msg)
 end subroutine

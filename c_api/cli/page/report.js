@@ -88,7 +88,7 @@ class Report {
             cards.push([
                 "The way",
                 data.steps === 0 ? "no step" : strategies[data.strategy],
-                `${data.steps} steps, solved again ${data.resolves} times` +
+                `${plural(data.steps, "step")}, ${plural(data.resolves, "new solution")}` +
                     (data.untangled > 0 ? `, ${data.untangled} cells untangled` : ""),
             ]);
             cards.push(["Of the movement", `${brief(100 * data.step_fraction)} %`, "was reached"]);
