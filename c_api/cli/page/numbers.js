@@ -7,6 +7,11 @@ function brief(value) {
     return String(Number(value.toPrecision(4))).replace("-", "−");
 }
 
+// "1 point", "2 points"
+function plural(count, noun) {
+    return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
 function short(value) {
     return String(Number(value.toPrecision(3)));
 }

@@ -89,7 +89,7 @@ class Report {
                 "The way",
                 data.steps === 0 ? "no step" : strategies[data.strategy],
                 `${plural(data.steps, "step")}, ${plural(data.resolves, "new solution")}` +
-                    (data.untangled > 0 ? `, ${data.untangled} cells untangled` : ""),
+                    (data.untangled > 0 ? `, ${plural(data.untangled, "cell")} untangled` : ""),
             ]);
             cards.push(["Of the movement", `${brief(100 * data.step_fraction)} %`, "was reached"]);
         }
