@@ -497,8 +497,14 @@ enum {                             /* hm_condition.kind; for a point on several 
     HM_FREE = 4,                   /* zero normal derivative: points may also leave the boundary line */
     HM_PERIODIC_PAIR = 5,          /* this marker and its partner are translates of each other: their points move by
                                       bitwise identical displacements */
-    HM_GIVEN = 6                   /* the points move by displacements that are given from call to call (hm_displace).
+    HM_GIVEN = 6,                  /* the points move by displacements that are given from call to call (hm_displace).
                                       The functions of curves and rigid bodies are 0 there */
+    HM_ROTATION_PAIR = 7           /* one passage of a cascade in an annulus: the partner is this marker, turned about
+                                      the centre (x, y) by an angle that is found from the points. The displacement of
+                                      each point of the partner is that of its image on this marker, turned by the same
+                                      angle: the mesh of all passages moves as one. A point on the centre does not
+                                      move. Several pairs turn about one centre by one angle, in either sense; not
+                                      beside HM_PERIODIC_PAIR */
 };
 
 typedef struct hm_condition {
@@ -511,12 +517,12 @@ typedef struct hm_condition {
                                       marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
-    int32_t  partner;              /* periodic: the other marker of the pair, which has no condition of its own */
-    double   x, y;                 /* rigid: the centre of rotation [length] */
+    int32_t  partner;              /* pairs: the other marker of the pair, which has no condition of its own */
+    double   x, y;                 /* rigid, rotation: the centre of rotation [length] */
     int32_t  piece;                /* 0: all faces of the marker that no other condition chooses as a piece.
                                       1: one piece of the marker, the one nearest to (near_x, near_y). Pieces are runs
                                       of faces of one marker, one after the other along the boundary: each of several
-                                      bodies, or each side of a channel. Not for HM_PERIODIC_PAIR */
+                                      bodies, or each side of a channel. Not for pairs */
     int32_t  reserved;             /* 0 */
     double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
 } hm_condition;
@@ -539,7 +545,9 @@ typedef struct hm_problem {
 } hm_problem;
 
 /* Available combinations (all others: HM_UNSUPPORTED). The value of a function at a point is a linear map of the plane:
- * 1, 2 or 4 numbers (hm_basis_info.numbers_per_value). With rigid bodies "real" becomes "complex".
+ * 1, 2 or 4 numbers (hm_basis_info.numbers_per_value). With rigid bodies "real" becomes "complex". With
+ * HM_ROTATION_PAIR all values are complex, and the combinations are those of HM_COMPACT and HM_DIRECT, without slip;
+ * hm_morph_safe, hm_displace_safe, hm_improve and meshes in parts do not go with it (HM_UNSUPPORTED).
  *   operator      scheme                   engine         conditions      values
  *   HM_CONFORMAL  HM_COMPACT               HM_DIRECT      all but free    complex; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_COMPACT               HM_DIRECT      all             real; with slip 2 x 2 matrices
@@ -555,8 +563,8 @@ typedef struct hm_problem {
  *   HM_LAPLACE    HM_NODAL_GRADIENT_PLAIN  HM_FAS         no slip/given   real
  *
  * The weight of an operator is k = 1 / d^q. d is the distance from the barycentre of a cell to the nearest face on a
- * curve or a rigid body (or on the periodic image of one), divided by the extent of these faces. Cells near the moving
- * boundary are stiff and preserve their shape; cells far away deform. */
+ * curve or a rigid body (or on the periodic or turned image of one), divided by the extent of these faces. Cells near
+ * the moving boundary are stiff and preserve their shape; cells far away deform. */
 enum {                             /* operator_kind */
     HM_CONFORMAL = 0,              /* minimises the integral of k |f_x + i f_y|^2 over complex functions f: the maps
                                       closest to angle-preserving ones. Angles at the wall are preserved, heights of the

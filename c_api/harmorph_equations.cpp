@@ -24,6 +24,9 @@ struct EquationsRequest : Request {
         if (method.scheme != Scheme::compact) wrong = "meshes in parts go with the compact scheme only";
         if (method.engine != Engine::direct) wrong = "meshes in parts: options.engine must be HM_DIRECT";
         if (method.precision != Precision::in_double) wrong = "meshes in parts: options.precision must be HM_DOUBLE";
+        if (problem.demands.rotation) {
+            wrong = "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does";
+        }
         if (!problem.given.point.empty()) wrong = "meshes in parts: problem.n_given must be 0";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;

@@ -38,6 +38,15 @@ Status Request::copy_to(Span<Curve> to_curves, Span<Condition> to_conditions, Fa
     return Status::ok;
 }
 
+Status Request::check_rotation(Fault& fault) const noexcept {
+    const char* wrong = nullptr;
+    if (problem.method.scheme != Scheme::compact) wrong = "rotation pairs go with the compact scheme only";
+    if (problem.method.engine != Engine::direct) wrong = "rotation pairs go with the direct engine only";
+    if (problem.demands.slip) wrong = "rotation pairs do not go with slipping boundaries; fixed and free ones do";
+    if (problem.demands.translation) wrong = "rotation pairs (HM_ROTATION_PAIR) do not go with HM_PERIODIC_PAIR";
+    return wrong == nullptr ? Status::ok : fault.refuse(Status::unsupported, wrong);
+}
+
 // Without anything that moves nothing is to be solved, and conditions do not count.
 Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     if (p.n_conditions < 0 || (p.n_conditions > 0 && p.conditions == nullptr)) {
@@ -66,6 +75,7 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
     if (problem.demands.slip && problem.method.engine == Engine::fas) {
         return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine and with multigrid only");
     }
+    if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
     if (!problem.demands.free || !problem.method.conformal()) return Status::ok;
     return fault.refuse(Status::unsupported,
                         "the conformal operator does not go with free boundaries; slipping ones do");

@@ -22,6 +22,7 @@ struct Request {
 private:
     Status read_rest(hm_problem const& p, const hm_options* options, CallFault& fault) noexcept;
     Status read_conditions(hm_problem const& p, Fault& fault) noexcept;
+    Status check_rotation(Fault& fault) const noexcept;
 };
 
 }  // namespace harmorph

@@ -214,21 +214,22 @@ namespace {
 
 // Fields of another kind than the condition's would be left out silently.
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
+    bool const is_pair = c.kind == HM_PERIODIC_PAIR || c.kind == HM_ROTATION_PAIR;
     const char* wrong = nullptr;
     if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || c.n_curves != 0)) {
         wrong = "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
     } else if (c.kind != HM_RIGID && c.body != 0) {
         wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
-    } else if (c.kind != HM_RIGID && !(c.x == 0 && c.y == 0)) {
-        wrong = "condition # (from 0) has x or y, which are of HM_RIGID only, but its kind is @";
+    } else if (c.kind != HM_RIGID && c.kind != HM_ROTATION_PAIR && !(c.x == 0 && c.y == 0)) {
+        wrong = "condition # (from 0) has x or y, which are of HM_RIGID and HM_ROTATION_PAIR only, but its kind is @";
     } else if (c.piece < 0 || c.piece > 1 || c.reserved != 0) {
         wrong = "condition # (from 0) has a piece that is neither 0 nor 1, or reserved is not 0; its kind is @";
-    } else if (c.kind == HM_PERIODIC_PAIR && c.piece != 0) {
+    } else if (is_pair && c.piece != 0) {
         wrong = "condition # (from 0) chooses a piece, which a periodic pair cannot; its kind is @";
     } else if (c.piece == 0 && !(c.near_x == 0 && c.near_y == 0)) {
         wrong = "condition # (from 0) has near_x or near_y, but chooses no piece; its kind is @";
-    } else if (c.kind != HM_PERIODIC_PAIR && c.partner != 0) {
-        wrong = "condition # (from 0) has partner, which is of HM_PERIODIC_PAIR only, but its kind is @";
+    } else if (!is_pair && c.partner != 0) {
+        wrong = "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
     }
     if (wrong == nullptr) return Status::ok;
     return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
@@ -242,7 +243,7 @@ Status view_condition(const hm_condition* array, Index number, Condition& out, F
         return fault.refuse(Status::bad_argument, "struct_size of condition # (from 0) is not set",
                             Counts::from_zero, number);
     }
-    if (c.kind < HM_ON_CURVE || c.kind > HM_GIVEN) {
+    if (c.kind < HM_ON_CURVE || c.kind > HM_ROTATION_PAIR) {
         return fault.refuse(Status::bad_argument, "condition # (from 0) has the unknown kind @",
                             Counts::from_zero, number, c.kind);
     }

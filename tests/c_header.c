@@ -95,7 +95,8 @@ int main(void) {
     check(HM_OK == 0 && HM_NOT_CONVERGED > 0 && HM_MOVED > 0 && HM_SHORT > 0, "warnings are positive");
     check(HM_CANCELLED < 0 && HM_UNSUPPORTED < 0 && HM_CROSSING < 0, "what is refused is negative");
     check(HM_ON_CURVE < HM_RIGID && HM_RIGID < HM_FIXED && HM_FIXED < HM_SLIP && HM_SLIP < HM_FREE
-              && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN, "order of conditions");
+              && HM_FREE < HM_PERIODIC_PAIR && HM_PERIODIC_PAIR < HM_GIVEN
+              && HM_GIVEN < HM_ROTATION_PAIR, "order of conditions");
     check(HM_STRATEGY_LINEAR < HM_STRATEGY_OTHER && HM_STRATEGY_OTHER < HM_STRATEGY_SUBSTEPS
               && HM_STRATEGY_SUBSTEPS < HM_STRATEGY_UNTANGLED, "order of strategies");
     check(HM_ABI >= 1, "number of the binary interface");

@@ -150,7 +150,8 @@ program layout
         hm_closed_auto, hm_open, hm_tied, hm_periodic, &
         hm_fit_asked, hm_fit_no_loop, hm_fit_no_corner, hm_fit_corner, hm_fit_base, &
         hm_on_curve, hm_rigid, hm_fixed, hm_slip, hm_free, &
-        hm_periodic_pair, hm_given, hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_nodal_gradient, &
+        hm_periodic_pair, hm_given, hm_rotation_pair, &
+        hm_conformal, hm_laplace, hm_weighted, hm_no_weight, hm_compact, hm_nodal_gradient, &
         hm_bounded, hm_nodal_gradient_plain, hm_direct, &
         hm_multigrid, hm_fas, hm_agglomerate_auto, hm_agglomerate_isotropic, hm_agglomerate_directional, &
         hm_kernel_auto, hm_kernel_baseline, hm_kernel_avx2, hm_kernel_avx512, hm_kernel_neon, hm_double, hm_single, &

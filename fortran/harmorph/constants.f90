@@ -25,7 +25,7 @@
         hm_curvature_variation = 15, hm_clearance = 16
     integer, parameter, public :: hm_ffd = 0, hm_cst = 1, hm_hicks_henne = 2, hm_naca4 = 3
     integer, parameter, public :: hm_on_curve = 0, hm_rigid = 1, hm_fixed = 2, hm_slip = 3, hm_free = 4
-    integer, parameter, public :: hm_periodic_pair = 5, hm_given = 6
+    integer, parameter, public :: hm_periodic_pair = 5, hm_given = 6, hm_rotation_pair = 7
     integer, parameter, public :: hm_conformal = 0, hm_laplace = 1, hm_weighted = 2, hm_no_weight = -1
     integer, parameter, public :: hm_compact = 0, hm_nodal_gradient = 1, hm_bounded = 2, hm_nodal_gradient_plain = 3
     integer, parameter, public :: hm_direct = 0, hm_multigrid = 1, hm_fas = 2

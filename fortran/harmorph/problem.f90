@@ -22,8 +22,8 @@
         integer :: kind = hm_on_curve
         integer :: first_curve = 1, n_curves = 1
         integer :: body = 1                                     ! rigid: which one; markers may share one
-        integer :: partner = 0                                  ! periodic: the other marker, which has no condition
-        real(c_double) :: x = 0, y = 0                          ! rigid: the point that the body turns about
+        integer :: partner = 0                                  ! pairs: the other marker, which has no condition
+        real(c_double) :: x = 0, y = 0                          ! rigid, rotation pair: the centre of rotation
         integer :: piece = 0                                    ! 1: the piece of the marker nearest to near_x, near_y
         real(c_double) :: near_x = 0, near_y = 0
     end type

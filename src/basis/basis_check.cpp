@@ -76,7 +76,7 @@ private:
     bool conditions_fit() const noexcept {
         for (Condition const& condition : basis_.conditions) {
             if (!is_within(static_cast<Index>(condition.kind), 0,
-                           static_cast<Index>(ConditionKind::given) + 1)) return false;
+                           static_cast<Index>(ConditionKind::rotation) + 1)) return false;
             bool const on_curve = condition.kind == ConditionKind::on_curve;
             if (on_curve && !is_within(condition.first_curve, 0, counts_.curves)) return false;
             if (on_curve && !is_within(condition.n_curves, 1, counts_.curves - condition.first_curve + 1)) return false;

@@ -44,7 +44,7 @@ void for_piece(Condition const& condition, Points points, Boundary const& bounda
 Status check_marker(Span<const Condition> conditions, Index i, Boundary const& boundary, Fault& fault) noexcept {
     Index const marker = conditions[i].marker;
     for (Condition const& earlier : conditions.first(i)) {
-        bool const is_pair = conditions[i].kind == ConditionKind::periodic || earlier.kind == ConditionKind::periodic;
+        bool const is_pair = conditions[i].is_pair() || earlier.is_pair();
         if (earlier.marker == marker && (earlier.piece == conditions[i].piece ? earlier.piece == 0 : is_pair)) {
             return fault.refuse(Status::bad_condition, "marker # has two conditions", Counts::from_zero, marker);
         }
@@ -61,8 +61,7 @@ Status check_marker(Span<const Condition> conditions, Index i, Boundary const& b
                         Counts::from_zero, marker, i);
 }
 
-// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
-Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
+Status check_centre(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
     Condition const& condition = conditions[i];
     if (!is_finite(condition.centre.x) || !is_finite(condition.centre.y)) {
         return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) is not finite",
@@ -72,6 +71,13 @@ Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexc
         return fault.refuse(Status::bad_condition, "the centre in condition # (from 0) has a coordinate beyond 1e100",
                             Counts::from_zero, i);
     }
+    return Status::ok;
+}
+
+// Bodies are numbered from 0 without gaps, in any order; all markers of a body turn about one centre.
+Status check_body(Span<const Condition> conditions, Index i, Fault& fault) noexcept {
+    HARMORPH_TRY(check_centre(conditions, i, fault));
+    Condition const& condition = conditions[i];
     Index previous = condition.body == 0 ? 0 : none;
     for (Condition const& other : conditions) {
         if (other.kind != ConditionKind::rigid) continue;
@@ -111,7 +117,8 @@ void Demands::add(Condition const& condition) noexcept {
     if (condition.kind == ConditionKind::rigid) bodies = larger(bodies, condition.body + 1);
     slip = slip || condition.kind == ConditionKind::slip;
     free = free || condition.kind == ConditionKind::free;
-    periodic = periodic || condition.kind == ConditionKind::periodic;
+    translation = translation || condition.kind == ConditionKind::periodic;
+    rotation = rotation || condition.kind == ConditionKind::rotation;
     given = given || condition.kind == ConditionKind::given;
 }
 
@@ -122,7 +129,8 @@ Status check_conditions(Span<const Condition> conditions, Index n_curves, Bounda
         Condition const& condition = conditions[i];
         HARMORPH_TRY(check_marker(conditions, i, boundary, fault));
         if (condition.kind == ConditionKind::rigid) HARMORPH_TRY(check_body(conditions, i, fault));
-        if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
+        if (condition.kind == ConditionKind::rotation) HARMORPH_TRY(check_centre(conditions, i, fault));
+        if (condition.is_pair()) HARMORPH_TRY(check_partner(conditions, i, boundary, fault));
         any_wall = any_wall || condition.is_wall();
         if (condition.kind != ConditionKind::on_curve) continue;
         Offset const end = Offset{condition.first_curve} + condition.n_curves;
@@ -161,7 +169,7 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
     auto const kind_of = [&](Index face) {
         const Condition* const condition = condition_of(conditions, boundary, face);
         for (Condition const& other : conditions) {
-            if (other.kind == ConditionKind::periodic && other.partner == boundary.marker[face]) return PointKind::inside;
+            if (other.is_pair() && other.partner == boundary.marker[face]) return PointKind::inside;
         }
         switch (condition == nullptr ? ConditionKind::fixed : condition->kind) {
             case ConditionKind::on_curve:
@@ -169,7 +177,8 @@ void classify(Edges const& edges, Boundary const& boundary, Span<const Condition
             case ConditionKind::given: return PointKind::on_wall;
             case ConditionKind::slip: return PointKind::slip;
             case ConditionKind::free: return PointKind::free;
-            case ConditionKind::periodic: return PointKind::inside;
+            case ConditionKind::periodic:
+            case ConditionKind::rotation: return PointKind::inside;
             default: return PointKind::fixed;
         }
     };

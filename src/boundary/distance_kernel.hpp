@@ -136,13 +136,14 @@ struct Eight {
 
     HARMORPH_INLINE Eight(const Real* new_x, const Real* new_y, Index first_group) noexcept : group(first_group) {
         for (Index v = 0; v < vectors; ++v) square[v] = distance[v] = Vector{} + infinity;
-        move(new_x, new_y, {0, 0});
+        move(new_x, new_y, {});
     }
-    // Goes on with translated points: the distances found so far remain upper bounds.
-    HARMORPH_INLINE void move(const Real* new_x, const Real* new_y, Vec2 shift) noexcept {
+    // Goes on with points that are moved to an image: the distances found so far remain upper bounds.
+    HARMORPH_INLINE void move(const Real* new_x, const Real* new_y, FaceDistance::Image const& to) noexcept {
         for (Index v = 0; v < vectors; ++v) {
-            x[v] = Registers::load(new_x + v * width) + shift.x;
-            y[v] = Registers::load(new_y + v * width) + shift.y;
+            Vector const from_x = Registers::load(new_x + v * width), from_y = Registers::load(new_y + v * width);
+            x[v] = from_x * to.turn.x - from_y * to.turn.y + to.shift.x;
+            y[v] = from_y * to.turn.x + from_x * to.turn.y + to.shift.y;
         }
         set_centre();
     }
@@ -267,8 +268,8 @@ void weigh_eight(FaceDistance const& tree, Index quarters, const Real* x, const 
     searches.try_group(tree.groups[group], group);
     Search<Eight>(tree, searches, group).run();
     group = searches.group;
-    for (Index image = 0; image < tree.n_shifts; ++image) {
-        searches.move(x, y, tree.shift[image]);
+    for (Index number = 0; number < tree.n_images; ++number) {
+        searches.move(x, y, tree.image[number]);
         Search<Eight>(tree, searches, none).run();
     }
     for (Index v = 0; v < vectors; ++v) Registers::store(k + v * width, weight_of(searches.square[v], quarters));

@@ -82,8 +82,7 @@ void FaceDistance::lay_out(Arena& arena, Size max_faces) noexcept {
 
 void FaceDistance::build(Points points) noexcept {
     find_unit(points);
-    n_shifts = translations.shifts(points, shift);
-    for (Index k = 0; k < n_shifts; ++k) shift[k] = inverse_unit * shift[k];
+    find_images(points);
     root_height = 0;
     if (count == 0) return;
     auto const at = [&](Index point) { return inverse_unit * points[point]; };
@@ -102,6 +101,17 @@ void FaceDistance::build(Points points) noexcept {
             set_box(boxes[n_boxes + lane / lanes], lane % lanes, points, lane * faces_below, (lane + 1) * faces_below);
         }
         n_boxes += n_nodes;
+    }
+}
+
+void FaceDistance::find_images(Points points) noexcept {
+    Vec2 shift[Translations::most_shifts];
+    n_images = translations.shifts(points, shift);
+    for (Index k = 0; k < n_images; ++k) image[k] = {{1, 0}, inverse_unit * shift[k]};
+    if (!rotation.any) return;
+    constexpr Index passages = 2;  // on either side: blades may overlap that far
+    for (Index times = -passages; times <= passages; ++times) {
+        if (times != 0) image[n_images++] = {rotation.power(times), inverse_unit * rotation.image({0, 0}, times)};
     }
 }
 

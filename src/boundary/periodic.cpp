@@ -1,61 +1,135 @@
 #include "harmorph/boundary/periodic.hpp"
 
+#include "harmorph/base/angle.hpp"
+
 namespace harmorph {
 namespace {
 
-constexpr Real parallel_below = 1e-6;      // sine of the angle between two slip lines
-constexpr Real translated_within = 1e-6;  // of the boundary's extent: what files with few digits keep
+constexpr Real parallel_below = 1e-6;  // sine of the angle between two slip lines
+constexpr Real mapped_within = 1e-6;   // of the boundary's extent: what files with few digits keep
+constexpr Real turned_above = 1e-6;    // sine of half the least angle of a rotation, about
+
+// What takes the points of one side to those of the other.
+struct SideMap {
+    Vec2 centre, turn{1, 0}, shift;
+    Vec2 of(Vec2 at) const noexcept { return centre + product(turn, at - centre) + shift; }
+};
 
 class Pair {
 public:
-    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds,
-         Span<Vec2> tangent) noexcept
-        : mesh_(topology.mesh), boundary_(boundary), chain_(chain), tied_(topology.representative), kinds_(kinds), tangent_(tangent) {}
+    Pair(Topology& topology, Boundary const& boundary, Span<Index> chain, Span<PointKind> kinds, Span<Vec2> tangent,
+         Periodicity& periodicity) noexcept
+        : mesh_(topology.mesh), boundary_(boundary), chain_(chain), tied_(topology.representative), kinds_(kinds),
+          tangent_(tangent), periodicity_(periodicity) {}
 
-    Status run(Condition const& condition, Translations& translations, Fault& fault) noexcept {
-        Index const n = collect(condition.marker, 0);
-        Index const n_partner = n > 0 ? collect(condition.partner, n) : 0;
-        if (n == 0 || n_partner == 0) {
+    Status run(Condition const& condition, Fault& fault) noexcept {
+        n_ = collect(condition.marker, 0);
+        Index const n_partner = n_ > 0 ? collect(condition.partner, n_) : 0;
+        if (n_ == 0 || n_partner == 0) {
             return fault.refuse(Status::bad_condition, "periodic marker # is not one open piece of the boundary",
-                                Counts::from_zero, n == 0 ? condition.marker : condition.partner);
+                                Counts::from_zero, n_ == 0 ? condition.marker : condition.partner);
         }
-        if (n != n_partner) {
+        if (n_ != n_partner) {
             return fault.refuse(Status::bad_condition,
                                 "the periodic markers # and @ do not have the same number of points",
                                 Counts::from_zero, condition.marker, condition.partner);
         }
-        // Both run with the mesh on their left, and so in opposite directions.
-        auto const image_of = [&](Index k) { return chain_[2 * n - 1 - k]; };
-        Vec2 shift, low = position(chain_[0]), high = low;
-        for (Index k = 0; k < n; ++k) {
-            Vec2 const at = position(chain_[k]);
+        Index times = 0;
+        if (condition.kind == ConditionKind::rotation) {
+            HARMORPH_TRY(take_rotation(condition, times, fault));
+        } else {
+            HARMORPH_TRY(take_translation(condition, fault));
+        }
+        for (Index k = 0; k < n_; ++k) HARMORPH_TRY(tie(image_of(k), chain_[k], times, fault));
+        return Status::ok;
+    }
+
+    // Representatives of representatives, once all pairs are tied.
+    void complete() const noexcept {
+        for (Index k = 0; k < tied_.count(); ++k) {
+            while (tied_[k] != tied_[tied_[k]]) {
+                if (!periodicity_.times.empty()) periodicity_.times[k] += periodicity_.times[tied_[k]];
+                tied_[k] = tied_[tied_[k]];
+            }
+        }
+    }
+    // Turns unknowns so that points of this marker are not turned. So the strong couplings of thin cells along a side are
+    // between points that are turned alike.
+    void keep_unturned(Index marker) noexcept {
+        Span<Index> const times = periodicity_.times;
+        Index const n = collect(marker, 0);
+        for (Index const point : chain_.first(n)) {
+            if (tied_[point] != point && times[tied_[point]] == 0) times[tied_[point]] = -times[point];
+        }
+    }
+    void turn_tied() const noexcept {
+        Span<Index> const times = periodicity_.times;
+        for (Index k = 0; k < times.count(); ++k) {
+            if (tied_[k] != k) times[k] += times[tied_[k]];
+        }
+    }
+
+private:
+    Vec2 position(Index point) const noexcept { return mesh_.points[point]; }
+    // Both sides run with the mesh on their left, and so in opposite directions.
+    Index image_of(Index k) const noexcept { return chain_[2 * n_ - 1 - k]; }
+
+    Status take_translation(Condition const& condition, Fault& fault) noexcept {
+        SideMap map;
+        for (Index k = 0; k < n_; ++k) {
+            map.shift = map.shift + (1.0 / n_) * (position(image_of(k)) - position(chain_[k]));
+        }
+        HARMORPH_TRY(check_images(map, "points # and @ of a periodic pair are no translates: off by ~", fault));
+        if (periodicity_.translations.add(chain_[0], image_of(0), mesh_.points)) return Status::ok;
+        return fault.refuse(Status::bad_condition, "periodic marker #: there are already @ other translations",
+                            Counts::from_zero, condition.marker, Translations::most);
+    }
+
+    // The angle of least squares.
+    Status take_rotation(Condition const& condition, Index& times, Fault& fault) noexcept {
+        SideMap map;
+        map.centre = condition.centre;
+        Real radius = 0;
+        for (Index k = 0; k < n_; ++k) radius = larger(radius, length(position(chain_[k]) - map.centre));
+        Real const scale = radius > 0 ? 1 / radius : 0;  // products of tiny coordinates would vanish
+        auto const from_centre = [&](Index point) { return scale * (position(point) - map.centre); };
+        Vec2 sum;
+        for (Index k = 0; k < n_; ++k) sum = sum + product(conjugate(from_centre(chain_[k])), from_centre(image_of(k)));
+        map.turn = direction(sum);
+        HARMORPH_TRY(check_images(map, "points # and @ of a rotation pair are not turned about its centre: off by ~",
+                                  fault));
+        if (length(map.turn - Vec2{1, 0}) < turned_above) {
+            return fault.refuse(Status::bad_condition,
+                                "the sides of marker #, a rotation pair, are not turned: HM_PERIODIC_PAIR takes them",
+                                Counts::from_zero, condition.marker);
+        }
+        Rotation& rotation = periodicity_.rotation;
+        if (!rotation.any) rotation = {true, map.centre, map.turn};
+        times = rotation.times_of(map.centre, map.turn);
+        if (times != 0) return Status::ok;
+        return fault.refuse(Status::bad_condition,
+                            "rotation pair of marker #: another pair turns about another centre or by another angle",
+                            Counts::from_zero, condition.marker);
+    }
+
+    Status check_images(SideMap const& map, const char* sentence, Fault& fault) const noexcept {
+        Vec2 low = position(chain_[0]), high = low;
+        Real worst = 0, distance = 0;
+        Index worst_at = 0;
+        for (Index k = 0; k < n_; ++k) {
+            Vec2 const at = position(chain_[k]), image = position(image_of(k));
             low = {smaller(low.x, at.x), smaller(low.y, at.y)};
             high = {larger(high.x, at.x), larger(high.y, at.y)};
-            shift = shift + (1.0 / n) * (position(image_of(k)) - at);
-        }
-        Real worst = 0;
-        Index worst_at = 0;
-        for (Index k = 0; k < n; ++k) {
-            Real const misfit = length(position(image_of(k)) - position(chain_[k]) - shift);
+            distance = larger(distance, length(image - at));
+            Real const misfit = length(image - map.of(at));
             if (misfit > worst) {
                 worst = misfit;
                 worst_at = k;
             }
         }
-        if (!(worst <= translated_within * (length(high - low) + length(shift)))) {
-            return fault.refuse(Status::bad_condition, "points # and @ of a periodic pair are no translates: off by ~",
-                                Counts::mesh, chain_[worst_at], image_of(worst_at), worst);
-        }
-        if (!translations.add(chain_[0], image_of(0), mesh_.points)) {
-            return fault.refuse(Status::bad_condition, "periodic marker #: there are already @ other translations",
-                                Counts::from_zero, condition.marker, Translations::most);
-        }
-        for (Index k = 0; k < n; ++k) HARMORPH_TRY(tie(image_of(k), chain_[k], fault));
-        return Status::ok;
+        if (worst <= mapped_within * (length(high - low) + distance)) return Status::ok;
+        return fault.refuse(Status::bad_condition, sentence, Counts::mesh, chain_[worst_at], image_of(worst_at), worst);
     }
-
-private:
-    Vec2 position(Index point) const noexcept { return mesh_.points[point]; }
 
     // The marker's points in order from place `begin` of the chain on; 0 unless they are one open piece.
     Index collect(Index marker, Index begin) noexcept {
@@ -68,31 +142,47 @@ private:
         return pieces == 1 && !closed ? n : 0;
     }
 
-    Index root(Index point) const noexcept {
-        while (tied_[point] != point) point = tied_[point];
-        return point;
+    // What stands for a point, and how many times the point is turned against it.
+    struct Root {
+        Index point, times;
+    };
+    Root root(Index point) const noexcept {
+        Root out{point, 0};
+        while (tied_[out.point] != out.point) {
+            if (!periodicity_.times.empty()) out.times += periodicity_.times[out.point];
+            out.point = tied_[out.point];
+        }
+        return out;
     }
 
-    // Of two pairs that meet in a corner, one point may have images in both.
-    Status tie(Index image, Index point, Fault& fault) noexcept {
-        Index const a = root(point), b = root(image);
-        if (a == b) return Status::ok;
-        PointKind const kind = kinds_[a] < kinds_[b] ? kinds_[a] : kinds_[b];
+    // The image is turned so many times against the point. Of two pairs that meet in a corner, one point may have images in
+    // both.
+    Status tie(Index image, Index point, Index times, Fault& fault) noexcept {
+        Root const a = root(point), b = root(image);
+        times += a.times - b.times;  // of b against a
+        bool const is_same = a.point == b.point;
+        if (is_same && times == 0) return Status::ok;
+        PointKind const kind = kinds_[a.point] < kinds_[b.point] ? kinds_[a.point] : kinds_[b.point];
         if (kind == PointKind::on_wall) {
             return fault.refuse(Status::bad_condition, "point # is on a periodic boundary and on a wall that moves",
-                                Counts::mesh, kinds_[a] == kind ? a : b);
+                                Counts::mesh, kinds_[a.point] == kind ? a.point : b.point);
         }
-        Index const low = smaller(a, b), high = larger(a, b);
+        if (is_same) {  // the centre: only 0 is what it becomes by the rotation
+            kinds_[a.point] = PointKind::fixed;
+            return Status::ok;
+        }
+        Index const low = smaller(a.point, b.point), high = larger(a.point, b.point);
         if (kind == PointKind::slip) {
-            bool const both = kinds_[a] == kinds_[b];
-            bool const crossing = both && absolute(cross(tangent_[a], tangent_[b])) > parallel_below;
-            tangent_[low] = tangent_[kinds_[a] == kind ? a : b];
+            bool const both = kinds_[a.point] == kinds_[b.point];
+            bool const crossing = both && absolute(cross(tangent_[a.point], tangent_[b.point])) > parallel_below;
+            tangent_[low] = tangent_[kinds_[a.point] == kind ? a.point : b.point];
             kinds_[low] = crossing ? PointKind::fixed : kind;
         } else {
             kinds_[low] = kind;
         }
         tied_[high] = low;
         kinds_[high] = PointKind::unused;
+        if (!periodicity_.times.empty()) periodicity_.times[high] = high == b.point ? times : -times;
         return Status::ok;
     }
 
@@ -101,21 +191,26 @@ private:
     Span<Index> chain_, tied_;
     Span<PointKind> kinds_;
     Span<Vec2> tangent_;
+    Periodicity& periodicity_;
+    Index n_ = 0;  // points of each side
 };
 
 }  // namespace
 
 Status tie_periodic(Topology& topology, Boundary const& boundary, Span<const Condition> conditions, Span<Index> chain,
-                    Span<PointKind> kinds, Span<Vec2> tangent, Translations& translations, Fault& fault) noexcept {
-    Span<Index> const representative = topology.representative;
-    translations = Translations{};
-    Pair pair(topology, boundary, chain, kinds, tangent);
+                    Span<PointKind> kinds, Span<Vec2> tangent, Periodicity& periodicity, Fault& fault) noexcept {
+    periodicity.translations = Translations{};
+    periodicity.rotation = Rotation{};
+    fill(periodicity.times, Index{0});
+    Pair pair(topology, boundary, chain, kinds, tangent, periodicity);
     for (Condition const& condition : conditions) {
-        if (condition.kind == ConditionKind::periodic) HARMORPH_TRY(pair.run(condition, translations, fault));
+        if (condition.is_pair()) HARMORPH_TRY(pair.run(condition, fault));
     }
-    for (Index k = 0; k < representative.count(); ++k) {
-        while (representative[k] != representative[representative[k]]) representative[k] = representative[representative[k]];
+    pair.complete();
+    for (Condition const& condition : conditions) {
+        if (condition.kind == ConditionKind::rotation) pair.keep_unturned(condition.marker);
     }
+    pair.turn_tied();
     return Status::ok;
 }
 

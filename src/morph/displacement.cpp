@@ -135,6 +135,7 @@ Status Displacement::solve(Plan& plan, bool measured, SolveReport& report, Fault
         HARMORPH_TRY(solve_inside(plan, values, measured, report, fault));
         plan.turn_slipping_points(values);
         for (Index const point : plan.given.joined) values.copy_row(plan.same_point(point), point);
+        plan.turn_sides(values);
         return Status::ok;
     });
 }
@@ -185,12 +186,13 @@ Status Displacement::set_derivatives(Plan const& plan, Index first, Span<const P
         return fault.refuse(Status::bad_argument, "the derivative by point # in field @ (from 0) is not finite",
                             Counts::mesh_and_marker, bad.point, bad.field);
     }
-    for (Index const point : plan.given.joined) {  // it moves with the other point
+    for (Index const point : plan.given.joined) {  // it moves with the other point, or turned against that one
         Index const same = plan.same_point(point);
         if (same == none || same == point) continue;
+        Vec2 const back = conjugate(plan.turn_of(point, same));
         for (Index i = 0; i < derivatives.count(); ++i) {
             MutablePoints const to = block.field(first + i);
-            to.set(same, to[same] + derivatives[i][point]);
+            to.set(same, to[same] + product(back, derivatives[i][point]));
         }
     }
     return Status::ok;
@@ -200,6 +202,7 @@ Status Displacement::solve_transposed(Plan& plan, bool measured, SolveReport& re
     report.functions = n_fields;
     return for_each_block(plan, fault, [&](Block const& block, DofValues values) {
         plan.turn_slipping_points_back(values);
+        plan.turn_sides_back(values);
         copy(source, Span<const Real>(block.rows));
         values.source = source.data();
         auto const row = [&](Span<Real> rows, Index point) {

@@ -25,7 +25,23 @@ Offset drop_repeats(Span<Index> row) noexcept {
     return static_cast<Offset>(n);
 }
 
+// visit(unknown) for the unknowns of turned points, and for all that share a cell with one; some repeatedly.
+template <class Visit>
+void for_each_beside_turned(Graph const& graph, Span<const Index> times, Visit const& visit) noexcept {
+    for (Index point = 0; point < times.count(); ++point) {
+        if (times[point] == 0 || graph.unknown[point] == none) continue;
+        visit(graph.unknown[point]);
+        for (Index const neighbour : graph.of(graph.unknown[point])) visit(neighbour);
+    }
+}
+
 }  // namespace
+
+Matrix::Sizes Matrix::count(Graph const& graph, MatrixKind kind, Periodicity const& periodicity) noexcept {
+    Sizes sizes{graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind, periodicity.rotation.any};
+    for_each_beside_turned(graph, periodicity.times, [&](Index) { ++sizes.fixed; });
+    return sizes;
+}
 
 void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
     n = unknowns;
@@ -45,7 +61,7 @@ void Matrix::lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_po
     arena.take(fixed_row, sizes.fixed);
     arena.take(fixed_value, sizes.fixed);
     arena.take(fixed_imaginary, kind != MatrixKind::real ? sizes.fixed : 0);
-    arena.take(frame, kind == MatrixKind::coupled_xy ? n_points : 0);
+    arena.take(frame, kind == MatrixKind::coupled_xy || sizes.turns ? n_points : 0);
 }
 
 void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept {
@@ -70,7 +86,8 @@ void Matrix::fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept
 }
 
 void Matrix::build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
-                   Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent) noexcept {
+                   Span<const Index> position, Span<const Index> slot, Span<const Vec2> tangent,
+                   Periodicity const& periodicity) noexcept {
     for (Index point = 0; point < representative.count(); ++point) {
         Index const same = representative[point];
         for (Index c = 0; c < components(); ++c) {
@@ -79,7 +96,8 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
                                                : slot[same] != none ? wall(components() * slot[same] + c)
                                                                     : none;
         }
-        if (!frame.empty()) frame[point] = tangent[same];
+        if (kind == MatrixKind::coupled_xy) frame[point] = tangent[same];
+        else if (!frame.empty()) frame[point] = periodicity.rotation.power(periodicity.times[point]);
     }
     Offset filled = 0;
     Span<Index> const columns = column;
@@ -116,6 +134,7 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
             fixed_row[n_fixed++] = position[unknown];
         }
     });
+    for_each_beside_turned(graph, periodicity.times, [&](Index unknown) { fixed_row[n_fixed++] = position[unknown]; });
     rewind_starts(coupling_start);
     for (Index known = 0; known + 1 < coupling_start.count(); ++known) {
         sort_row(coupling_row.from(coupling_start[known], coupling_start[known + 1] - coupling_start[known]));
@@ -198,6 +217,50 @@ void Matrix::add_off_diagonal(RowRange rows, Index i, Index j, Real conductance,
 
 template void Matrix::add_off_diagonal<false>(RowRange, Index, Index, Real, Real) const noexcept;
 template void Matrix::add_off_diagonal<true>(RowRange, Index, Index, Real, Real) const noexcept;
+
+void Matrix::add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance,
+                       Real circulation) const noexcept {
+    for (Index k = 0; k < cell.n; ++k) {
+        add_turn(rows, cell.point[k], cell.next(k), {-conductance.side[k], circulation});
+    }
+    for (Index k = 0; cell.n == 4 && k < 2; ++k) {
+        add_turn(rows, cell.point[k], cell.point[k + 2], {-conductance.across[k], 0});
+    }
+}
+
+// The entry of the displacements of two points, with numbers that are turned to these displacements, is another one:
+// conjugate(frame) entry other frame. Adds the difference. Points whose value is 0 are not turned.
+void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value) const noexcept {
+    Vec2 const own = frame[point], its = frame[other];
+    Index const i = row_of[point], j = row_of[other];
+    if ((own.x == its.x && own.y == its.y) || i == none || j == none) return;
+    Vec2 const change = product(product(conjugate(own), its) - Vec2{1, 0}, entry_value);
+    auto const add_to_sum = [&](Index row, Vec2 by) {
+        if (!rows.contain(row)) return;
+        Entry const rest = entry(rows, row, none);
+        *rest.value -= by.x;
+        *rest.imaginary -= by.y;
+    };
+    auto const add_to_row = [&](Index row, Vec2 by) {
+        if (!rows.contain(row)) return;
+        row_sum[row] += by.x;
+        row_sum_imaginary[row] += by.y;
+    };
+    if (i == j) {  // one passage is one cell wide
+        if (rows.contain(i)) diagonal[i] += 2 * change.x;
+        add_to_row(i, {2 * change.x, 0});
+        return add_to_sum(i, {2 * change.x, 0});
+    }
+    Entry const stored = entry(rows, i, j);
+    if (stored.value != nullptr) {
+        *stored.value += change.x;
+        *stored.imaginary += stored.turned ? -change.y : change.y;
+    }
+    if (j >= 0) add_to_row(i, change);
+    if (i >= 0) add_to_row(j, conjugate(change));
+    add_to_sum(i, change);
+    add_to_sum(j, conjugate(change));
+}
 
 bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
     bool any_row = false;

@@ -34,6 +34,13 @@ inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> colum
     return begin + ((sums + (sums >> 32)) & 15);
 }
 
+// Does the cell lie on a side of a passage that is turned against the other side?
+inline __attribute__((always_inline)) bool Matrix::is_turned(Cell const& cell) const noexcept {
+    bool any = false;
+    for (Index k = 0; k < cell.n; ++k) any = any || frame[cell.point[k]].y != 0 || frame[cell.point[k]].x != 1;
+    return any;
+}
+
 // The numbers added to a row do not depend on which other rows are in range: results are the same for any number of
 // threads.
 template <bool with_circulation, Index corners>

@@ -50,6 +50,9 @@ void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConduct
         }
     } else {
         matrix.add_corners<kind == MatrixKind::complex, corners>(rows, cell, conductance, circulation);
+        if constexpr (kind == MatrixKind::complex) {
+            if (matrix.turns_sides() && matrix.is_turned(cell)) matrix.add_turns(rows, cell, conductance, circulation);
+        }
     }
 }
 

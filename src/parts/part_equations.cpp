@@ -111,8 +111,8 @@ void PartEquations::find_unknowns() noexcept {
     graph.build(topology, kinds);
     Index const n = graph.n, components = graph.components;
     for (Index k = 0; k < n; ++k) order[k] = k;
-    matrix.fit(n, wall.count, Matrix::count(graph, kind_of(problem)));
-    matrix.build(topology.representative, graph, order, order, slot, tangent);
+    matrix.fit(n, wall.count, Matrix::count(graph, kind_of(problem), shared.periodicity));
+    matrix.build(topology.representative, graph, order, order, slot, tangent, shared.periodicity);
     name = name.first(n);
     is_own = is_own.first(n);
     dof_of = dof_of.first(n);
@@ -137,7 +137,7 @@ Status PartEquations::assemble(Fault& fault) noexcept {
     Points const points = part.own().points;
     if (!conductivity.empty()) {
         faces.kernel = problem.method.kernel;
-        faces.translations = shared.translations;
+        faces.translations = shared.periodicity.translations;
         faces.choose(shared.boundary, [&](Index face) { return shared.is_wall_face(face); });
         faces.build(shared.points());
         weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);

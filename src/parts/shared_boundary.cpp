@@ -223,8 +223,8 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     if (problem.demands.slip) {
         find_slip_lines(points(), boundary, conditions, kinds, tangent, slip_curves);
     }
-    if (!problem.demands.periodic) return fault.status;
-    return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault);
+    if (!problem.demands.translation) return fault.status;
+    return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault);
 }
 
 Index SharedBoundary::find(Offset wanted) const noexcept {

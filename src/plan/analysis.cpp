@@ -23,6 +23,7 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index
     }
     bool const bounded = asked.method.bounded();
     if (bounded) triangulation.lay_out(arena, mesh);
+    periodicity.lay_out(arena, mesh.n_points, demands);
     wall.lay_out(arena, mesh);
     wall_work.lay_out(arena, mesh);
     Index const most_unknowns = components * mesh.n_points;
@@ -109,8 +110,8 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     HARMORPH_TRY(check_offsets(fault));
     if (!tangent.empty()) find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, slip_curves);
-    if (problem.demands.periodic) {
-        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, translations, fault));
+    if (problem.demands.periodic()) {
+        HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault));
         slip_curves.keep_sliding(kinds);
     }
     if (!tangent.empty()) {
@@ -120,7 +121,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     graph.build(stencil(), kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
-    matrix = Matrix::count(graph, matrix_kind());
+    matrix = Matrix::count(graph, matrix_kind(), periodicity);
     conditions_fingerprint = fingerprint_of(kinds, wall);
     return Status::ok;
 }
@@ -160,7 +161,7 @@ Status Analysis::check_offsets(Fault& fault) const noexcept {
 // Every part of the mesh must hang on a known value.
 Status Analysis::check_parts(Fault& fault) noexcept {
     Demands const& demands = problem.demands;
-    if (!demands.free && !demands.slip && !demands.periodic) return Status::ok;
+    if (!demands.free && !demands.slip && !demands.periodic()) return Status::ok;
     Index const floating = graph.first_floating(stencil(), kinds, order, layer_work.reached);
     if (floating == none) return Status::ok;
     return fault.refuse(Status::bad_condition, "point # is in a part of the mesh that nothing holds", Counts::mesh,
@@ -193,7 +194,7 @@ BasisSource Analysis::basis_source() const noexcept {
 
 MatrixKind Analysis::matrix_kind() const noexcept {
     if (problem.demands.slip) return MatrixKind::coupled_xy;
-    return problem.method.conformal() ? MatrixKind::complex : MatrixKind::real;
+    return problem.method.conformal() || problem.demands.rotation ? MatrixKind::complex : MatrixKind::real;
 }
 
 bool Analysis::is_wall_face(Index face) const noexcept {

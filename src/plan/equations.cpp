@@ -41,7 +41,8 @@ void Equations::init(Analysis const& analysis) noexcept {
     slip_curves.copy_from(analysis.slip_curves);
     slip_followers.copy_from(analysis.slip_followers);
     wall.kernel = method.kernel;
-    wall.translations = analysis.translations;
+    wall.translations = analysis.periodicity.translations;
+    wall.rotation = analysis.periodicity.rotation;
     wall.choose(analysis.boundary, [&](Index face) { return analysis.is_wall_face(face); });
     if (!method.bounded()) return;
     Index n = 0;
@@ -52,8 +53,7 @@ void Equations::init(Analysis const& analysis) noexcept {
 void Equations::build(Analysis const& analysis) noexcept {
     matrix.frames_change = slip_curves.count > 0;
     matrix.build(analysis.topology.representative, analysis.graph, analysis.order, analysis.border.position,
-                 analysis.wall_work.slot,
-                 analysis.tangent);
+                 analysis.wall_work.slot, analysis.tangent, analysis.periodicity);
     if (!method.nodal_gradients()) return;
     Topology topology = analysis.topology;
     topology.mesh = cells.mesh;  // the copies, which outlive the analysis

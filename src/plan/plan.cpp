@@ -95,6 +95,7 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
     turn_slipping_points(dofs);
     for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
+    turn_sides(dofs);
     return Status::ok;
 }
 
@@ -171,6 +172,38 @@ void Plan::turn_slipping_points_back(DofValues const& values) const noexcept {
         x = along.x * x + along.y * y;
         y = 0;
     });
+}
+
+// turn(frame, number as a complex one)
+template <class Turn>
+void Plan::for_each_turned(DofValues const& values, Turn const& turn) const noexcept {
+    Matrix const& matrix = equations.matrix;
+    if (!matrix.turns_sides()) return;
+    Index const n = values.columns(matrix);
+    for (Index point = 0; point < mesh.n_points; ++point) {
+        Vec2 const frame = matrix.frame[point];
+        if (matrix.row_of[point] == none || (frame.x == 1 && frame.y == 0)) continue;
+        Real* const re = values.of_dof(point);
+        for (Index k = 0; k < n; ++k) {
+            Vec2 const turned = turn(frame, Vec2{re[k], re[n + k]});
+            re[k] = turned.x;
+            re[n + k] = turned.y;
+        }
+    }
+}
+
+void Plan::turn_sides(DofValues const& values) const noexcept {
+    for_each_turned(values, [](Vec2 frame, Vec2 number) { return product(frame, number); });
+}
+
+void Plan::turn_sides_back(DofValues const& values) const noexcept {
+    for_each_turned(values, [](Vec2 frame, Vec2 number) { return product(conjugate(frame), number); });
+}
+
+Vec2 Plan::turn_of(Index point, Index same) const noexcept {
+    Matrix const& matrix = equations.matrix;
+    if (!matrix.turns_sides()) return {1, 0};
+    return product(conjugate(matrix.frame[same]), matrix.frame[point]);
 }
 
 Index Plan::same_point(Index point) const noexcept {

@@ -76,7 +76,9 @@ public:
     void copy_joined_points() const noexcept {
         for (Index point = 0; point < fine_.n_points(); ++point) {
             Index const same = analysis_.topology.representative[point];
-            if (same != point) copy_row(fine_.row(point), fine_.row(same), row_length_);
+            if (same == point) continue;
+            copy_row(fine_.row(point), fine_.row(same), row_length_);
+            if (analysis_.problem.demands.rotation) turn(point, same);
         }
     }
 
@@ -143,6 +145,19 @@ private:
 
     Index slot_of(Index point) const noexcept {
         return analysis_.wall_work.slot[analysis_.topology.representative[point]];
+    }
+
+    // The point is on a side of a passage that is turned against the side of the other point.
+    void turn(Index point, Index same) const noexcept {
+        Periodicity const& periodicity = analysis_.periodicity;
+        Vec2 const by = periodicity.rotation.power(periodicity.times[point] - periodicity.times[same]);
+        auto const row = fine_.row(point);
+        Index const half = row_length_ / 2;
+        for (Index k = 0; k < half; ++k) {
+            Vec2 const turned = product(by, {row[k], row[half + k]});
+            row[k] = turned.x;
+            row[half + k] = turned.y;
+        }
     }
 
     // A row of matrix values has the movements along x in the first half, those along y in the second one.

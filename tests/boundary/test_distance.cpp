@@ -365,8 +365,8 @@ TEST_CASE("kernels give the same bits, of distances, feet and weights; images of
         twice.add(moved);
     }
     Tree tree(loops), images(loops), copies(twice);
-    images.n_shifts = 1;
-    images.shift[0] = images.inverse_unit * shift;
+    images.n_images = 1;
+    images.image[0] = {{1, 0}, images.inverse_unit * shift};
     std::mt19937 random(6);
     std::vector<Vec2> places;
     for (int k = 0; k < 300; ++k) places.push_back({20 * uniform(random) - 10, 20 * uniform(random) - 10});

@@ -315,7 +315,7 @@ TEST_CASE("bad conditions and parameters") {
         {HM_BAD_CONDITION, "no condition", nobody, false, [](Case& c) { c.conditions.clear(); }},
         {HM_BAD_CONDITION, "on no boundary face", 77, false, [](Case& c) { c.set_free(77); }},
         {HM_BAD_CONDITION, "two conditions", body, false, [](Case& c) { c.set_free(body); }},
-        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = 7; }},
+        {HM_BAD_ARGUMENT, "kind", 0, false, [](Case& c) { c.conditions[0].kind = HM_ROTATION_PAIR + 1; }},
         {HM_BAD_ARGUMENT, "struct_size", 0, false, [](Case& c) { c.conditions[0].struct_size = 0; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 2; }},
         {HM_BAD_CONDITION, "curves that do not exist", 0, false, [](Case& c) { c.conditions[0].n_curves = 0; }},
@@ -334,20 +334,20 @@ TEST_CASE("bad conditions and parameters") {
 TEST_CASE("fields that are not of a condition's kind are refused by name, and which condition has them") {
     struct {
         const char* name;
-        std::int32_t kind;   // whose they are
+        std::int32_t kind, also;   // whose they are
         void (*set)(hm_condition& c);
     } const fields[] = {
-        {"first_curve", HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
-        {"n_curves", HM_ON_CURVE, [](hm_condition& c) { c.n_curves = 1; }},
-        {"body", HM_RIGID, [](hm_condition& c) { c.body = 1; }},
-        {"x or y", HM_RIGID, [](hm_condition& c) { c.x = 0.5; }},
-        {"x or y", HM_RIGID, [](hm_condition& c) { c.y = -1e-300; }},
-        {"x or y", HM_RIGID, [](hm_condition& c) { c.y = not_a_number; }},
-        {"partner", HM_PERIODIC_PAIR, [](hm_condition& c) { c.partner = -7; }},
+        {"first_curve", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
+        {"n_curves", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.n_curves = 1; }},
+        {"body", HM_RIGID, HM_RIGID, [](hm_condition& c) { c.body = 1; }},
+        {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.x = 0.5; }},
+        {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.y = -1e-300; }},
+        {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.y = not_a_number; }},
+        {"partner", HM_PERIODIC_PAIR, HM_ROTATION_PAIR, [](hm_condition& c) { c.partner = -7; }},
     };
-    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_GIVEN; ++kind)
+    for (std::int32_t kind = HM_ON_CURVE; kind <= HM_ROTATION_PAIR; ++kind)
         for (auto const& field : fields) {
-            if (field.kind == kind) continue;
+            if (field.kind == kind || field.also == kind) continue;
             Case its = tiny_case();
             its.add_condition(far_field, kind);
             its.conditions[1].n_curves = kind == HM_ON_CURVE ? 1 : 0;

@@ -383,6 +383,9 @@ TEST_CASE("the conditions of a whole mesh are refused in parts as well") {
           "meshes in parts: options.engine must be HM_DIRECT");
     CHECK(refusal([](hm_options& o) { o.precision = HM_SINGLE; }) ==
           "meshes in parts: options.precision must be HM_DOUBLE");
+    its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
+    CHECK(refusal([](hm_options&) {}) == "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
+    its.conditions.pop_back();
     its.give(0, 0.5);
     CHECK(refusal([](hm_options&) {}) == "meshes in parts: problem.n_given must be 0");
 }

@@ -52,7 +52,7 @@ struct Method {
     // The smallest kind of value that can express what is asked for.
     ValueKind value_kind(Demands const& demands) const noexcept {
         if (demands.slip) return ValueKind::matrix;
-        return conformal() || demands.bodies > 0 ? ValueKind::complex : ValueKind::real;
+        return conformal() || demands.bodies > 0 || demands.rotation ? ValueKind::complex : ValueKind::real;
     }
     // A row of values has one or two lines, each with the numbers of one unknown.
     Index components(Demands const& demands) const noexcept { return demands.slip ? 2 : 1; }

@@ -13,7 +13,8 @@ enum class ConditionKind : std::int32_t {
     slip = 3,
     free = 4,
     periodic = 5,
-    given = 6
+    given = 6,
+    rotation = 7
 };
 
 struct Condition {
@@ -21,8 +22,8 @@ struct Condition {
     ConditionKind kind = ConditionKind::fixed;
     Index first_curve = 0, n_curves = 0;  // on curve: one of these
     Index body = 0;                       // rigid: number of the body
-    Index partner = 0;                    // periodic: the marker that is this one, moved
-    Vec2 centre;                          // rigid: what the body turns about
+    Index partner = 0;                    // of a pair: the marker that is this one, moved or turned
+    Vec2 centre;                          // rigid, rotation: what the body, or the marker, turns about
     Index piece = 0, reserved = 0;        // 1: only the piece of the marker nearest to `near`
     Vec2 near;
 
@@ -30,6 +31,8 @@ struct Condition {
     bool is_wall() const noexcept {
         return kind == ConditionKind::on_curve || kind == ConditionKind::rigid || kind == ConditionKind::given;
     }
+    // Is the marker one side of a pair whose other one moves alike, or alike but turned?
+    bool is_pair() const noexcept { return kind == ConditionKind::periodic || kind == ConditionKind::rotation; }
     bool same_curves(Condition const& other) const noexcept {
         return first_curve == other.first_curve && n_curves == other.n_curves;
     }
@@ -45,7 +48,10 @@ constexpr bool is_unknown(PointKind kind) noexcept {
 // What the conditions together require; known before memory is laid out.
 struct Demands {
     Index bodies = 0;       // rigid ones
-    bool slip = false, free = false, periodic = false, given = false;
+    bool slip = false, free = false, given = false;
+    bool translation = false, rotation = false;  // pairs
+
+    bool periodic() const noexcept { return translation || rotation; }
 
     // Is there anything to be solved for?
     bool any_wall(Index n_curves) const noexcept { return n_curves > 0 || bodies > 0 || given; }

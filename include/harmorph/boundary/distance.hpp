@@ -5,6 +5,7 @@
 #include "harmorph/mesh/delaunay.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/simd/cpu.hpp"
+#include "harmorph/mesh/periodic_rotation.hpp"
 #include "harmorph/mesh/periodic_translations.hpp"
 
 namespace harmorph {
@@ -53,9 +54,13 @@ struct FaceDistance {
     Vec2 middle, half_size;  // of the bounding box, in units; half_size a little larger
     Real unit = 0;          // largest power of two within the extent; 0: no extent
     Real inverse_unit = 1;  // the tree is in units: coordinates times inverse_unit
-    Translations translations;  // of a periodic mesh; weights, not distances, take translated images of the faces into account
-    Index n_shifts = 0;
-    Vec2 shift[Translations::most_shifts];  // in units
+    Translations translations;  // of a periodic mesh; weights, not distances, take images of the faces into account
+    Rotation rotation;
+    struct Image {  // where a point has the same distance as from an image of the faces: turn point + shift, in units
+        Vec2 turn{1, 0}, shift;
+    };
+    Index n_images = 0;
+    Image image[Translations::most_shifts];
     Index root_height = 0;
     Index height_start[most_heights] = {};  // in `boxes`
     Span<Segments> groups;
@@ -83,14 +88,15 @@ struct FaceDistance {
 
 private:
     void find_unit(Points points) noexcept;
+    void find_images(Points points) noexcept;
     void set_chord(Chords& node, Index lane, Points points, Index group) const noexcept;
     void set_box(Boxes& node, Index lane, Points points, Offset first, Offset last) const noexcept;
 };
 
 // k [n_cells] = (unit / d)^(quarters / 4), d the distance from the mean of the cell's corners, quarters in 0..16.
 // d counts as 1e-30 units at least, far below what coordinates resolve: so k is always finite. Without faces, or with
-// all of them in one point: k = 1. In a periodic mesh d is the distance from the nearest image, one period away at
-// most: then k does not depend on where the mesh is cut.
+// all of them in one point: k = 1. In a periodic mesh d is the distance from the nearest image, one period, or two
+// passages, away at most: then k does not depend on where the mesh is cut.
 // Fastest where cells with neighbouring numbers are neighbours in the mesh: blocks of 512 cells are searched together.
 void weigh_cells(FaceDistance const& faces, Mesh const& mesh, Points points, Index quarters, Span<Real> k,
                  Executor const& executor) noexcept;

@@ -5,6 +5,7 @@
 #include "harmorph/operators/symmetric_matrix.hpp"
 #include "harmorph/base/value_kind.hpp"
 #include "harmorph/boundary/moving_boundary.hpp"
+#include "harmorph/boundary/periodic.hpp"
 
 namespace harmorph {
 
@@ -31,6 +32,8 @@ struct RowRange {
 
 // Degrees of freedom (dofs): a point has one (a real or a complex number), or two where x and y are coupled: dof 2 p
 // moves point p along frame[p], dof 2 p + 1 normal to it. A point that slips has the first one only, along the tangent.
+// Where sides of a passage are turned against each other, frame[p] is what turns the complex number of a dof into the
+// displacement of the point.
 //
 // Row i stores the entries of later columns, the upper triangle; the lower triangle is the conjugate one and is not
 // stored. A coupling is the entry of an unknown's row in the column of a dof on the wall, whose value is known: it
@@ -38,11 +41,13 @@ struct RowRange {
 // points are 0. Together with them the diagonal, entries and couplings of a row sum to 0 up to the rounding of the
 // diagonal, so A F is a sum of differences along couplings. Where x and y are coupled, this holds before the dofs of
 // slipping points are turned to the slip lines; one complex number of fixed_value then stands for both dofs of a point.
+// fixed_value also has what is left of the sum where a coupling is between points that are turned differently.
 struct Matrix {
     struct Sizes {
         Offset entries = 0;
         Index couplings = 0, fixed = 0;
         MatrixKind kind = MatrixKind::real;
+        bool turns = false;  // sides of a passage
     };
 
     Index n = 0;
@@ -59,15 +64,18 @@ struct Matrix {
     Span<Index> coupling_row;
     Span<Real> coupling_value;
     Span<Real> coupling_imaginary;
-    Span<Index> fixed_row;       // rows of unknowns beside fixed points, increasing, some repeated; first dofs only
+    Span<Index> fixed_row;       // rows of unknowns beside fixed or turned points, increasing, some repeated; first
+                                 // dofs only
     Span<Real> fixed_value;
     Span<Real> fixed_imaginary;
-    Span<Vec2> frame;            // [n_points] coupled x and y only: direction of a point's first dof
+    Span<Vec2> frame;            // [n_points] direction of a point's first dof, where x and y are coupled or sides turned
     bool frames_change = false;  // with the coordinates: points slip along curves
 
     Index components() const noexcept { return kind == MatrixKind::coupled_xy ? 2 : 1; }
     bool is_complex() const noexcept { return kind == MatrixKind::complex; }
     Index planes() const noexcept { return is_complex() ? 2 : 1; }
+    // Has a passage sides that are turned against each other?
+    bool turns_sides() const noexcept { return is_complex() && !frame.empty(); }
 
     static constexpr Index short_row = 8;  // so many columns may be read from the first one of any row on
 
@@ -75,17 +83,16 @@ struct Matrix {
     static constexpr Index wall(Index dof) noexcept { return -2 - dof; }
     static constexpr bool is_wall(Index row) noexcept { return row <= -2; }
 
-    static Sizes count(Graph const& graph, MatrixKind kind) noexcept {
-        return {graph.start[graph.n] / 2, graph.couplings, graph.fixed, kind};
-    }
+    static Sizes count(Graph const& graph, MatrixKind kind, Periodicity const& periodicity) noexcept;
     void lay_out(Arena& arena, Index n_points, Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // Shortens arrays that have been laid out for more than these counts.
     void fit(Index unknowns, Index wall_points, Sizes const& sizes) noexcept;
     // The sparsity pattern. slot [n_points]: number on the wall, or none; order [n]: the unknown at each position of
-    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only.
+    // the elimination; position [n]: the inverse; tangent [n_points]: of slip lines, coupled x and y only. With a rotation
+    // the matrix must be complex.
     void build(Span<const Index> representative, Graph const& graph, Span<const Index> order,
                Span<const Index> position,
-               Span<const Index> slot, Span<const Vec2> tangent) noexcept;
+               Span<const Index> slot, Span<const Vec2> tangent, Periodicity const& periodicity) noexcept;
 
     void clear() const noexcept;
     // Adds a conductance between two points: + on both diagonals, - off them. Points that are not unknown have known
@@ -98,6 +105,9 @@ struct Matrix {
     // cells.
     template <bool with_circulation, Index corners>
     void add_corners(RowRange rows, Cell const& cell, CellConductances conductance, Real circulation) const noexcept;
+    bool is_turned(Cell const& cell) const noexcept;
+    // What add_corners() leaves out where corners of the cell are turned differently; complex matrices only.
+    void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance, Real circulation) const noexcept;
     // The same between two points where x and y are coupled.
     void add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept;
     // Adds a conductance without the diagonals, and a circulation from i to j: rows as row_of has them.
@@ -139,6 +149,7 @@ private:
     // Is the point an unknown, and the other one fixed, or slipping along another line?
     bool is_beside_fixed(Index point, Index other) const noexcept;
     bool stands_for_fixed(Index dof, Index other_dof) const noexcept;
+    void add_turn(RowRange rows, Index point, Index other, Vec2 entry) const noexcept;
     void couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
 };
 

@@ -34,7 +34,7 @@ struct SharedBoundary {
     Span<PointKind> kinds;
     Span<Vec2> tangent;           // where there are slip lines
     SlipCurves slip_curves;
-    Translations translations;
+    Periodicity periodicity;      // translations alone
     Wall wall;
     WallWork wall_work;           // slot: number on the wall of each point, or none
 

@@ -46,7 +46,7 @@ struct Analysis {
     Span<Vec2> tangent;           // [n_points] where there are slip lines
     SlipCurves slip_curves;       // those of them that are curved
     SlipFollowers slip_followers;
-    Translations translations;    // of periodic pairs
+    Periodicity periodicity;
     Wall wall;
     Graph graph;
     Span<Index> order;            // [n] unknown at each position

@@ -46,6 +46,12 @@ struct Plan {
     // y; the other one is the transpose. Nothing to do where x and y are not coupled.
     void turn_slipping_points(DofValues const& values) const noexcept;
     void turn_slipping_points_back(DofValues const& values) const noexcept;
+    // The dof of a point on a side of a passage becomes the displacement of the point, once joined points have the dofs of
+    // the points that they are joined to. Nothing to do where no side is turned.
+    void turn_sides(DofValues const& values) const noexcept;
+    void turn_sides_back(DofValues const& values) const noexcept;  // the transpose, point by point
+    // What turns the displacement of `same_point(point)` into that of the point.
+    Vec2 turn_of(Index point, Index same) const noexcept;
     // The point of the wall or of an unknown that has the values of this one, or none where they are 0.
     Index same_point(Index point) const noexcept;
     // The place of a point among the given ones (GivenWall::point), or none.
@@ -54,6 +60,8 @@ struct Plan {
 private:
     Status solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault) noexcept;
     void clear_all_but_wall(DofValues const& dofs) const noexcept;
+    template <class Turn>
+    void for_each_turned(DofValues const& values, Turn const& turn) const noexcept;
     template <class Turn>
     void for_each_slipping(DofValues const& values, Turn const& turn) const noexcept;
 };

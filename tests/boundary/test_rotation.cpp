@@ -1,0 +1,301 @@
+// Rotation pairs: one passage of an annulus is all there is to know about all of them.
+#include <doctest/doctest.h>
+
+#include <fixtures/displaced.hpp>
+#include <fixtures/passage.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+constexpr std::int32_t operators[] = {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL};
+constexpr Cells kinds[] = {Cells::quads, Cells::triangles, Cells::hybrid};
+constexpr int n_control = 8;
+
+Field of_passage(Field const& all, std::vector<std::int32_t> const& number) {
+    Field out;
+    for (std::int32_t const k : number) out.push_back(all[static_cast<std::size_t>(k)]);
+    return out;
+}
+
+void refused(Case& its, hm_status status, const char* words, hm_options const& options) {
+    Attempt const attempt(its.problem(), &options);
+    INFO(attempt.error.text);
+    CHECK(attempt.status == status);
+    CHECK(std::string(attempt.error.text).find(words) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("one passage is an annulus whose bodies move as turned copies: all operators, cells and numbers of passages") {
+    for (std::int32_t const operator_kind : operators)
+        for (Cells const kind : kinds)
+            for (int const n : {2, 3, 5}) {
+                INFO("operator " << operator_kind << ", cells " << static_cast<int>(kind) << ", passages " << n);
+                Case one = passage(kind, n);
+                std::vector<std::vector<std::int32_t>> number;
+                Case all = annulus_of(one, n, number);
+                hm_options const options = options_of(operator_kind);
+                Solved const a(one, &options), b(all, &options);
+                std::vector<double> const move = some_move(n_control, 0.05, 5);
+                Field const found = displacement(a, move), expected = displacement(b, turned_copies(move, n));
+                CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
+                Complex const turn = turn_of_passage(n);
+                CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-16);
+                CHECK(std::abs(found[static_cast<std::size_t>(points_on(one.mesh, left)[4])]) > 1e-4);
+                CHECK(a.info().numbers_per_value == 2);
+                Case fixed = one;
+                fixed.conditions.pop_back();
+                CHECK(largest_difference(displacement(Solved(fixed, &options), move), found) > 1e-4);
+            }
+}
+
+TEST_CASE("a passage that is one cell wide in places, where its two sides are one unknown") {
+    for (std::int32_t const operator_kind : operators)
+        for (Cells const kind : kinds)
+            for (int const n : {12, 30}) {
+                Case one = bent(one_cell_apart(kind), n, 0.1);
+                std::vector<std::vector<std::int32_t>> number;
+                Case all = annulus_of(one, n, number);
+                hm_options const options = options_of(operator_kind);
+                std::vector<double> const move = some_move(4, 0.05, 7);
+                Field const found = displacement(Solved(one, &options), move);
+                Field const expected = displacement(Solved(all, &options), turned_copies(move, n));
+                CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
+                CHECK(std::abs(found[4]) > 1e-4);
+            }
+}
+
+TEST_CASE("rigid bodies in a passage turn and move as turned copies") {
+    for (std::int32_t const operator_kind : operators) {
+        int const n = 3;
+        Case one = passage(Cells::hybrid, n, 0.2);
+        std::vector<std::vector<std::int32_t>> number;
+        Case all = annulus_of(one, n, number);
+        Complex const turn = turn_of_passage(n), centre = 1.5 * std::polar(1.0, 0.5 * std::arg(turn));
+        one.curves = {};
+        one.conditions = {};
+        all.curves = {};
+        all.conditions = {};
+        one.set_rotation(left, right);
+        one.set_rigid(body, centre.real(), centre.imag());
+        for (int m = 0; m < n; ++m) {
+            Complex const c = centre * std::pow(turn, m);
+            all.set_rigid(100 + m, c.real(), c.imag(), m);
+        }
+        hm_options const options = options_of(operator_kind);
+        std::vector<double> const move = {0.02, -0.03, 0.1, 0.2};
+        std::vector<double> copies;   // translations turn with the passage, rotations are the same
+        for (int m = 0; m < n; ++m) {
+            Complex const shift = Complex(move[0], move[1]) * std::pow(turn, m);
+            copies.insert(copies.end(), {shift.real(), shift.imag(), move[2], move[3]});
+        }
+        Field const found = displacement(Solved(one, &options), move);
+        Field const expected = of_passage(displacement(Solved(all, &options), copies), number[0]);
+        CHECK(largest_difference(found, expected) < 1e-14);
+    }
+}
+
+TEST_CASE("which side is named first, numbering, orientation, and where the centre is do not matter") {
+    Case const origin = passage(Cells::hybrid, 5);
+    std::vector<double> const move = some_move(n_control, 0.05, 7);
+    for (std::int32_t const operator_kind : operators) {
+        hm_options const options = options_of(operator_kind);
+        Case its = origin;
+        Field const expected = displacement(Solved(its, &options), move);
+
+        Case changed = origin;
+        changed.conditions.pop_back();
+        changed.set_rotation(right, left);
+        CHECK(largest_difference(displacement(Solved(changed, &options), move), expected) < 1e-14);
+
+        changed = origin;
+        std::vector<std::int32_t> const new_of = renumber_points(changed.mesh, 8);
+        shuffle_cells(changed.mesh, 9);
+        reverse_some(changed.mesh, 10);
+        reverse_some_faces(changed.mesh, 11);
+        CHECK(largest_difference(of_passage(displacement(Solved(changed, &options), move), new_of), expected) < 1e-14);
+
+        Complex const turn = std::polar(2.0, 0.8);
+        changed = similar(origin, turn, {3, 4});
+        Field const moved = displacement(Solved(changed, &options), turned(move, turn));
+        for (std::size_t k = 0; k < expected.size(); ++k) CHECK(std::abs(moved[k] / turn - expected[k]) < 1e-13);
+    }
+}
+
+TEST_CASE("a pair in two pieces, each a pair of its own, in either sense") {
+    Case const whole = passage(Cells::hybrid, 5);
+    std::vector<double> const move = some_move(n_control, 0.05, 7);
+    for (bool const same_sense : {false, true}) {
+        Case parts = whole;
+        for (std::size_t face = 0; face < parts.mesh.face_markers.size(); ++face) {
+            std::int32_t& marker = parts.mesh.face_markers[face];
+            Complex const a = to_complex(parts.mesh.point(parts.mesh.faces[2 * face]));
+            Complex const b = to_complex(parts.mesh.point(parts.mesh.faces[2 * face + 1]));
+            if (std::abs(a) + std::abs(b) < radius_of_hub + radius_of_shroud) continue;
+            if (marker == left) marker = 51;
+            if (marker == right) marker = 52;
+        }
+        if (same_sense) parts.set_rotation(51, 52);
+        else parts.set_rotation(52, 51);
+        for (std::int32_t const operator_kind : operators) {
+            hm_options const options = options_of(operator_kind);
+            Case its = whole;
+            Field const expected = displacement(Solved(its, &options), move);
+            CHECK(largest_difference(displacement(Solved(parts, &options), move), expected) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("the adjoint is the transpose") {
+    for (std::int32_t const operator_kind : operators) {
+        Case its = passage(Cells::hybrid, 7);
+        hm_options const options = options_of(operator_kind);
+        Solved const solved(its, &options);
+        std::vector<double> const move = some_move(n_control, 0.5, 3);
+        Field const moved = displacement(solved, move), dj = some_field(moved.size(), 4);
+        std::vector<double> gradient(move.size());
+        const double* const of = reinterpret_cast<const double*>(dj.data());
+        REQUIRE(hm_adjoint(solved.basis, points_in(of, of + 1, 2), gradient.data(), nullptr, nullptr) == HM_OK);
+        double product = 0;
+        for (std::size_t k = 0; k < move.size(); ++k) product += move[k] * gradient[k];
+        CHECK(std::fabs(product - dot(moved, dj)) < 1e-14 * dot_of_sizes(moved, dj));
+    }
+}
+
+TEST_CASE("displacements that are given: one passage of an annulus, and the exact transpose") {
+    int const n = 3;
+    for (std::int32_t const operator_kind : operators) {
+        Case curved = passage(Cells::hybrid, n);
+        std::vector<std::vector<std::int32_t>> number;
+        Case of_all = annulus_of(curved, n, number);
+        Case one = given_instead(curved), all = given_instead(of_all);
+        hm_options const options = options_of(operator_kind);
+        Displaced a(one, &options), b(all, &options);
+        Complex const turn = turn_of_passage(n);
+        Field const some = some_field(curved.mesh.x.size(), 9, 0.03);
+        Field everywhere(all.mesh.x.size());
+        for (std::size_t m = 0; m < number.size(); ++m)
+            for (std::size_t k = 0; k < some.size(); ++k)
+                everywhere[static_cast<std::size_t>(number[m][k])] = some[k] * std::pow(turn, static_cast<int>(m));
+        Field const found = a.displace(a.on_wall(some)), expected = b.displace(b.on_wall(everywhere));
+        CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
+        CHECK(misfit_of_sides(curved.mesh, found, turn) < 1e-16);
+        Field const dj = some_field(found.size(), 10);
+        CHECK(std::fabs(dot(a.adjoint(dj), a.on_wall(some)) - dot(found, dj)) < 1e-14 * dot_of_sizes(found, dj));
+    }
+}
+
+TEST_CASE("sides that meet in the centre: the point there stays, and displacements obey the rotation") {
+    int const n = 6;
+    Complex const turn = turn_of_passage(n);
+    for (std::int32_t const operator_kind : operators) {
+        Case its = passage(Cells::triangles, n, 0.0);   // filled up to the centre
+        std::int32_t const centre = its.mesh.add_point({0, 0});
+        std::vector<std::int32_t> hub;
+        for (std::size_t face = 0; face < its.mesh.face_markers.size();) {
+            if (its.mesh.face_markers[face] != bottom) {
+                ++face;
+                continue;
+            }
+            std::int32_t const a = its.mesh.faces[2 * face], b = its.mesh.faces[2 * face + 1];
+            its.mesh.cells.insert(its.mesh.cells.end(), {a, b, centre});
+            its.mesh.cell_start.push_back(static_cast<std::int32_t>(its.mesh.cells.size()));
+            hub.insert(hub.end(), {a, b});
+            its.mesh.face_markers.erase(its.mesh.face_markers.begin() + static_cast<std::ptrdiff_t>(face));
+            its.mesh.faces.erase(its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face),
+                                 its.mesh.faces.begin() + static_cast<std::ptrdiff_t>(2 * face + 2));
+        }
+        std::int32_t first = -1, last = -1;
+        for (std::int32_t const k : points_on(its.mesh, left))
+            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12) first = k;
+        for (std::int32_t const k : points_on(its.mesh, right))
+            if (std::fabs(std::abs(to_complex(its.mesh.point(k))) - radius_of_hub) < 1e-12) last = k;
+        its.mesh.add_face(first, centre, left);
+        its.mesh.add_face(centre, last, right);
+        hm_options const options = options_of(operator_kind);
+        Field const found = displacement(Solved(its, &options), some_move(n_control, 0.05, 5));
+        CHECK(found[static_cast<std::size_t>(centre)] == 0.0);
+        CHECK(std::abs(found[static_cast<std::size_t>(first)]) > 1e-4);
+        CHECK(std::abs(found[static_cast<std::size_t>(last)] - turn * found[static_cast<std::size_t>(first)]) < 1e-17);
+    }
+}
+
+TEST_CASE("what is no rotation pair is refused, with the place") {
+    Case const good = passage(Cells::quads, 5);
+    hm_options const options = options_of(HM_CONFORMAL);
+    Case its = good;
+    std::int32_t const moved = points_on(its.mesh, right)[4];
+    its.mesh.y[static_cast<std::size_t>(moved)] += 1e-4;
+    {
+        Attempt const attempt(its.problem(), &options);
+        CHECK(attempt.status == HM_BAD_CONDITION);
+        CHECK(std::string(attempt.error.text).find("are not turned about its centre") != std::string::npos);
+        CHECK(attempt.error.item == points_on(its.mesh, left)[4]);
+        CHECK(attempt.error.value == doctest::Approx(1e-4).epsilon(0.3));
+    }
+    its = good;   // coordinates rounded as in a file
+    for (std::int32_t const point : points_on(its.mesh, right))
+        its.mesh.x[static_cast<std::size_t>(point)] += 1e-8 * (point % 3);
+    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    its = similar(good, 1e-90, 0);   // tiny
+    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    its = similar(good, 1e90, 0);
+    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    its = good;
+    its.conditions.back().x = 0.01;
+    refused(its, HM_BAD_CONDITION, "are not turned about its centre", options);
+    its.conditions.back().x = 1e101;
+    refused(its, HM_BAD_CONDITION, "a coordinate beyond 1e100", options);
+    its.conditions.back().x = std::nan("");
+    refused(its, HM_BAD_CONDITION, "is not finite", options);
+    its = good;
+    its.conditions.back().kind = HM_PERIODIC_PAIR;
+    refused(its, HM_BAD_CONDITION, "no translates", options);
+    its = cascade(Cells::quads);   // translates are turned about nothing
+    its.conditions.pop_back();
+    its.set_rotation(left, right);
+    refused(its, HM_BAD_CONDITION, "are not turned about its centre", options);
+    its = bent(cascade(Cells::quads, 0), 1, 0);   // a whole annulus, cut
+    refused(its, HM_BAD_CONDITION, "are not turned: HM_PERIODIC_PAIR", options);
+    its = cascade(Cells::quads);   // a quarter turn about each of two corners
+    its.conditions.pop_back();
+    its.set_rotation(bottom, left);
+    CHECK(Attempt(its.problem(), &options).status == HM_OK);
+    its.set_rotation(right, top, 1, 1);
+    refused(its, HM_BAD_CONDITION, "another pair turns about another centre", options);
+    its = good;
+    its.conditions.back().piece = 1;
+    refused(its, HM_BAD_CONDITION, "chooses a piece, which a periodic pair cannot", options);
+    its = good;
+    its.set_slip(right);
+    refused(its, HM_UNSUPPORTED, "do not go with slipping boundaries", options);
+    its = good;
+    its.conditions.back().partner = left;
+    refused(its, HM_BAD_CONDITION, "its own periodic partner", options);
+}
+
+TEST_CASE("combinations and calls without rotation pairs say so") {
+    Case its = passage(Cells::quads, 5);
+    hm_options options = options_of(HM_LAPLACE);
+    options.engine = HM_MULTIGRID;
+    refused(its, HM_UNSUPPORTED, "the direct engine only", options);
+    options.engine = HM_FAS;
+    refused(its, HM_UNSUPPORTED, "the direct engine only", options);
+    options = options_of(HM_LAPLACE);
+    options.scheme = HM_BOUNDED;
+    refused(its, HM_UNSUPPORTED, "the compact scheme only", options);
+    options.scheme = HM_NODAL_GRADIENT;
+    refused(its, HM_UNSUPPORTED, "the compact scheme only", options);
+    options = options_of(HM_CONFORMAL);
+    its.set_periodic(top, bottom);
+    refused(its, HM_UNSUPPORTED, "do not go with HM_PERIODIC_PAIR", options);
+    its.conditions.back() = {};
+    its.conditions.pop_back();
+    Solved const solved(its, &options);
+    std::size_t bytes = 0;
+    hm_error error;
+    CHECK(hm_morph_safe_size(solved.plan, nullptr, &bytes, &error) == HM_UNSUPPORTED);
+    CHECK(hm_improve_size(solved.plan, &bytes, &error) == HM_UNSUPPORTED);
+    CHECK(std::string(error.text) == "this call does not go with rotation pairs (HM_ROTATION_PAIR)");
+}
