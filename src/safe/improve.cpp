@@ -46,24 +46,45 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
     report = {};
     begin(from);
     report.unknowns = region.n;
-    Score highest = score();
     copy(best, Span<const Vec2>(now));
+    Score highest = score();
     for (Index const power : powers) {
+        Index const left = options.most_iterations - report.iterations;
         if (region.n == 0 || (power > 0 && score().smallest >= 1)) break;
-        Real before = energy(power);
-        for (Index k = 0; k < most_for_power && report.iterations < options.most_iterations; ++k) {
-            Real const after = step(options, power, before, report);
-            Score const found = score();
-            if (found.is_better_than(highest)) {
-                highest = found;
-                copy(best, Span<const Vec2>(now));
-            }
-            bool const gains = before - after > options.least_gain * before;
-            before = after;
-            if (!gains) break;
-        }
+        climb(options, power, smaller(left, most_for_power), highest, report);
+    }
+    for (Index layers = least_layers; layers <= most_layers && begin_near_poor(options.enough, layers); layers *= 2) {
+        highest = score();
+        for (Index const power : powers_near_poor) climb(options, power, most_near_poor, highest, report);
     }
     for (Index k = 0; k < now.count(); ++k) to.set(k, best[k]);
+}
+
+// From `now` on; `best`, whose score is `highest`, becomes the best on the way.
+void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest,
+                        ImproveReport& report) noexcept {
+    Real before = energy(power);
+    for (Index k = 0; k < most_steps; ++k) {
+        Real const after = step(options, power, before, report);
+        Score const found = score();
+        if (found.is_better_than(highest)) {
+            highest = found;
+            copy(best, Span<const Vec2>(now));
+        }
+        bool const gains = before - after > options.least_gain * before;
+        before = after;
+        if (!gains) break;
+    }
+}
+
+// From the best points so far on; false if no cell is below `enough`.
+bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
+    copy(now, Span<const Vec2>(best));
+    fill(change, Vec2{});
+    region.choose([&](Index i) { return targets.quality(i, tangle.shape(i, as_points(now))) < enough; });
+    if (region.n_cells == 0) return false;
+    region.grow(tangle, layers);
+    return region.n > 0;
 }
 
 void Improvement::begin(Points points) noexcept {

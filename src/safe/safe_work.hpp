@@ -22,6 +22,11 @@ struct SafeMorph::Work {
     Outcome& best() const noexcept { return report.outcome; }
 
     Real goal() const noexcept { return options.min_quality * report.start_quality; }
+    ImproveOptions improve_options() const noexcept {
+        ImproveOptions its = options.improve;
+        its.enough = goal();
+        return its;
+    }
     // In parts of what is asked for; 1 is enough.
     Real score(Outcome const& outcome) const noexcept {
         Real const quality = goal() > 0 ? outcome.min_quality / goal() : 1;

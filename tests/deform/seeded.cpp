@@ -1,7 +1,7 @@
 // Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few solutions.
 // Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are those whose
-// walls fold so sharply, or stretch so much, that no mesh with these cells is good: a bound of the quality is computed
-// from the wall (wall_bound.hpp).
+// walls fold so sharply, stretch so much, or leave gaps so narrow, that no mesh with these cells is good: a bound of the
+// quality is computed from the wall (wall_bound.hpp).
 //   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -89,7 +89,7 @@ Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& ta
         const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, moves, threads));
         if (!good && bound.quality < good_quality * report.start_quality) {
             ++counts.folded;
-            std::printf("    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: length of a face) no\n"
+            std::printf("    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: a face or a gap) no\n"
                         "        smallest quality is above %.4f of the start's; found was %.4f\n",
                         static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
                         bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);

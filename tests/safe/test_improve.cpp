@@ -137,6 +137,32 @@ TEST_CASE("sheared rings: the smallest quality rises") {
     }
 }
 
+TEST_CASE("where a cell is not good enough at the end, only points near it move, until it is") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        Task its(square(40, kind));
+        std::size_t const middle = 20 * 41 + 20;   // its cells are still valid
+        its.now.x[middle] += 0.95 / 40;
+        ImproveOptions options;
+        options.most_iterations = 0;
+        Improved const still(its, {}, true, options);
+        CHECK(still.same_bits(its.now));
+        CHECK(still.before.min_quality < 0.75);
+        options.enough = 0.75;
+        Improved const out(its, {}, true, options);
+        INFO(out.before.min_quality << " " << out.after.min_quality << " " << out.report.iterations);
+        CHECK(out.after.min_quality >= 0.75);
+        int n_moved = 0, n_far = 0;
+        for (std::size_t k = 0; k < out.mesh.x.size(); ++k) {
+            if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
+            ++n_moved;
+            double const dx = its.reference.x[k] - its.reference.x[middle], dy = its.reference.y[k] - its.reference.y[middle];
+            n_far += std::fmax(std::fabs(dx), std::fabs(dy)) > 8.5 / 40 ? 1 : 0;
+        }
+        CHECK(n_moved > 1);
+        CHECK(n_far == 0);
+    }
+}
+
 TEST_CASE("every step lowers the energy of its power and leaves no cell inverted") {
     Task its = sheared_annulus(Cells::hybrid, 1.5);
     Improved out(its, {}, false);

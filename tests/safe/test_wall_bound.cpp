@@ -9,8 +9,6 @@ using namespace deform;
 
 namespace {
 
-double const pi = std::acos(-1.0);
-
 double quality_of(const std::vector<double>& x, const std::vector<double>& y) {
     std::size_t const n = x.size();
     double squares = 0, sines = 0, area = 0;
@@ -67,10 +65,75 @@ TEST_CASE("no triangle on a side of this length is better, and one is as good") 
                 best = std::fmax(best, skew * std::sqrt(std::fmin(ratio, 1 / ratio)));
             }
         CHECK(best <= bound * (1 + 1e-12));
-        CHECK(best > 0.999 * bound);
+        CHECK(best > 0.99 * bound);
     }
-    CHECK(best_on_side(1, std::sqrt(3.0) / 4) < 1 + 1e-12);
-    CHECK(best_on_side(1, std::sqrt(3.0) / 4) > 1 - 1e-12);
+    CHECK(best_on_side(1, std::sqrt(3.0) / 4) == 1);
+}
+
+TEST_CASE("no triangle on a side that contains none of the given points is better, and one nearly as good") {
+    double const length = 2, area = 0.4;
+    // The cotangents of (x, y) above the side from (0, 0) to (length, 0).
+    auto const cotangents = [&](double x, double y) { return std::pair(x / y, (length - x) / y); };
+    auto const is_inside = [&](double x, double y, double top_x, double top_y) {
+        auto const point = cotangents(x, y), top = cotangents(top_x, top_y);
+        return top.first < point.first && top.second < point.second;
+    };
+    double last = best_on_side(length, area);
+    std::vector<std::pair<double, double>> places;
+    for (auto const& place : {std::pair(0.7, 0.3), std::pair(1.3, 0.1), std::pair(1.0, 0.04), std::pair(0.2, 0.01)}) {
+        places.push_back(place);
+        std::vector<std::pair<double, double>> points;
+        for (auto const& [x, y] : places) points.push_back(cotangents(x, y));
+        double const bound = best_on_side(length, area, points);
+        double best = 0;
+        for (int i = -200; i <= 200; ++i)
+            for (int j = 1; j <= 600; ++j) {
+                double const h = std::pow(10, -4 + 0.01 * j), x = length * (0.5 + 0.01 * i);
+                bool contains = false;
+                for (auto const& place_inside : places)
+                    contains = contains || is_inside(place_inside.first, place_inside.second, x, h);
+                if (contains) continue;
+                double const skew = quality_of({0, length, x}, {0, 0, h}), ratio = 0.5 * length * h / area;
+                best = std::fmax(best, skew * std::sqrt(std::fmin(ratio, 1 / ratio)));
+            }
+        INFO(best << " of " << bound);
+        CHECK(best <= bound * (1 + 1e-12));
+        CHECK(best > 0.95 * bound);
+        CHECK(bound <= last);
+        last = bound;
+    }
+    CHECK(last < 0.5 * best_on_side(length, area));
+}
+
+TEST_CASE("no cell with an angle near 180 degrees is better, of quadrilaterals with a long side there neither") {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    double const length = 1, area = 1e-3;
+    for (double const e : {0.02, 0.1, 0.5}) {
+        double const angle = pi - e, bound = best_quad_with_wide_angle(angle, length, area);
+        double best[2] = {0, 0}, sized = 0;
+        for (int trial = 0; trial < 400000; ++trial) {
+            double const b = std::pow(10, 1 - 4 * uniform(random)), s = std::pow(10, 1 - 5 * uniform(random));
+            double const direction = uniform(random) * pi;
+            double const x = b * std::cos(angle), y = b * std::sin(angle);
+            best[0] = std::fmax(best[0], quality_of({0, b, length * std::cos(angle)}, {0, 0, length * std::sin(angle)}));
+            double const end_x = length + s * std::cos(direction), end_y = s * std::sin(direction);
+            double const skew = quality_of({0, length, end_x, x}, {0, 0, end_y, y});
+            double const its = 0.5 * (end_x * y - end_y * x + length * end_y);
+            best[1] = std::fmax(best[1], skew);
+            if (skew > 0) sized = std::fmax(sized, skew * size_quality(its, area));
+        }
+        INFO(e << ": " << sized << " of " << bound);
+        CHECK(best[0] <= best_with_wide_angle(3, angle) * (1 + 1e-12));
+        CHECK(best[1] <= best_with_wide_angle(4, angle) * (1 + 1e-12));
+        CHECK(sized <= bound * (1 + 1e-12));
+        CHECK(sized > 0.6 * bound);
+        CHECK(bound <= best_with_wide_angle(4, angle) * 1.1);
+        CHECK(bound < 0.9);
+    }
+    CHECK(best_with_wide_angle(3, pi / 3) == 1);
+    CHECK(best_with_wide_angle(4, pi / 2) == 1);
+    CHECK(best_with_wide_angle(4, pi) == 0);
 }
 
 TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whichever side that is") {
@@ -87,12 +150,11 @@ TEST_CASE("where a wall folds: the sharpest corner of the mesh's side, on whiche
             wall_x[2] = std::sin(half);
             wall_y[0] = wall_y[2] = side * std::cos(half);
             WallBound const bound({0, 3, 6, 9, 12}, cells, {0, 1, 1, 2}, {7, 7}, 7, x, y, wall_x, wall_y);
-            CHECK(bound.quality == doctest::Approx(std::fmin(best_quality(fold * pi / 180, 4, 0), best_on_side(1, 0.5))));
-            if (bound.angle > 0) {
-                CHECK(bound.point == 1);
-                CHECK(bound.angle == doctest::Approx(fold));
-            }
-            CHECK((bound.angle > 0) == (fold < 150));
+            double const share = fold * pi / 180 / 4;
+            double const angles = std::fmin(best_quality(4 * share, 4, 0), best_with_wide_angle(3, share));
+            CHECK(bound.quality == doctest::Approx(std::fmin(angles, best_on_side(1, 0.5))));
+            CHECK(bound.point == 1);
+            CHECK(bound.angle == doctest::Approx(fold));
         }
     }
 }

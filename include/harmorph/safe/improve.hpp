@@ -11,6 +11,7 @@ struct ImproveOptions {
     Index most_iterations = 60;  // Newton steps, at most `most_for_power` of them for each power
     Index most_products = 60;    // with the Hessian, in each step
     Real least_gain = 5e-4;      // of the energy; if a step gains less, the next power begins
+    Real enough = 0;             // Q, see below: near cells that are below it at the end, more steps are made
 };
 
 struct ImproveReport {
@@ -30,6 +31,7 @@ struct ImproveReport {
 // and the energy falls in each. Walls do not move; points that slide stay on their lines.
 struct Improvement {
     static constexpr Index powers[] = {0, 2, 4, 8}, most_for_power = 20;
+    static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60, least_layers = 6, most_layers = 24;
 
     Tangle tangle;      // set by the caller; its reference is that of the targets
     Targets targets;    // found by the caller
@@ -55,6 +57,8 @@ private:
     struct Score;
 
     Score score() const noexcept;
+    void climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest, ImproveReport& report) noexcept;
+    bool begin_near_poor(Real enough, Index layers) noexcept;
     void assemble(Index power) const noexcept;
     Real energy_at(Real length, Index power) const noexcept;
     bool is_valid_at(Real length) const noexcept;
