@@ -983,11 +983,11 @@ HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *po
  * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
  * The new basis depends on nothing else and is used like any basis: hm_plan_solve solves it again, on moved coordinates
  * too, with the same values at the wall, if it has at most 1024 numbers at a point for its modes. hm_transfer refuses it
- * with HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same analysis as the plan, complete, in double
- * precision, and solved if it has functions. work: working memory of work_bytes. report may be NULL; functions are
- * fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero (item: the mode, from 0), a
- * list that is not that of the given points; with HM_BAD_ARGUMENT: values that are not finite. HM_NOT_CONVERGED as of
- * hm_plan_solve. */
+ * with HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same analysis as the
+ * plan, complete, in double precision, and solved if it has functions. work: working memory of work_bytes. report may
+ * be NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero
+ * (item: the mode, from 0), a list that is not that of the given points; with HM_BAD_ARGUMENT: values that are not
+ * finite. HM_NOT_CONVERGED as of hm_plan_solve. */
 HM_API hm_status hm_tabulate_size(const hm_plan *plan, const hm_basis *basis, int32_t n_modes, int32_t numbers,
                                   size_t *bytes, size_t *work_bytes, hm_error *err);
 HM_API hm_status hm_tabulate(hm_basis **tabulated, void *block, size_t bytes, hm_plan *plan, const hm_basis *basis,
@@ -1288,13 +1288,14 @@ typedef struct hm_safe_report {
 HM_API hm_status hm_morph_safe_size(const hm_plan *plan, const hm_basis *basis, size_t *bytes, hm_error *err);
 /* Moves the mesh that the plan was made from, starting at the mesh's own coordinates, which must not have changed, by
  * `move` (see hm_morph). The basis may be a combined one (hm_combine) or have functions by table (hm_tabulate); they
- * move on straight lines, because their values on the wall cannot turn. `others` must then have the same functions. `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement;
- * HM_NOT_CONVERGED: the same, but a solution on the way missed the tolerance; HM_POOR: the whole movement and a valid
- * mesh, but options.min_quality or options.max_height_change is missed; HM_SHORT: the best valid mesh,
- * report.step_fraction of the movement. If the call is refused or cancelled, `to` is unchanged. `to` never contains an
- * inverted cell, and the boundary of `to` does not cross itself unless the boundary of the mesh does.
- * options NULL: defaults. report may be NULL. The threads are those of the plan. Where functions were
- * solved again, the plan has no factor afterwards: call hm_plan_factor before the next hm_plan_solve.
+ * move on straight lines, because their values on the wall cannot turn. `others` must then have the same functions.
+ * `to` [n_points] may be the arrays of the mesh. Returns HM_OK: the whole movement; HM_NOT_CONVERGED: the same, but a
+ * solution on the way missed the tolerance; HM_POOR: the whole movement and a valid mesh, but options.min_quality or
+ * options.max_height_change is missed; HM_SHORT: the best valid mesh, report.step_fraction of the movement. If the call
+ * is refused or cancelled, `to` is unchanged. `to` never contains an inverted cell, and the boundary of `to` does not
+ * cross itself unless the boundary of the mesh does. options NULL: defaults. report may be NULL. The threads are those
+ * of the plan. Where functions were solved again, the plan has no factor afterwards: call hm_plan_factor before the
+ * next hm_plan_solve.
  *
  * derivative: NULL, or another basis of the same analysis (hm_basis_init). It receives the sum of the functions of all
  * steps, each weighted by the part of the movement that the step made. With this basis hm_morph is the derivative of
@@ -1315,8 +1316,8 @@ HM_API hm_status hm_morph_safe(hm_plan *plan, const hm_basis *basis, const doubl
  * points [n], wall [n]: the displacements, see hm_displace. A loop of the boundary all of whose points are given is a
  * body, whose rotation is taken out; points of other loops move on straight lines. Where the whole movement is
  * possible, the points of `points` are displaced by the given bits. The plan needs no factor; where
- * functions were solved again, call hm_plan_factor before the next hm_displace. Work: that of hm_morph_safe for three complex functions for
- * each body, one more, and those of the basis, and of a basis with these. */
+ * functions were solved again, call hm_plan_factor before the next hm_displace. Work: that of hm_morph_safe for three
+ * complex functions for each body, one more, and those of the basis, and of a basis with these. */
 HM_API hm_status hm_displace_safe_size(const hm_plan *plan, const hm_basis *basis, size_t *bytes, hm_error *err);
 HM_API hm_status hm_displace_safe(hm_plan *plan, const hm_basis *basis, const double *move, int32_t n,
                                   const int32_t *points, const hm_points *wall, const hm_points_out *to, void *work,
