@@ -31,12 +31,6 @@ Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     return Status::ok;
 }
 
-// For calls that place points one by one, and not as displacements that the equations turn.
-inline Status require_no_rotation(Plan const& plan, Fault& fault) noexcept {
-    if (!plan.equations.matrix.turns_sides()) return Status::ok;
-    return fault.refuse(Status::unsupported, "this call does not go with rotation pairs (HM_ROTATION_PAIR)");
-}
-
 inline Status open_basis(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"basis", handle}}, fault));
     basis = Basis::view(static_cast<const void*>(handle));

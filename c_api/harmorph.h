@@ -547,7 +547,7 @@ typedef struct hm_problem {
 /* Available combinations (all others: HM_UNSUPPORTED). The value of a function at a point is a linear map of the plane:
  * 1, 2 or 4 numbers (hm_basis_info.numbers_per_value). With rigid bodies "real" becomes "complex". With
  * HM_ROTATION_PAIR all values are complex, and the combinations are those of HM_COMPACT and HM_DIRECT, without slip;
- * hm_morph_safe, hm_displace_safe, hm_improve and meshes in parts do not go with it (HM_UNSUPPORTED).
+ * not for meshes in parts (harmorph_distributed.h).
  *   operator      scheme                   engine         conditions      values
  *   HM_CONFORMAL  HM_COMPACT               HM_DIRECT      all but free    complex; with slip 2 x 2 matrices
  *   HM_LAPLACE    HM_COMPACT               HM_DIRECT      all             real; with slip 2 x 2 matrices
@@ -1357,7 +1357,7 @@ HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *e
  * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
  * below that of `from`, they are held as in `from`. If that does not help, `to` is `from`: the smallest quality, as
  * hm_quality reports it, never falls. Sliding points stay on their straight lines, and stay where they are on curves;
- * points of a cut or of a periodic pair move together.
+ * points of a cut or of a pair move together, those of HM_ROTATION_PAIR turned.
  * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
  * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */
 HM_API hm_status hm_improve(hm_plan *plan, const hm_points *from, const hm_points_out *to, void *work, size_t bytes,

@@ -52,7 +52,6 @@ hm_status hm_improve_size(const hm_plan* plan, size_t* bytes, hm_error* err) {
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(require_no_rotation(*p, fault));
         MeshImprovement improvement;
         return count_bytes(bytes, fault, [&](Arena& arena) { improvement.lay_out(arena, *p); });
     });
@@ -66,7 +65,6 @@ hm_status hm_improve(hm_plan* plan, const hm_points* from, const hm_points_out* 
         MutablePoints after;
         ImproveOptions asked;
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(require_no_rotation(*p, fault));
         HARMORPH_TRY(check_report_if(report, fault));
         reference = p->mesh.points;
         HARMORPH_TRY(view_points(from, "from", before, fault));

@@ -131,7 +131,6 @@ Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, 
     HARMORPH_TRY(open_basis(given, basis, fault));
     if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
     HARMORPH_TRY(open_plan(handle, plan, fault));
-    HARMORPH_TRY(require_no_rotation(*plan, fault));
     HARMORPH_TRY(require_given_points(*plan, fault));
     HARMORPH_TRY(plan->check_fit(basis, fault));
     if (basis.header->counts.modes == 0) return Status::ok;
@@ -151,7 +150,6 @@ hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t*
         Basis b;
         if (basis != nullptr) HARMORPH_TRY(open_basis(basis, b, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(require_no_rotation(*p, fault));
         if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
         BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts;
         SafeMorph safe;
@@ -170,7 +168,6 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         if (derivative == basis) return fault.refuse(Status::bad_argument, "derivative is the basis itself");
         if (derivative != nullptr) HARMORPH_TRY(open_basis(derivative, sum, fault));
         HARMORPH_TRY(open_plan(plan, p, fault));
-        HARMORPH_TRY(require_no_rotation(*p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));
         HARMORPH_TRY(p->check_fit(b, fault));

@@ -75,7 +75,8 @@ void FirstLayer::find(Mesh const& mesh, Points points, Span<const Index> represe
             Index const neighbours[] = {cell.next(k), cell.previous(k)};
             for (Index const neighbour : neighbours) {
                 Index const to = representative[neighbour];
-                if (wall.slot[to] != none) continue;
+                bool const is_beyond = length(points[to] - points[neighbour]) > 0;  // on the other side of a pair
+                if (wall.slot[to] != none || is_beyond) continue;
                 Real const least = above[slot] == none ? 0 : slope(above[slot]);
                 if (slope(to) > least) above[slot] = to;
             }

@@ -186,7 +186,7 @@ template <class Visit>
 void Improvement::for_points(Visit const& visit) const noexcept {
     executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
         for (Index k = begin; k < end; ++k) {
-            if (region.unknown[k] != none) visit(k, system.step[region.unknown[k]]);
+            if (region.unknown[k] != none) visit(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
         }
     });
 }

@@ -103,10 +103,12 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
     return true;
 }
 
-// Points of a cut or of a periodic pair move as their representative does.
+// Points of a cut or of a pair move as their representative does, or turned against it.
 Vec2 MeshImprovement::position(Index point, Points from) const noexcept {
     Index const own = mobility.representative[point];
-    return own == point ? start[own] : from[point] + (start[own] - from[own]);
+    Tangle const& tangle = improvement.tangle;
+    if (own == point) return start[own];
+    return from[point] + tangle.turned_alike(point, tangle.turned_to_unknown(own, start[own] - from[own]));
 }
 
 void MeshImprovement::hold_first_layer(Plan const& plan, Points reference) noexcept {

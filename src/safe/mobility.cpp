@@ -7,6 +7,7 @@ void Mobility::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(representative, n);
     arena.take(held, n);
     arena.take(line, plan.equations.matrix.kind == MatrixKind::coupled_xy ? n : 0);
+    arena.take(turn, plan.equations.matrix.turns_sides() ? n : 0);
 }
 
 void Mobility::find(Plan const& plan) noexcept {
@@ -19,6 +20,7 @@ void Mobility::find(Plan const& plan) noexcept {
         if (line.empty()) continue;
         line[k] = plan.equations.kinds[k] == PointKind::slip ? matrix.frame[representative[k]] : Vec2{};
     }
+    if (!turn.empty()) copy(turn, Span<const Vec2>(matrix.frame));
     plan.equations.slip_curves.for_each([&](Index, Index point) { held[point] = 1; });
     for (Index k = 0; k < plan.mesh.n_points; ++k) held[k] = held[representative[k]];
 }

@@ -127,7 +127,7 @@ Real Untangling::descend(Real softness, Real before) noexcept {
     auto const for_points = [&](auto const& body) {
         executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
             for (Index k = begin; k < end; ++k) {
-                if (region.unknown[k] != none) body(k, system.step[region.unknown[k]]);
+                if (region.unknown[k] != none) body(k, tangle.turned_alike(k, system.step[region.unknown[k]]));
             }
         });
     };

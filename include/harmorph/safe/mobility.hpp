@@ -6,18 +6,20 @@
 
 namespace harmorph {
 
-// Points inside move anywhere, sliding points along their lines, points of a cut or a periodic pair as one. Points on
+// Points inside move anywhere, sliding points along their lines, points of a cut or a periodic pair as one, those of a
+// rotation pair as one that is turned. Points on
 // walls, on fixed and on free boundaries, and those that slide along curves, are held: where a free boundary goes, the
 // operator alone says.
 struct Mobility {
     Span<Index> representative;
     Span<std::uint8_t> held;
     Span<Vec2> line;  // empty where nothing slides; see Tangle
+    Span<Vec2> turn;  // empty where no sides are turned; see Tangle
 
     void lay_out(Arena& arena, Plan const& plan) noexcept;
     void find(Plan const& plan) noexcept;
     Tangle tangle(Plan const& plan, Points reference) const noexcept {
-        return {plan.mesh, reference, plan.equations.cells.reversed, representative, held, line};
+        return {plan.mesh, reference, plan.equations.cells.reversed, representative, held, line, turn};
     }
 };
 

@@ -80,6 +80,12 @@ inline void pull_back(Vec2 turn, Vec2 (&by)[3]) noexcept {
     by[0] = by_start;
 }
 
+// Derivatives by three points of a corner become those by the unknowns that move these points.
+inline void by_unknowns(Tangle const& tangle, CornerPoints const& point, Vec2 (&by)[3]) noexcept {
+    pull_back(point.turn, by);
+    for (Index k = 0; k < 3; ++k) by[k] = tangle.turned_to_unknown(point[k], by[k]);
+}
+
 template <class Visit>
 void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Visit const& visit) const noexcept {
     for (Index u = 0; u < region.n; ++u) clear_row(region, u);
@@ -89,8 +95,8 @@ void NewtonSystem::assemble_cells(Tangle const& tangle, Region const& region, Vi
             CornerPoints const& point = corners.point[k];
             if (!region.can_move(point)) continue;
             visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
-                pull_back(point.turn, by);
-                for (CornerMode& its : mode) pull_back(point.turn, its.at);
+                by_unknowns(tangle, point, by);
+                for (CornerMode& its : mode) by_unknowns(tangle, point, its.at);
                 for (Index own = 0; own < 3; ++own) {
                     if (region.unknown[point[own]] != none) add_to_row(region, own, point, by, mode);
                 }
@@ -111,8 +117,8 @@ void NewtonSystem::assemble_row(Tangle const& tangle, Region const& region, Inde
             auto const is_row = [&](Index corner) { return region.unknown[point[corner]] == u; };
             if (!is_row(0) && !is_row(1) && !is_row(2)) continue;
             visit(i, point, [&](Vec2(&by)[3], CornerMode(&mode)[4]) {
-                pull_back(point.turn, by);
-                for (CornerMode& its : mode) pull_back(point.turn, its.at);
+                by_unknowns(tangle, point, by);
+                for (CornerMode& its : mode) by_unknowns(tangle, point, its.at);
                 for (Index own = 0; own < 3; ++own) {
                     if (is_row(own)) add_to_row(region, own, point, by, mode);
                 }

@@ -16,6 +16,8 @@ struct Tangle {
     Span<const std::uint8_t> held;      // [n_points] 1: does not move; of representatives
     Span<const Vec2> line = {};         // [n_points] unit vector along the line that a representative slides on;
                                         // (0, 0): moves anywhere. Empty: all move anywhere
+    Span<const Vec2> turn = {};         // [n_points] what turns the movement of an unknown into that of the point, on
+                                        // sides of a passage that are turned against each other. Empty: nothing
 
     // Counter-clockwise.
     Cell cell(Index i) const noexcept {
@@ -25,6 +27,12 @@ struct Tangle {
     }
     // Of cell or guard i.
     CellShape shape(Index i, Points points) const noexcept { return shape_of({mesh, reversed}, i, points); }
+    Vec2 turned_alike(Index point, Vec2 movement) const noexcept {
+        return turn.empty() ? movement : product(turn[point], movement);
+    }
+    Vec2 turned_to_unknown(Index point, Vec2 derivative) const noexcept {
+        return turn.empty() ? derivative : product(conjugate(turn[point]), derivative);
+    }
     bool slides(Index point) const noexcept { return !line.empty() && square(line[point]) > 0; }
 };
 

@@ -1,0 +1,154 @@
+// Large movements and better cells in one passage of an annulus: what all passages together do, and sides that stay images.
+#include <doctest/doctest.h>
+
+#include <fixtures/displaced.hpp>
+#include <fixtures/passage.hpp>
+#include <fixtures/safe.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+Field places(std::vector<double> const& x, std::vector<double> const& y) {
+    Field out;
+    for (std::size_t k = 0; k < x.size(); ++k) out.push_back({x[k], y[k]});
+    return out;
+}
+
+double difference_in(Field const& one, Field const& all, std::vector<std::int32_t> const& number) {
+    double out = 0;
+    for (std::size_t k = 0; k < one.size(); ++k)
+        out = std::max(out, std::abs(one[k] - all[static_cast<std::size_t>(number[k])]));
+    return out;
+}
+
+// The body turned about its middle, and moved.
+std::vector<double> turned_and_moved(Case const& its, double degrees, Complex shift) {
+    Complex middle = 0;
+    std::size_t const n = its.curves.control.size() / 2;
+    for (std::size_t k = 0; k < n; ++k)
+        middle += Complex(its.curves.control[2 * k], its.curves.control[2 * k + 1]) / static_cast<double>(n);
+    return similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), middle, shift);
+}
+
+hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& from, Field& to) {
+    std::size_t bytes = 0;
+    REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    to.resize(from.size());
+    const double* const x = reinterpret_cast<const double*>(from.data());
+    double* const better = reinterpret_cast<double*>(to.data());
+    hm_improve_report report{};
+    report.struct_size = sizeof report;
+    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2), work.data(), bytes, nullptr,
+                       &report, nullptr) == HM_OK);
+    CHECK(work.guards_intact());
+    CHECK(mesh.x.size() == from.size());
+    return report;
+}
+
+}  // namespace
+
+TEST_CASE("a safe morph of a passage: the target is reached, the sides stay images of each other, and all passages agree") {
+    int const n = 6;
+    Complex const turn = turn_of_passage(n);
+    for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
+        for (double const degrees : {20.0, 70.0}) {
+            INFO("operator " << operator_kind << ", degrees " << degrees);
+            Case one = passage(Cells::hybrid, n);
+            std::vector<std::vector<std::int32_t>> number;
+            Case all = annulus_of(one, n, number);
+            std::vector<double> const move = turned_and_moved(one, degrees, {0.02, -0.03});
+            hm_options const options = options_of(operator_kind);
+            Safe a(one, options), b(all, options);
+            a.run(move);
+            CHECK(a.status == HM_OK);
+            CHECK(a.is_valid());
+            Field const found = places(a.x, a.y);
+            CHECK(misfit_of_sides(one.mesh, found, turn) < 1e-15);
+            CHECK(a.boundary_error(move) < 1e-13);
+            // The annulus has real functions without the conformal operator: its bodies go straight on.
+            if (operator_kind != HM_CONFORMAL && degrees > 30) continue;
+            // Untangling holds the sides, and improvement knows walls by the extent of all of them.
+            a.safe_options.skipped_strategies = without({HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+            b.safe_options.skipped_strategies = a.safe_options.skipped_strategies;
+            a.run(move);
+            b.run(turned_copies(move, n));
+            CHECK(a.status == b.status);
+            CHECK(a.report.resolves == b.report.resolves);
+            CHECK(a.report.steps == b.report.steps);
+            CHECK(difference_in(places(a.x, a.y), places(b.x, b.y), number[0]) < 1e-9);
+        }
+}
+
+TEST_CASE("given displacements of a passage, safely") {
+    int const n = 4;
+    Case curved = passage(Cells::hybrid, n);
+    Case its = given_instead(curved);
+    for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
+        hm_options const options = options_of(operator_kind);
+        Displaced displaced(its, &options);
+        Complex const middle = 1.5 * std::polar(1.0, std::acos(-1.0) / n + 0.2);
+        Field wall;
+        for (std::int32_t const point : displaced.points) {
+            Complex const z = to_complex(its.mesh.point(point));
+            wall.push_back((std::polar(1.0, 1.0) - 1.0) * (z - middle) + 0.03);
+        }
+        std::size_t bytes = 0;
+        REQUIRE(hm_displace_safe_size(displaced.plan, displaced.basis, &bytes, nullptr) == HM_OK);
+        Guarded work(bytes);
+        Field to(its.mesh.x.size());
+        double* const xy = reinterpret_cast<double*>(to.data());
+        const double* const w = reinterpret_cast<const double*>(wall.data());
+        hm_safe_options safe{};
+        safe.struct_size = sizeof safe;
+        safe.min_quality = -1;
+        hm_error error;
+        hm_status const status =
+            hm_displace_safe(displaced.plan, displaced.basis, nullptr, static_cast<std::int32_t>(wall.size()), nullptr,
+                             points_in(w, w + 1, 2), points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
+        INFO(error.text);
+        CHECK(status == HM_OK);
+        CHECK(misfit_of_sides(its.mesh, to, turn_of_passage(n)) < 1e-15);
+        for (std::size_t k = 0; k < wall.size(); ++k) {
+            std::size_t const point = static_cast<std::size_t>(displaced.points[k]);
+            CHECK(std::abs(to[point] - to_complex(its.mesh.point(displaced.points[k])) - wall[k]) < 1e-15);
+        }
+        Mesh moved = its.mesh;
+        for (std::size_t k = 0; k < to.size(); ++k) {
+            moved.x[k] = to[k].real();
+            moved.y[k] = to[k].imag();
+        }
+        CHECK(check(moved).min_corner > 0);
+    }
+}
+
+TEST_CASE("better cells in a passage: as in the annulus of all passages, with sides that move as images") {
+    int const n = 6;
+    Complex const turn = turn_of_passage(n);
+    for (bool const swapped : {false, true}) {
+        Case one = passage(Cells::triangles, n);   // quadrilaterals' targets depend on the extent of all walls
+        std::vector<std::vector<std::int32_t>> number;
+        Case all = annulus_of(one, n, number);
+        if (swapped) {
+            one.conditions.pop_back();
+            one.set_rotation(right, left);
+        }
+        hm_options const options = options_of(HM_CONFORMAL);
+        Solved const a(one, &options), b(all, &options);
+        std::vector<double> const move = turned_and_moved(one, 25, {0.02, -0.03});
+        Field from = displacement(a, move), from_all = displacement(b, turned_copies(move, n));
+        Field const start = positions(one.mesh), start_all = positions(all.mesh);
+        for (std::size_t k = 0; k < from.size(); ++k) from[k] += start[k];
+        for (std::size_t k = 0; k < from_all.size(); ++k) from_all[k] += start_all[k];
+        Field better, better_all;
+        hm_improve_report const report = improved(a, one.mesh, from, better);
+        improved(b, all.mesh, from_all, better_all);
+        CHECK(report.min_quality > report.min_quality_before);
+        CHECK(report.iterations > 2);
+        CHECK(misfit_of_sides(one.mesh, better, turn) < 1e-14);
+        std::size_t const side = static_cast<std::size_t>(points_on(one.mesh, left)[4]);
+        CHECK(std::abs(better[side] - from[side]) > 1e-4);
+        CHECK(difference_in(better, better_all, number[0]) < 1e-8);
+    }
+}
