@@ -1113,7 +1113,7 @@ contains
         type(hm_basis_info) :: info
         type(hm_condition), allocatable :: known(:)
         type(hm_curves) :: none
-        real(dp) :: move(2, 2), dx(231), dy(231), c, s, value(231)
+        real(dp) :: move(2, 2), dx(231), dy(231), c, s, value(231), angle
         integer :: cell_count, face_count, k
         integer, allocatable :: hole(:), below(:), above(:), left(:), right(:)
         call make_channel(cx, cy, its_cells, cell_count, its_faces, its_markers, face_count)
@@ -1171,6 +1171,30 @@ contains
         call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid), &
             hm_condition(4, hm_periodic_pair, partner=3)], stat=stat)
         call check(stat == hm_bad_condition, "no pair")
+
+        ! Bent round (1, 2), the right side is the left one, turned by an angle.
+        angle = 0.5_dp
+        do k = 1, size(cx)
+            c = angle * cx(k) / 20
+            s = 30 - cy(k)
+            cx(k) = 1 + s * cos(c)
+            cy(k) = 2 + s * sin(c)
+        end do
+        call channel%points(cx, cy)
+        call channel%cells(its_cells(:, :cell_count))
+        call channel%faces(its_faces(:, :face_count), its_markers(:face_count))
+        call plan%analyse(channel, conditions=[hm_condition(5, hm_rigid, x=30._dp, y=5._dp), &
+            hm_condition(4, hm_rotation_pair, partner=2, x=1._dp, y=2._dp)])
+        call plan%factor()
+        call plan%solve(its)
+        call its%displacement(move, dx, dy)
+        right = right(size(right):1:-1)
+        call check(all(abs(cos(angle) * dx(left) - sin(angle) * dy(left) - dx(right)) < 1e-14_dp) .and. &
+            all(abs(sin(angle) * dx(left) + cos(angle) * dy(left) - dy(right)) < 1e-14_dp) .and. &
+            maxval(abs(dx(left))) > 1e-3_dp, "the right side of a passage moves as the left one, turned")
+        call its%conditions(known)
+        call check(known(2)%kind == hm_rotation_pair .and. abs(known(2)%x - 1) + abs(known(2)%y - 2) <= 0, &
+            "a rotation pair as it was given")
     end subroutine
 
     ! assess says before the morph what admissible_step and quality say before and after it, in every layout.

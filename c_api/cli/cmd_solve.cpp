@@ -5,6 +5,7 @@
 #include "json.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
+#include "side_pair.hpp"
 #include "solver.hpp"
 #include "storage.hpp"
 #include "task.hpp"
@@ -47,11 +48,16 @@ void print_json(const Solver& solver, const Stored& stored, const Mesh& mesh, co
     std::printf("%s\n", object.text().c_str());
 }
 
-void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh, const SolveTimes& times) {
+void print_for_people(const Solver& solver, const Stored& stored, const Mesh& mesh, const Task& task,
+                      const SolveTimes& times) {
     const hm_solve_report& report = solver.report();
     std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
                 plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
                 plural(report.unknowns, "unknown").c_str());
+    for (const hm_condition& condition : task.conditions) {
+        const std::string pair = described(mesh, condition);
+        if (!pair.empty()) std::printf("passage          %s\n", pair.c_str());
+    }
     std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(), report.residual_function + 1);
     if (report.iterations > 0) {
         std::printf("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),
@@ -156,7 +162,7 @@ void run(const Arguments& arguments) {
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);
     } else {
-        print_for_people(solver, stored, mesh, times);
+        print_for_people(solver, stored, mesh, task, times);
     }
     if (!converged) throw Failure(exit_unusable, "not converged: " + what_is_missed(solver, task.options));
 }

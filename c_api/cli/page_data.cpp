@@ -152,7 +152,7 @@ private:
 
     // Markers in the numbering of the faces: what is asked of each.
     void add_boundary() {
-        static const char* const kinds[] = {"curve", "rigid", "fixed", "slip", "free", "periodic"};
+        static const char* const kinds[] = {"curve", "rigid", "fixed", "slip", "free", "periodic", "given", "rotation"};
         std::vector<hm_condition> conditions(mesh_.markers.size());
         for (hm_condition& condition : conditions) condition.kind = HM_FIXED;
         for (const hm_condition& condition : basis_.conditions()) {

@@ -3,6 +3,7 @@
 #include "curve_file.hpp"
 #include "engine.hpp"
 #include "numbers.hpp"
+#include "side_pair.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -108,9 +109,8 @@ void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task, con
         return found == mesh.markers.end() ? -1 : static_cast<std::int32_t>(std::distance(mesh.markers.begin(), found));
     };
     for (std::size_t colon = binding.find(':'); colon != std::string::npos; colon = binding.find(':', colon + 1)) {
-        hm_condition condition = condition_on(number_of(binding.substr(0, colon)), HM_PERIODIC_PAIR);
-        condition.partner = number_of(binding.substr(colon + 1));
-        if (condition.marker >= 0 && condition.partner >= 0) return add_condition(arguments, mesh, task, condition);
+        const std::int32_t marker = number_of(binding.substr(0, colon)), partner = number_of(binding.substr(colon + 1));
+        if (marker >= 0 && partner >= 0) return add_condition(arguments, mesh, task, side_pair(mesh, marker, partner));
     }
     arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + quoted(binding));
 }
@@ -157,7 +157,8 @@ std::vector<Option> task_options() {
     {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
                                  "point that it is near to) and scales (may be repeated)"},
     {"--slip", "C[,D..]", "markers along which points slide, straight or curved without corners (may be repeated)"},
-    {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike (may be repeated)"},
+    {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike; or one the other turned, as\n"
+                          "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
     {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
     {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
                                "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},

@@ -50,6 +50,8 @@
 !                                                              6 moved by HMGIVE; ICURV and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)          belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                  these two are translates of each other and move alike
+!     CALL HMTURN (W, MARK, MARK2, XC, YC, IERR, MSG)          one passage of an annulus: MARK2 is MARK, turned about
+!                                                              XC, YC; its points move as those of MARK, turned
 !     CALL HMNEAR (W, X, Y, IERR, MSG)                         the last condition is only of the piece of its marker
 !                                                              that is nearest to X, Y: one of several bodies or sides
 !     CALL HMOPT  (W, NAME, IVAL, IERR, MSG)                   before HMSOLV; NAME and values of hm_options:
