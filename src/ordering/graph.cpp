@@ -58,7 +58,6 @@ void Graph::connect(Topology const& topology, Span<const PointKind> kinds) noexc
         }
     }
     for (Index k = 0; k < mesh.n_points; ++k) {
-        if (representative[k] == k) continue;
         for (Index c = 0; c < n_components; ++c) {
             unknown[n_components * k + c] = unknown[n_components * representative[k] + c];
         }
