@@ -31,10 +31,15 @@ Status open_plan(Handle* handle, Object*& plan, CallFault& fault) noexcept {
     return Status::ok;
 }
 
+// Of a handle that is not NULL.
+inline Basis view_basis(const hm_basis* handle, CallFault& fault) noexcept {
+    Basis const basis = Basis::view(static_cast<const void*>(handle));
+    fault.bases.mesh = basis.header->index_base;
+    return basis;
+}
 inline Status open_basis(const hm_basis* handle, Basis& basis, CallFault& fault) noexcept {
     HARMORPH_TRY(require({{"basis", handle}}, fault));
-    basis = Basis::view(static_cast<const void*>(handle));
-    fault.bases.mesh = basis.header->index_base;
+    basis = view_basis(handle, fault);
     return Status::ok;
 }
 

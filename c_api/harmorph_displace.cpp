@@ -74,16 +74,17 @@ private:
 
 // Plan, basis and modes of the two calls for tables.
 struct TableCall {
-    Plan* plan = nullptr;
     Basis basis;
 
-    Status open(const hm_plan* handle, const hm_basis* given, Index n_modes, Index numbers, CallFault& fault) noexcept {
-        const Plan* p = nullptr;
+    // hm_plan and Plan, both const or neither.
+    template <class Handle, class Object>
+    Status open(Handle* handle, Object*& plan, const hm_basis* given, Index n_modes, Index numbers,
+                CallFault& fault) noexcept {
         HARMORPH_TRY(open_basis(given, basis, fault));
         if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
-        HARMORPH_TRY(open_plan(handle, p, fault));
-        HARMORPH_TRY(check_fields(*p, n_modes, fault));
-        HARMORPH_TRY(p->check_fit(basis, fault));
+        HARMORPH_TRY(open_plan(handle, plan, fault));
+        HARMORPH_TRY(check_fields(*plan, n_modes, fault));
+        HARMORPH_TRY(plan->check_fit(basis, fault));
         if (numbers == 1 || numbers == 2) return Status::ok;
         return fault.refuse(Status::bad_argument, "numbers must be 1 or 2, not #", Counts::from_zero, numbers);
     }
@@ -147,7 +148,7 @@ hm_status hm_displace(hm_plan* plan, int32_t n, const int32_t* points, int32_t n
             displacement.write(*call.plan, first, start, fields);
             return Status::ok;
         };
-        HARMORPH_TRY(call.for_each_block(to, n_fields, write));
+        call.for_each_block(to, n_fields, write);
         call.write(solved, report);
         return fault.status;
     });
@@ -181,8 +182,7 @@ hm_status hm_tabulate_size(const hm_plan* plan, const hm_basis* basis, int32_t n
         const Plan* p = nullptr;
         TableCall call;
         HARMORPH_TRY(require({{"work_bytes", work_bytes}}, fault));
-        HARMORPH_TRY(call.open(plan, basis, n_modes, numbers, fault));
-        HARMORPH_TRY(open_plan(plan, p, fault));
+        HARMORPH_TRY(call.open(plan, p, basis, n_modes, numbers, fault));
         Basis made;
         ModeWork work;
         size_t counted = 0;
@@ -206,8 +206,7 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         ModeWork rows;
         Basis made;
         HARMORPH_TRY(require({{"tabulated", tabulated}, {"modes", modes}}, fault));
-        HARMORPH_TRY(table.open(plan, basis, n_modes, numbers, fault));
-        HARMORPH_TRY(open_plan(plan, call.plan, fault));
+        HARMORPH_TRY(table.open(plan, call.plan, basis, n_modes, numbers, fault));
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh.n_points) {

@@ -61,24 +61,23 @@ hm_status hm_measure(const hm_curves* curves, const hm_section* section, int32_t
         if (n < 1) return fault.refuse(Status::bad_argument, "n is #: at least one quantity is measured",
                                        Counts::from_zero, n);
         HARMORPH_TRY(open_section(curves, section, view, outline, fault));
-        Quantity quantity;
         Measured measured;
-        for (Index k = 0; k < n; ++k) {  // before anything is written
+        auto const find = [&](Index k, ControlGradient const& gradient) {
+            Quantity quantity;
             HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
-            if (!failed(measure(outline, quantity, {}, measured, fault))) continue;
-            fault.item = k;
+            if (failed(measure(outline, quantity, gradient, measured, fault))) fault.item = k;
             return fault.status;
-        }
+        };
+        for (Index k = 0; k < n; ++k) HARMORPH_TRY(find(k, {}));  // before anything is written
         Offset const length = 2 * Offset{view.set.n_control};
         for (Index k = 0; k < n; ++k) {
-            HARMORPH_TRY(view_quantity(quantities, k, quantity, fault));
             ControlGradient gradient;
             if (gradients != nullptr) {
                 Span<Real> const row(gradients + k * length, static_cast<Size>(length));
                 fill(row, 0.0);
                 gradient = ControlGradient(row.data());
             }
-            HARMORPH_TRY(measure(outline, quantity, gradient, measured, fault));
+            find(k, gradient);
             values[k] = measured.value;
             if (at == nullptr) continue;
             at[2 * k] = measured.at.x;

@@ -148,7 +148,7 @@ hm_status hm_morph_safe_size(const hm_plan* plan, const hm_basis* basis, size_t*
     return guarded(err, [&](CallFault& fault) {
         const Plan* p = nullptr;
         Basis b;
-        if (basis != nullptr) HARMORPH_TRY(open_basis(basis, b, fault));
+        if (basis != nullptr) b = view_basis(basis, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         if (basis != nullptr) HARMORPH_TRY(p->check_fit(b, fault));
         BasisCounts const& counts = basis != nullptr ? b.header->counts : p->basis_counts;
@@ -166,7 +166,7 @@ hm_status hm_morph_safe(hm_plan* plan, const hm_basis* basis, const double* move
         SafeCall call;
         HARMORPH_TRY(open_solved(basis, b, fault));
         if (derivative == basis) return fault.refuse(Status::bad_argument, "derivative is the basis itself");
-        if (derivative != nullptr) HARMORPH_TRY(open_basis(derivative, sum, fault));
+        if (derivative != nullptr) sum = view_basis(derivative, fault);
         HARMORPH_TRY(open_plan(plan, p, fault));
         HARMORPH_TRY(call.open(to, options, report, {others, most_others}, fault));
         HARMORPH_TRY(check_move(b, move, fault));

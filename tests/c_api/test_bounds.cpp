@@ -505,3 +505,63 @@ TEST_CASE("levels of a plan") {
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }
+
+TEST_CASE("what else a call finds wrong in its numbers") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    CurveSet set = airfoil_case().curves;
+    std::size_t bytes = 0;
+    std::vector<double> values(1000, 0.0), x(48, 0.0), y = x;
+    std::vector<std::int32_t> control(8);
+    hm_error error{};
+    hm_points const points{x.data(), y.data(), 1};
+    hm_points_out const to{x.data(), y.data(), 1};
+    auto const says = [&](hm_status status, hm_status expected, const char* text) {
+        INFO(error.text);
+        CHECK(status == expected);
+        CHECK(std::string(error.text).find(text) != std::string::npos);
+    };
+    for (double const u : {not_a_number, HUGE_VAL})
+        says(hm_curve_basis(&set.view(), 0, u, 0, control.data(), values.data(), &error), HM_BAD_ARGUMENT, "u");
+    says(hm_curve_basis(&set.view(), 0, 0.5, -1, control.data(), values.data(), &error), HM_BAD_ARGUMENT, "derivatives");
+    hm_fit_options few = with_size<hm_fit_options>();
+    few.n_control = 1;
+    const hm_curves* fitted = nullptr;
+    says(hm_fit(&fitted, values.data(), 8000, &points, 40, 0, &few, nullptr, &error), HM_BAD_CURVE, "are not enough");
+
+    // Reports and arrays that are not wanted.
+    REQUIRE(hm_elevate_size(&set.view(), 0, &bytes, nullptr) == HM_OK);
+    Guarded elevated(bytes);
+    CHECK(hm_elevate(&fitted, nullptr, elevated.data(), bytes, &set.view(), 0, &error) == HM_OK);
+    hm_variables naca = with_size<hm_variables>();
+    naca.kind = HM_NACA4;
+    std::int32_t n = 0;
+    REQUIRE(hm_variables_size(&set.view(), nullptr, &naca, &n, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    CHECK(hm_variables_map(&set.view(), nullptr, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+    // A chord that ends at the origin is a chord.
+    hm_section chord = with_size<hm_section>();
+    chord.edge_y = -1;
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+    chord.edge_y = 0, chord.nose_y = -1;
+    CHECK(hm_variables_map(&set.view(), &chord, &naca, work.data(), bytes, values.data(), nullptr, &error) == HM_OK);
+
+    std::int32_t const point = 0;
+    says(hm_extract_size(solved.basis, -1, &bytes, &error), HM_BAD_ARGUMENT, "-1");
+    hm_basis* rows = nullptr;
+    says(hm_extract_init(&rows, values.data(), 8000, solved.basis, -1, &point, &error), HM_BAD_ARGUMENT, "-1");
+    says(hm_parcel_pack(solved.basis, -1, &point, values.data(), &error), HM_BAD_ARGUMENT, "-1");
+
+    hm_mesh broken = its.mesh_view();
+    broken.cell_points = nullptr;
+    hm_quality_report quality = with_size<hm_quality_report>();
+    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error), HM_BAD_ARGUMENT, "cell_points");
+
+    hm_improve_options improve = with_size<hm_improve_options>();
+    hm_points const no_y{x.data(), nullptr, 1};
+    improve.reference = &no_y;
+    REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+    Guarded room(bytes);
+    says(hm_improve(solved.plan, &points, &to, room.data(), bytes, &improve, nullptr, &error), HM_BAD_ARGUMENT,
+         "reference.x or reference.y is NULL");
+}
