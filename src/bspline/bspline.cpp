@@ -121,9 +121,6 @@ Status check_curve(Curve const& curve, Index number, Fault& fault) noexcept {
     if (curve.n_indices <= curve.degree || curve.n_indices > std::numeric_limits<Index>::max() - max_order)
         return fault.refuse(Status::bad_curve, "curve # (from 0) has @ control points: more than the degree are needed",
                             Counts::from_zero, number, curve.n_indices);
-    if (curve.knots == nullptr || curve.control == nullptr)
-        return fault.refuse(Status::bad_curve, "curve # (from 0) has no knots or no control points", Counts::from_zero,
-                            number);
     HARMORPH_TRY(check_knots(curve, number, fault));
     return check_control(curve, number, fault);
 }

@@ -220,14 +220,4 @@ void Part::count_pairs() noexcept {
     });
 }
 
-Index Part::find(Offset wanted) const noexcept {
-    Index low = 0, high = by_number.count();
-    while (low < high) {
-        Index const middle = low + (high - low) / 2;
-        if (number(by_number[middle]) < wanted) low = middle + 1;
-        else high = middle;
-    }
-    return low < by_number.count() && number(by_number[low]) == wanted ? by_number[low] : none;
-}
-
 }  // namespace harmorph

@@ -66,8 +66,7 @@ Status PartEquations::run(Span<const OpenEdge> edges, Fault& fault) noexcept {
     find_wall();
     find_unknowns();
     coordinates = coordinates_fingerprint(part.own().points, part.own().n_points);
-    Fault later;
-    if (failed(assemble(later))) fault = later;
+    assemble();
     return fault.status;
 }
 
@@ -132,7 +131,8 @@ void PartEquations::find_unknowns() noexcept {
     }
 }
 
-Status PartEquations::assemble(Fault& fault) noexcept {
+// Part has looked at the cells.
+void PartEquations::assemble() noexcept {
     Executor const& executor = problem.executor;
     Points const points = part.own().points;
     if (!conductivity.empty()) {
@@ -142,9 +142,7 @@ Status PartEquations::assemble(Fault& fault) noexcept {
         faces.build(shared.points());
         weigh_cells(faces, part.own(), points, problem.method.quarters, conductivity, executor);
     }
-    Index const bad = assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix, executor);
-    if (bad == none) return Status::ok;
-    return fault.refuse(Status::bad_mesh, "cell # is inverted or empty", Counts::mesh, bad);
+    assemble_stiffness(topology, points, conductivity, problem.method.conformal(), matrix, executor);
 }
 
 BasisSource PartEquations::basis_source() const noexcept {

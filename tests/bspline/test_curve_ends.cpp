@@ -48,7 +48,7 @@ Chosen choose_always(std::vector<Vec2> points) {
     Chosen const plain = choose(points, Closure::automatic);
     for (int const places : {1, 7, n / 3, n / 2, n - 1})
         for (double const angle : {0.0, 0.7, 2.5, -1.6}) {
-            std::vector<Vec2> turned = fixtures::placed(points, angle, 1, {});
+            std::vector<Vec2> turned = fixtures::placed(points, angle, 1, {5 * angle, -3 * angle});
             std::rotate(turned.begin(), turned.begin() + places, turned.end());
             for (bool const backwards : {false, true}) {
                 if (backwards) std::reverse(turned.begin(), turned.end());

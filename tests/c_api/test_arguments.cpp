@@ -9,6 +9,9 @@
 #include <fixtures/parted.hpp>
 #include <fixtures/spoiled_arguments.hpp>
 
+#include <algorithm>
+#include <limits>
+
 using namespace fixtures;
 
 namespace {
@@ -328,13 +331,27 @@ TEST_CASE("a part of a mesh, and its equations") {
         if (given) {
             std::vector<double> x = whole.mesh.x, y = whole.mesh.y;
             hm_points const wall{x.data(), y.data(), 1};
-            hm_points_out const to{x.data(), y.data(), 1};
+            std::vector<double> to_x(x.size() + 1, -7), to_y = to_x;
+            hm_points_out const to{to_x.data(), to_y.data(), 1};
             check_arguments("equations, displacement, work, right_hand_sides", hm_field_init, equations, &wall,
                             work.data(), numbers.data());
+            for (double const bad : {std::numeric_limits<double>::quiet_NaN(), 2e100}) {
+                std::vector<double> wrong = whole.mesh.x;
+                std::size_t const at = static_cast<std::size_t>(
+                    std::find(whole.global_point.begin(), whole.global_point.end(), 16) - whole.global_point.begin());
+                wrong[at] = bad;   // on the body; elsewhere nothing is read
+                hm_points const spoiled{wrong.data(), y.data(), 1};
+                hm_error error{};
+                CHECK(hm_field_init(equations, &spoiled, work.data(), numbers.data(), &error) == HM_BAD_ARGUMENT);
+                CHECK(std::string(error.text) == "the displacement of point " + std::to_string(at) +
+                                                     " is not finite, or beyond 1e100");
+            }
             check_arguments("equations, work, values, residuals", hm_field_residual, equations, work.data(),
                             values.data(), residual.data());
             check_arguments("equations, work, values, displacement", hm_field_finish, equations, work.data(),
                             values.data(), &to);
+            CHECK(to_x.back() == -7);   // not one number more than there are points
+            CHECK(to_y.back() == -7);
             continue;
         }
         hm_basis* rows = nullptr;

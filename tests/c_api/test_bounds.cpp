@@ -286,7 +286,7 @@ TEST_CASE("conditions and given parameters") {
     check_changes<C>(its.conditions[0],
                      {{"struct_size of condition 0", [](C& c) { c.struct_size = 0; }},
                       {"the unknown kind -1", [](C& c) { c.kind = -1; }},
-                      {"the unknown kind", [](C& c) { c.kind = HM_GIVEN + 1; }}},
+                      {"the unknown kind", [](C& c) { c.kind = HM_ROTATION_PAIR + 1; }}},
                      HM_BAD_ARGUMENT, size);
     its.give(16, 0.5);
     auto const size_of = [](hm_problem const& problem, hm_error* e) {
@@ -409,6 +409,60 @@ TEST_CASE("safe morphs and better cells") {
     CHECK(hm_morph_safe(solved.plan, solved.basis, move.data(), &to, solved.basis, work.data(), bytes, nullptr, nullptr,
                         &error) == HM_BAD_ARGUMENT);
     CHECK(std::string(error.text) == "derivative is the basis itself");
+
+    // Some of the functions cannot move the mesh, nor be the derivative of its movement.
+    hm_basis *share = nullptr, *rest = nullptr;
+    REQUIRE(hm_share_size(solved.analysis, 0, 2, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes), other(bytes);
+    REQUIRE(hm_share_init(&share, block.data(), bytes, solved.analysis, 0, 2, nullptr) == HM_OK);
+    REQUIRE(hm_share_init(&rest, other.data(), bytes, solved.analysis, 2, 2, nullptr) == HM_OK);
+    REQUIRE(hm_plan_solve(solved.plan, share, nullptr, nullptr) == HM_OK);
+    struct {
+        hm_basis *basis, *derivative;
+    } const pairs[] = {{share, nullptr}, {solved.basis, rest}};
+    for (auto const& pair : pairs) {
+        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(), work.size(), nullptr,
+                            nullptr, &error) == HM_BAD_BASIS);
+        CHECK(std::string(error.text) == "a share of the functions cannot move the mesh: all of them are needed");
+    }
+    CHECK(x == its.mesh.x);
+}
+
+TEST_CASE("two cells of a part on one side of an edge") {
+    Mesh mesh;
+    for (Point const p : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 2}}) mesh.add_point(p);
+    mesh.add_cell({0, 1, 2});
+    mesh.add_cell({0, 1, 3});
+    std::vector<std::int64_t> const numbers = {10, 11, 12, 13};
+    hm_mesh const view = mesh.view();
+    hm_part_mesh part = with_size<hm_part_mesh>();
+    part.mesh = &view;
+    part.numbers = numbers.data();
+    std::size_t bytes = 0;
+    REQUIRE(hm_part_size(&part, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    hm_part* made = nullptr;
+    hm_error error{};
+    CHECK(hm_part_init(&made, block.data(), bytes, &part, &error) == HM_BAD_MESH);
+    CHECK(std::string(error.text) == "the cells on both sides of the edge between points 0 and 1 overlap");
+}
+
+TEST_CASE("an edge angle where the curve stands still") {
+    double const control[] = {1, 0, 1, 0, 0.5, 0.2, 0, 0, 0.5, -0.2, 1, 0};
+    double const knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    hm_curve const curve{sizeof curve, 3, 6, nullptr, knots};
+    hm_curves curves = with_size<hm_curves>();
+    curves.n_control = 6;
+    curves.control = control;
+    curves.n_curves = 1;
+    curves.curve = &curve;
+    hm_quantity angle = with_size<hm_quantity>();
+    angle.kind = HM_EDGE_ANGLE;
+    double value = 7;
+    hm_error error{};
+    CHECK(hm_measure(&curves, nullptr, 1, &angle, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    CHECK(std::string(error.text) == "the trailing edge has no directions: the curve stands still at its ends");
+    CHECK(value == 7);
 }
 
 TEST_CASE("columns and unknowns of a part's equations") {
@@ -564,4 +618,68 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     Guarded room(bytes);
     says(hm_improve(solved.plan, &points, &to, room.data(), bytes, &improve, nullptr, &error), HM_BAD_ARGUMENT,
          "reference.x or reference.y is NULL");
+}
+
+TEST_CASE("a given displacement whose target is out of range") {
+    Case its = given_instead(tiny_case());
+    Displaced displaced(its);
+    std::int32_t const n = static_cast<std::int32_t>(displaced.points.size());
+    std::vector<double> far(its.mesh.x.size(), 6e99), x = its.mesh.x, y = its.mesh.y;
+    hm_points const all{far.data(), far.data(), 1};
+    hm_points_out const to{x.data(), y.data(), 1};
+    Guarded work = displaced.work_for(1);
+    hm_error error{};
+    CHECK(hm_displace(displaced.plan, n, nullptr, 1, &all, &all, &to, work.data(), work.size(), nullptr, &error) ==
+          HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text).find("the target of point ") == 0);
+    CHECK(std::string(error.text).find("in field 0 (from 0) is beyond 1e100") != std::string::npos);
+    CHECK(x == its.mesh.x);
+}
+
+TEST_CASE("rigid bodies are numbered without a gap") {
+    for (std::int32_t const second : {1, 2}) {
+        Case its = two_body_case(Cells::hybrid, 4, 3);
+        its.conditions.clear();
+        its.curves = {};
+        its.set_rigid(body, 0.5, 0.5, 0);
+        its.set_rigid(second_body, 1.5, 0.5, second);
+        Attempt const attempt(its.problem());
+        CHECK(attempt.status == (second == 1 ? HM_OK : HM_BAD_CONDITION));
+        if (second == 1) continue;
+        CHECK(std::string(attempt.error.text) ==
+              "condition 1 (from 0) names rigid body 2 (from 0), but not all before it are there");
+    }
+}
+
+TEST_CASE("numbers in sentences: integers below 1e15 with all their digits, others with six") {
+    Case its = tiny_case();
+    struct {
+        double value;
+        const char* words;
+    } const all[] = {{1, "not 1"}, {999999999999999, "not 999999999999999"}, {1e15, "not 1.00000e15"},
+                     {-999999999999999, "not -999999999999999"}, {-1e15, "not -1.00000e15"}, {1.5, "not 1.50000"}};
+    for (auto const& one : all) {
+        hm_options options = laplace();
+        options.tolerance = one.value;
+        Attempt const attempt(its.problem(), &options);
+        INFO(attempt.error.text);
+        CHECK(attempt.status == HM_BAD_ARGUMENT);
+        CHECK(std::string(attempt.error.text).find(one.words) != std::string::npos);
+    }
+}
+
+TEST_CASE("curvature of a curve with a cusp inside a span") {
+    double const control[] = {0, 0, 1, 1, 0, 1, 1, 0}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};   // C'(1/2) = 0
+    hm_curve const curve{sizeof curve, 3, 4, nullptr, knots};
+    hm_curves curves = with_size<hm_curves>();
+    curves.n_control = 4;
+    curves.control = control;
+    curves.n_curves = 1;
+    curves.curve = &curve;
+    hm_quantity least = with_size<hm_quantity>();
+    least.kind = HM_MIN_RADIUS;
+    double value = 7;
+    hm_error error{};
+    CHECK(hm_measure(&curves, nullptr, 1, &least, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") != std::string::npos);
 }

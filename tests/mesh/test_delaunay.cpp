@@ -223,3 +223,15 @@ TEST_CASE("a cell without area is refused, and named") {
     CHECK(found.status == harmorph::Status::bad_mesh);
     CHECK(found.fault.item == 5);
 }
+
+TEST_CASE("more cells than can be split are refused before anything is read") {
+    harmorph::Topology of;
+    of.mesh.n_points = 4;
+    of.mesh.layout = harmorph::CellLayout::quads;
+    of.mesh.n_cells = harmorph::Mesh::max_cells;
+    harmorph::Triangulation triangulation;
+    harmorph::Fault fault;
+    CHECK(triangulation.build(of, fault) == harmorph::Status::unsupported);
+    CHECK(std::string(fault.sentence) == "the bounded scheme can split no more than 2^28 cells, the mesh has #");
+    CHECK(fault.item == of.mesh.n_cells);
+}

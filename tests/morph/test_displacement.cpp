@@ -261,3 +261,16 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
         CHECK(report.functions == 0);
     }
 }
+
+TEST_CASE("the residual that is reported is that of the solution: small, but there, as numbers are rounded") {
+    Case its = given_instead(airfoil_case());
+    Displaced displaced(its);
+    Field const wall = some_field(displaced.points.size(), 3, 0.01), j = some_field(its.mesh.x.size(), 4);
+    for (bool const transposed : {false, true}) {
+        displaced.displace_report.residual = -1;
+        if (transposed) displaced.adjoint(j);
+        else displaced.displace(wall);
+        CHECK(displaced.displace_report.residual > 0);
+        CHECK(displaced.displace_report.residual < 1e-11);
+    }
+}

@@ -6,6 +6,10 @@
 
 #include "../../src/multigrid/block_rows.hpp"
 
+#include <harmorph/multigrid/iteration.hpp>
+
+#include <string>
+
 using namespace fixtures;
 using harmorph::Index;
 namespace block = harmorph::block;
@@ -112,5 +116,21 @@ TEST_CASE("the largest numbers of each function: NaN where there is one, whereve
         CHECK((row < 0 ? found[1] == 2 : std::isnan(found[1])));
         CHECK(found[2] == 5);
         CHECK(found[3] == 0);
+    }
+}
+
+TEST_CASE("a diagonal that is not positive is refused with its row") {
+    for (double const bad : {0.0, -1.0}) {
+        double diagonal[] = {1, 2, bad, 4};
+        harmorph::SymmetricRows rows;
+        rows.n = 4;
+        rows.diagonal = {diagonal, 4};
+        harmorph::Fault fault;
+        CHECK(harmorph::BlockIteration::check_diagonals(rows, fault) == harmorph::Status::not_positive);
+        CHECK(std::string(fault.sentence) == "the matrix is not positive definite at point #");
+        CHECK(fault.item == 2);
+        rows.n = 2;
+        harmorph::Fault no_fault;
+        CHECK(harmorph::BlockIteration::check_diagonals(rows, no_fault) == harmorph::Status::ok);
     }
 }

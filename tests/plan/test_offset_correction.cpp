@@ -3,6 +3,8 @@
 
 #include <fixtures/operators.hpp>
 
+#include <harmorph/boundary/moving_boundary.hpp>
+
 using namespace fixtures;
 
 namespace {
@@ -170,5 +172,27 @@ TEST_CASE("only the conformal operator can turn anything: others refuse the corr
         hm_options options = options_of(operator_kind);
         options.offset_correction = 1;
         CHECK(Attempt(its.problem(), &options).status == HM_UNSUPPORTED);
+    }
+}
+
+TEST_CASE("at the ends of an open curve, where others may begin, no offset turns with it, whether it is clamped or not") {
+    for (bool const clamped : {false, true}) {
+        std::vector<double> const control = {0, 0, 1, 1, 2, 1, 3, 0};
+        std::vector<double> const knots = clamped ? std::vector<double>{3, 3, 3, 3, 4, 4, 4, 4}
+                                                  : std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7};
+        harmorph::Curve curve;
+        curve.degree = 3;
+        curve.n_indices = curve.n_control = 4;
+        curve.knots = knots.data();
+        curve.control = control.data();
+        for (double const u : {3.0, 3.25, 3.5, 4.0}) {
+            harmorph::Vec2 on_curve;
+            curve_point(curve, u, 0, &on_curve);
+            harmorph::Vec2 const beside{on_curve.x + 0.01, on_curve.y - 0.02};
+            harmorph::Vec2 const offset = harmorph::offset_from(curve, u, beside);
+            bool const inside = u > 3 && u < 4;
+            CHECK(offset.x == doctest::Approx(inside ? 0.01 : 0));
+            CHECK(offset.y == doctest::Approx(inside ? -0.02 : 0));
+        }
     }
 }

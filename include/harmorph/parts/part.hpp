@@ -56,7 +56,6 @@ struct Part {
 
     Mesh const& own() const noexcept { return topology.mesh; }
     Offset number(Index point) const noexcept { return given.number[point]; }
-    Index find(Offset number) const noexcept;  // the point, or none
     // visit(open edge) for edges with one own cell.
     template <class Visit>
     void for_each_open(Visit visit) const noexcept;

@@ -66,7 +66,7 @@ private:
     void join_points() noexcept;
     void find_wall() noexcept;
     void find_unknowns() noexcept;
-    Status assemble(Fault& fault) noexcept;
+    void assemble() noexcept;
 };
 
 template <class Visit>
