@@ -490,7 +490,8 @@ enum {                             /* hm_condition.kind; for a point on several 
     HM_RIGID = 1,                  /* a body that only translates, rotates and scales, see hm_morph */
     HM_FIXED = 2,                  /* F_i = 0; also every marker without a condition */
     HM_SLIP = 3,                   /* points slide along the boundary: along straight lines, or along the smooth curve
-                                      through the points of the marker (see hm_slide). A marker may have several of
+                                      through the points of the marker (see hm_slide), or along B-splines that are given
+                                      (hm_condition.along). Without these, a marker may have several of
                                       both; where they meet at a corner, the point is fixed. A corner: the direction of
                                       the boundary jumps by more than 30 degrees, or by more than 1.1 degrees and 2.5
                                       times as much as at a neighbouring point */
@@ -514,7 +515,8 @@ typedef struct hm_condition {
     int32_t  first_curve, n_curves;/* on curve: each point lies on one of the curves first_curve ..
                                       first_curve+n_curves-1. A point that is farther from its curve
                                       than the control polygon is wide or high is refused: the
-                                      marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE */
+                                      marker is another one's. Beyond 5 % of that: HM_FAR_FROM_CURVE.
+                                      slip: n_curves is the number of curves in `along` */
     int32_t  body;                 /* rigid: number of the body, from 0 without gaps; several markers may form one
                                       body */
     int32_t  partner;              /* pairs: the other marker of the pair, which has no condition of its own */
@@ -525,6 +527,19 @@ typedef struct hm_condition {
                                       bodies, or each side of a channel. Not for pairs */
     int32_t  reserved;             /* 0 */
     double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
+    const hm_curves *along;        /* slip: the curves along which the points slide, all of this set; NULL (n_curves 0):
+                                      straight lines, or the smooth curves through the points of the marker. The control
+                                      points of these curves do not move and have no functions. Each piece of the
+                                      boundary between two corners slides along the curve that is nearest to all of its
+                                      points; a point that is not on the curve keeps its offset. Corners, where a point
+                                      is fixed, are the points nearest to the ends of open curves and to the corner of
+                                      closed ones, and where another marker begins that slides, unless that marker has
+                                      the same `along`. Refused (HM_BAD_CONDITION): a point farther from the curve than
+                                      5 % of the length of its piece of the boundary, and a corner in the middle of a
+                                      curve. Read by hm_analysis_size and hm_analysis_init, not needed afterwards. A
+                                      basis does not keep these curves: hm_basis_conditions gives n_curves and NULL,
+                                      which is refused as a condition until `along` is set again. Not for meshes in
+                                      parts (HM_UNSUPPORTED) */
 } hm_condition;
 /* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
  * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a piece
@@ -811,7 +826,7 @@ HM_API hm_status hm_moved_curves(const hm_basis *basis, const double *move, doub
                                  hm_curve *curve, int32_t capacity, hm_error *err);
 /* The conditions that the basis was solved with: out [capacity], with out[0].struct_size set; *n: number of conditions,
  * also if the capacity is too small (HM_BAD_ARGUMENT). Curves, conditions and parameters together restore the
- * problem. */
+ * problem, but for the curves `along` of sliding boundaries. */
 HM_API hm_status hm_basis_conditions(const hm_basis *basis, hm_condition *out, int32_t capacity, int32_t *n,
                                      hm_error *err);
 /* values [n_points]: one of the numbers_per_value numbers of one function; function and number are counted from 0. */
@@ -910,8 +925,9 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
  * place, and moves inner points along, the less the nearer they are to other boundaries. Points on other boundaries
  * keep their bits. hm_morph_safe and hm_displace_safe do so in each of their steps, so all of their checks see the points
  * on the curve; after hm_morph or hm_displace, call hm_slide before hm_quality.
- * The curve goes through the marker's points where the analysis had them: cubic segments whose tangents are those of
- * circles through three neighbouring points; straight on behind the ends. A point of a circle with 24 faces stays on the
+ * The curve is given (hm_condition.along), or goes through the marker's points where the analysis had them: cubic
+ * segments whose tangents are those of circles through three neighbouring points; straight on behind the ends. Of a
+ * given curve, eight cubic segments for each face have its places and tangents. A point of a circle with 24 faces stays on the
  * circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same curve;
  * hm_improve holds points that slide along curves.
  * to [n_points] may be the arrays of from. Points of a cut or a periodic pair move by the same displacements.

@@ -79,7 +79,7 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, co
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, request.problem, request.n_curves, request.n_conditions); }));
-        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.conditions, fault));
+        HARMORPH_TRY(request.copy_to(made.object.curves, made.object.slip_along, made.object.conditions, fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));
         made.give(analysis);
         return fault.status;

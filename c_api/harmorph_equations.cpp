@@ -27,6 +27,9 @@ struct EquationsRequest : Request {
         if (problem.demands.rotation) {
             wrong = "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does";
         }
+        if (problem.demands.slip_curves > 0) {
+            wrong = "meshes in parts do not go with curves that are given for sliding (hm_condition.along)";
+        }
         if (!problem.given.point.empty()) wrong = "meshes in parts: problem.n_given must be 0";
         if (wrong != nullptr) return fault.refuse(Status::unsupported, wrong);
         if (n_conditions > 0) return Status::ok;
@@ -80,7 +83,7 @@ hm_status hm_equations_init(hm_equations** equations, void* block, size_t bytes,
         if (n_edges > 0) HARMORPH_TRY(require({{"edges", edges}}, fault));
         InBlock<PartEquations> made;
         HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { request.lay_out(arena, made); }));
-        HARMORPH_TRY(request.copy_to(made.object.shared.curves, made.object.shared.conditions, fault));
+        HARMORPH_TRY(request.copy_to(made.object.shared.curves, {}, made.object.shared.conditions, fault));
         Span<const OpenEdge> const all(reinterpret_cast<const OpenEdge*>(edges), static_cast<Size>(n_edges));
         HARMORPH_TRY(made.object.run(all, fault));
         made.give(equations);

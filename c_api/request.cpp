@@ -32,9 +32,30 @@ Status Request::read_rest(hm_problem const& p, const hm_options* options, CallFa
     return Status::ok;
 }
 
-Status Request::copy_to(Span<Curve> to_curves, Span<Condition> to_conditions, Fault& fault) const noexcept {
+const hm_curves* Request::along_of(Index number) const noexcept {
+    hm_condition its;
+    return read_struct(element(condition, number), its) ? its.along : nullptr;
+}
+
+// Conditions with the same set of curves for sliding share its first place.
+Status Request::copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Condition> to_conditions,
+                        CallFault& fault) const noexcept {
     for (Index i = 0; i < n_curves; ++i) HARMORPH_TRY(curves.curve(i, to_curves[i], fault));
-    for (Index i = 0; i < n_conditions; ++i) view_condition(condition, i, to_conditions[i], fault);  // checked when read
+    Index n_slip = 0;
+    for (Index i = 0; i < n_conditions; ++i) {
+        view_condition(condition, i, to_conditions[i], fault);  // checked when read
+        const hm_curves* const along = along_of(i);
+        if (along == nullptr) continue;
+        CurvesView set;
+        auto const bases = fault.bases;
+        HARMORPH_TRY(view_curves(along, set, fault));
+        fault.bases = bases;
+        to_conditions[i].first_curve = n_slip;
+        for (Index k = 0; k < set.count(); ++k) HARMORPH_TRY(set.curve(k, to_slip[n_slip++], fault));
+        Index same = 0;
+        while (along_of(same) != along) ++same;
+        to_conditions[i].first_curve = to_conditions[same].first_curve;
+    }
     return Status::ok;
 }
 

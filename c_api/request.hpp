@@ -17,11 +17,13 @@ struct Request {
     // Everything but the mesh.
     Status read_without_mesh(const hm_problem* given, const hm_options* options, CallFault& fault) noexcept;
     Index n_control() const noexcept { return n_curves > 0 ? curves.set.n_control : 0; }
-    Status copy_to(Span<Curve> to_curves, Span<Condition> to_conditions, Fault& fault) const noexcept;
+    Status copy_to(Span<Curve> to_curves, Span<Curve> to_slip, Span<Condition> to_conditions,
+                   CallFault& fault) const noexcept;
 
 private:
     Status read_rest(hm_problem const& p, const hm_options* options, CallFault& fault) noexcept;
     Status read_conditions(hm_problem const& p, Fault& fault) noexcept;
+    const hm_curves* along_of(Index number) const noexcept;
     Status check_rotation(Fault& fault) const noexcept;
 };
 

@@ -216,8 +216,10 @@ namespace {
 Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept {
     bool const is_pair = c.kind == HM_PERIODIC_PAIR || c.kind == HM_ROTATION_PAIR;
     const char* wrong = nullptr;
-    if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || c.n_curves != 0)) {
+    if (c.kind != HM_ON_CURVE && (c.first_curve != 0 || (c.n_curves != 0 && c.kind != HM_SLIP))) {
         wrong = "condition # (from 0) has first_curve or n_curves, which are of HM_ON_CURVE only, but its kind is @";
+    } else if (c.kind != HM_SLIP && c.along != nullptr) {
+        wrong = "condition # (from 0) has curves along which to slide, which are of HM_SLIP only, but its kind is @";
     } else if (c.kind != HM_RIGID && c.body != 0) {
         wrong = "condition # (from 0) has body, which is of HM_RIGID only, but its kind is @";
     } else if (c.kind != HM_RIGID && c.kind != HM_ROTATION_PAIR && !(c.x == 0 && c.y == 0)) {
@@ -231,8 +233,19 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     } else if (!is_pair && c.partner != 0) {
         wrong = "condition # (from 0) has partner, which is of periodic pairs only, but its kind is @";
     }
-    if (wrong == nullptr) return Status::ok;
-    return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
+    if (wrong != nullptr) return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
+    if (c.kind != HM_SLIP) return Status::ok;
+    if (c.along == nullptr && c.n_curves != 0) {
+        return fault.refuse(Status::bad_condition,
+                            "condition # (from 0) slides along @ curves, but its `along` is NULL: a basis does not keep them",
+                            Counts::from_zero, number, c.n_curves);
+    }
+    hm_curves set;
+    bool const fits = c.along == nullptr || (read_struct(c.along, set) && set.n_curves == c.n_curves && set.n_curves >= 1);
+    if (fits) return Status::ok;
+    return fault.refuse(Status::bad_condition,
+                        "condition # (from 0) has n_curves @, but that is not the number of curves in its `along`",
+                        Counts::from_zero, number, c.n_curves);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
 #define TYPE hm_condition
     case 8:
         PUT(sizeof(TYPE)); AT(struct_size); AT(marker); AT(kind); AT(first_curve); AT(n_curves); AT(body); AT(partner);
-        AT(x); AT(y); AT(piece); AT(reserved); AT(near_x); AT(near_y);
+        AT(x); AT(y); AT(piece); AT(reserved); AT(near_x); AT(near_y); AT(along);
         break;
 #undef TYPE
 #define TYPE hm_problem

@@ -70,7 +70,8 @@ program layout
     call compare("hm_condition", 8, c_sizeof(condition), c_loc(condition), [c_loc(condition%struct_size), &
         c_loc(condition%marker), c_loc(condition%kind), c_loc(condition%first_curve), c_loc(condition%n_curves), &
         c_loc(condition%body), c_loc(condition%partner), c_loc(condition%x), c_loc(condition%y), &
-        c_loc(condition%piece), c_loc(condition%reserved), c_loc(condition%near_x), c_loc(condition%near_y)])
+        c_loc(condition%piece), c_loc(condition%reserved), c_loc(condition%near_x), c_loc(condition%near_y), &
+        c_loc(condition%along)])
     call compare("hm_problem", 9, c_sizeof(problem), c_loc(problem), [c_loc(problem%struct_size), c_loc(problem%mesh), &
         c_loc(problem%curves), c_loc(problem%n_conditions), c_loc(problem%conditions), c_loc(problem%n_given), &
         c_loc(problem%given_points), c_loc(problem%given_curves), c_loc(problem%given_u)])

@@ -96,8 +96,9 @@
 !               repeated. plan%boundary gives the points of a marker in this order. n_control (20), degree (3), closed.
 !               curves%control(2,n), weights, curve(k)%degree, knots, indices are plain data, to be read and changed.
 ! Conditions    hm_condition(marker): on curve 1; first_curve=, n_curves= for others. hm_condition(marker, kind):
-!               hm_fixed; hm_slip, along lines and smooth curves; hm_free, with the Laplace and weighted operators; hm_rigid
-!               with body=, x=, y=; hm_periodic_pair with partner=; hm_rotation_pair with partner=, x=, y=,
+!               hm_fixed; hm_slip, along lines and smooth curves, or along=curves, a pointer to hm_curves that plan%analyse
+!               reads, along these (basis%conditions gives no curves: refused until along is set again, first_curve
+!               being 0); hm_free, with the Laplace and weighted operators; hm_rigid with body=, x=, y=; hm_periodic_pair with partner=; hm_rotation_pair with partner=, x=, y=,
 !               one passage of an annulus; hm_given, points that move by displacements that are given from call to
 !               call. Of several markers of a point the first of these holds: on curve, rigid, given, fixed, slip, free.
 !               piece=1, near_x=, near_y=: only the piece of the marker that is nearest to a point, as one of several

@@ -26,6 +26,12 @@
         real(c_double) :: x = 0, y = 0                          ! rigid, rotation pair: the centre of rotation
         integer :: piece = 0                                    ! 1: the piece of the marker nearest to near_x, near_y
         real(c_double) :: near_x = 0, near_y = 0
+        type(hm_curves), pointer :: along => null()             ! slip: the curves along which points slide
+    end type
+
+    type :: c_along                   ! those of a condition, as C sees them
+        type(hm_c_curves) :: set
+        type(hm_c_curve), allocatable :: curve(:)
     end type
 
     type :: problem                   ! all that analysis and plan point to, beside the mesh's arrays
@@ -35,6 +41,7 @@
         type(hm_c_curves) :: set
         type(hm_c_curve), allocatable :: curve(:)
         type(hm_c_condition), allocatable :: conditions(:)
+        type(c_along), allocatable :: along(:)
         integer(c_int32_t), allocatable :: given_points(:), given_curves(:)
         real(c_double), allocatable :: given_u(:)
         type(callback) :: progress
@@ -92,6 +99,7 @@ contains
         end if
         if (present(conditions)) then
             self%conditions = c_conditions_of(conditions)
+            call set_along(self, conditions, done)
             self%c%n_conditions = int(size(conditions), c_int32_t)
             if (size(conditions) > 0) self%c%conditions = c_loc(self%conditions)
         end if
@@ -110,6 +118,28 @@ contains
         self%c%given_points = c_loc(self%given_points)
         self%c%given_curves = c_loc(self%given_curves)
         self%c%given_u = c_loc(self%given_u)
+    end subroutine
+
+    ! Conditions with the same curves share one C struct, so that points slide past where their markers meet.
+    subroutine set_along(self, conditions, done)
+        type(problem), intent(inout), target :: self
+        type(hm_condition), intent(in) :: conditions(:)
+        type(outcome), intent(inout) :: done
+        integer :: k, first
+        if (allocated(self%along)) deallocate(self%along)
+        allocate(self%along(size(conditions)))
+        do k = 1, size(conditions)
+            if (.not. associated(conditions(k)%along)) cycle
+            first = 1
+            do while (.not. associated(conditions(first)%along, conditions(k)%along))
+                first = first + 1
+            end do
+            if (first == k) call c_curves_of(conditions(k)%along, self%along(k)%set, self%along(k)%curve, done)
+            self%conditions(k)%along = c_loc(self%along(first)%set)
+            if (conditions(k)%kind /= hm_slip) cycle
+            self%conditions(k)%first_curve = 0
+            self%conditions(k)%n_curves = self%along(first)%set%n_curves
+        end do
     end subroutine
 
     function c_conditions_of(conditions) result(list)

@@ -117,6 +117,7 @@
         real(c_double) :: x = 0, y = 0
         integer(c_int32_t) :: piece = 0, reserved = 0
         real(c_double) :: near_x = 0, near_y = 0
+        type(c_ptr) :: along = c_null_ptr
     end type
 
     type, bind(c), public :: hm_c_problem

@@ -11,30 +11,34 @@ constexpr Real corner_factor = 2.5;    // in between: where the boundary bends s
 
 class SlipLines {
 public:
-    SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
-              Span<Vec2> tangent, SlipCurves& curves) noexcept
-        : points_(points), boundary_(boundary), conditions_(conditions), kinds_(kinds), tangent_(tangent),
-          curves_(curves) {}
+    SlipLines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
+              Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept
+        : points_(points), boundary_(boundary), conditions_(conditions), along_(along), kinds_(kinds), tangent_(tangent),
+          curves_(curves), fault_(fault) {}
 
-    void run() noexcept {
+    Status run() noexcept {
         fill(tangent_, Vec2{1, 0});
+        if (!along_.curves.empty()) along_.find_corners(points_, boundary_, conditions_);
         curves_.count = 0;
         for (Index loop = 0; loop < boundary_.n_loops; ++loop) {
             Index const begin = boundary_.loop_start[loop], n = boundary_.loop_start[loop + 1] - begin;
             Index first = 0;  // face of the loop with which a line begins
             while (first < n && continues(loop, begin + first)) ++first;
             if (first == n) {  // no line, or one without end
-                if (slips(begin)) add_curve({loop, 0, n, true});
+                if (slips(begin)) HARMORPH_TRY(add_line({loop, 0, n, true}));
                 continue;
             }
             for (Index from = 0; from < n;) {
                 Index to = from + 1;
                 while (to < n && continues(loop, begin + (first + to) % n)) ++to;
-                if (slips(begin + (first + from) % n)) add_line({loop, (first + from) % n, to - from, false});
+                if (slips(begin + (first + from) % n)) {
+                    HARMORPH_TRY(add_line({loop, (first + from) % n, to - from, false}));
+                }
                 from = to;
             }
         }
         curves_.keep_sliding(kinds_);
+        return Status::ok;
     }
 
 private:
@@ -54,9 +58,10 @@ private:
                           : boundary_.point[boundary_.after(face_at(line, line.n - 1), line.loop)];
     }
 
+    const Condition* condition(Index face) const noexcept { return condition_of(conditions_, boundary_, face); }
     bool slips(Index face) const noexcept {
-        const Condition* const condition = condition_of(conditions_, boundary_, face);
-        return condition != nullptr && condition->kind == ConditionKind::slip;
+        const Condition* const its = condition(face);
+        return its != nullptr && its->kind == ConditionKind::slip;
     }
     Index before(Index loop, Index face) const noexcept {
         return face == boundary_.loop_start[loop] ? boundary_.loop_start[loop + 1] - 1 : face - 1;
@@ -82,7 +87,10 @@ private:
     bool continues(Index loop, Index face) const noexcept {
         Index const previous = before(loop, face);
         if (previous == face || slips(previous) != slips(face)) return false;
-        return !slips(face) || is_smooth(loop, face);
+        if (!slips(face)) return true;
+        const Condition *const its = condition(face), *const of_previous = condition(previous);
+        if (!SlipAlong::is_along(its) && !SlipAlong::is_along(of_previous)) return is_smooth(loop, face);
+        return its->same_curves(*of_previous) && !along_.is_corner(face);
     }
     bool is_smooth(Index loop, Index face) const noexcept {
         Real const here = bend_at(loop, face);
@@ -99,23 +107,33 @@ private:
         return any;
     }
 
-    void add_line(Line const& line) noexcept {
-        Vec2 const along = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
-        bool straight = true;
-        for (Index k = 0; k < line.n && straight; ++k) {
-            straight = absolute(bend(along, side(line.loop, face_at(line, k)))) < straight_below;
-        }
-        if (straight) {
-            Vec2 const direction = (1 / length(along)) * along;
-            for (Index k = 0; k <= line.n; ++k) put(line, k, direction);
+    Status add_line(Line const& line) noexcept {
+        const Condition* const its = condition(face_at(line, 0));
+        if (SlipAlong::is_along(its)) {
+            for (Index k = 0; k < line.n + (line.closed ? 0 : 1); ++k) along_.work.position[k] = points_[point_at(line, k)];
+            HARMORPH_TRY(along_.add(*its, line.n, line.closed, [&](Index k) { return point_at(line, k); }, curves_, fault_));
+            put_tangents(line);
+        } else if (line.closed || !is_straight(line)) {
+            curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
+                        [&](Index k) { return point_at(line, k); });
+            put_tangents(line);
         } else {
-            add_curve(line);
+            Vec2 const whole = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
+            for (Index k = 0; k <= line.n; ++k) put(line, k, (1 / length(whole)) * whole);
         }
+        return Status::ok;
     }
 
-    void add_curve(Line const& line) noexcept {
-        curves_.add(line.n, line.closed, [&](Index k) { return points_[point_at(line, k)]; },
-                    [&](Index k) { return point_at(line, k); });
+    bool is_straight(Line const& line) const noexcept {
+        Vec2 const whole = points_[point_at(line, line.n)] - points_[point_at(line, 0)];
+        for (Index k = 0; k < line.n; ++k) {
+            if (!(absolute(bend(whole, side(line.loop, face_at(line, k)))) < straight_below)) return false;
+        }
+        return true;
+    }
+
+    // Of the curve that was added last.
+    void put_tangents(Line const& line) noexcept {
         Index const begin = curves_.start[curves_.count - 1];
         for (Index k = 0; k <= line.n; ++k) put(line, k, curves_.tangent[begin + k]);
     }
@@ -136,16 +154,18 @@ private:
     Points points_;
     Boundary const& boundary_;
     Span<const Condition> conditions_;
+    SlipAlong const& along_;
     Span<PointKind> kinds_;
     Span<Vec2> tangent_;
     SlipCurves& curves_;
+    Fault& fault_;
 };
 
 }  // namespace
 
-void find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, Span<PointKind> kinds,
-                     Span<Vec2> tangent, SlipCurves& curves) noexcept {
-    SlipLines(points, boundary, conditions, kinds, tangent, curves).run();
+Status find_slip_lines(Points points, Boundary const& boundary, Span<const Condition> conditions, SlipAlong const& along,
+                       Span<PointKind> kinds, Span<Vec2> tangent, SlipCurves& curves, Fault& fault) noexcept {
+    return SlipLines(points, boundary, conditions, along, kinds, tangent, curves, fault).run();
 }
 
 }  // namespace harmorph

@@ -39,12 +39,16 @@ bool is_regular(Real fall, Vec2 slope) noexcept { return fall > 1e-3 * square(sl
 
 }  // namespace
 
-void SlipCurves::lay_out(Arena& arena, Size max_faces) noexcept {
+void SlipCurves::lay_out(Arena& arena, Size max_faces, bool any_given) noexcept {
+    Size const n_between = any_given ? 2 * max_faces * (parts - 1) : 0;
     arena.take(start, max_faces + 1);
     arena.take(point, 2 * max_faces);
     arena.take(own, 2 * max_faces);
     arena.take(at, 2 * max_faces);
     arena.take(tangent, 2 * max_faces);
+    arena.take(is_given, max_faces);
+    arena.take(between_at, n_between);
+    arena.take(between_tangent, n_between);
 }
 
 void SlipCurves::lay_out_copy(Arena& arena, SlipCurves const& other) noexcept {
@@ -54,6 +58,10 @@ void SlipCurves::lay_out_copy(Arena& arena, SlipCurves const& other) noexcept {
     arena.take(own, n);
     arena.take(at, n);
     arena.take(tangent, n);
+    arena.take(is_given, other.count);
+    Index const n_between = other.between_at.empty() ? 0 : (parts - 1) * n;
+    arena.take(between_at, n_between);
+    arena.take(between_tangent, n_between);
 }
 
 void SlipCurves::copy_from(SlipCurves const& other) noexcept {
@@ -65,6 +73,9 @@ void SlipCurves::copy_from(SlipCurves const& other) noexcept {
     copy(own, Span<const Index>(other.own.first(n)));
     copy(at, Span<const Vec2>(other.at.first(n)));
     copy(tangent, Span<const Vec2>(other.tangent.first(n)));
+    copy(is_given, Span<const std::uint8_t>(other.is_given.first(count)));
+    copy(between_at, Span<const Vec2>(other.between_at.first(between_at.size())));
+    copy(between_tangent, Span<const Vec2>(other.between_tangent.first(between_tangent.size())));
 }
 
 void SlipCurves::find_tangents(Index curve, bool closed) const noexcept {
@@ -106,21 +117,47 @@ SlipCurves::Place SlipCurves::nearest(Index slot, Vec2 p) const noexcept {
         if (here == end && !closed) return {at[end] + ahead(end) * tangent[end], tangent[end]};
         if (here == end) here = first + last - end;
         Index const next = forwards ? here + 1 : here - 1;
-        if ((ahead(next) >= 0) != forwards) return on_segment(forwards ? here : next, p);
+        if ((ahead(next) >= 0) != forwards) return on_segment(curve, forwards ? here : next, p);
         here = next;
     }
     if (closed) return {at[slot], tangent[slot]};  // p is so far away that no place is the nearest one
     return {at[here] + ahead(here) * tangent[here], tangent[here]};
 }
 
+// In the first part at whose end p is straight beside the curve, or behind that.
+SlipCurves::Place SlipCurves::on_segment(Index curve, Index slot, Vec2 p) const noexcept {
+    Vec2 place[2] = {at[slot], at[slot + 1]}, direction[2] = {tangent[slot], tangent[slot + 1]};
+    if (is_given[curve] == 0) return on_cubic(place, direction, p);
+    for (Index part = 1; part < parts; ++part) {
+        Index const k = (parts - 1) * slot + part - 1;
+        if (dot(p - between_at[k], between_tangent[k]) < 0) {
+            place[1] = between_at[k];
+            direction[1] = between_tangent[k];
+            break;
+        }
+        place[0] = between_at[k];
+        direction[0] = between_tangent[k];
+    }
+    return on_cubic(place, direction, p);
+}
+
+// Between two places of a curve that is close to its cubics, the tangents turn little and go from the one to the other.
+bool SlipCurves::is_smooth(const Vec2 (&at)[2], const Vec2 (&tangent)[2]) noexcept {
+    constexpr Real cosine_of_30_degrees = 0.8660254037844386;
+    Vec2 const side = at[1] - at[0];
+    Real const least = cosine_of_30_degrees * length(side);
+    return dot(tangent[0], side) > least && dot(tangent[1], side) > least &&
+           dot(tangent[0], tangent[1]) > cosine_of_30_degrees;
+}
+
 // (p - C(u)).C'(u) is positive where the segment begins and not where it ends, or zero there.
-SlipCurves::Place SlipCurves::on_segment(Index slot, Vec2 p) const noexcept {
-    Vec2 const side = at[slot + 1] - at[slot];
+SlipCurves::Place SlipCurves::on_cubic(const Vec2 (&at)[2], const Vec2 (&tangent)[2], Vec2 p) noexcept {
+    Vec2 const side = at[1] - at[0];
     Real const chord = length(side);
-    Real const along = 0.5 / chord * dot(tangent[slot] + tangent[slot + 1], side);
+    Real const along = 0.5 / chord * dot(tangent[0] + tangent[1], side);
     Real const speed = 2 * chord / (1 + along);
-    Cubic const curve{at[slot], at[slot + 1], speed * tangent[slot], speed * tangent[slot + 1]};
-    Real low = 0, high = 1, u = clamp(dot(p - at[slot], side) / (chord * chord), 0.0, 1.0);
+    Cubic const curve{at[0], at[1], speed * tangent[0], speed * tangent[1]};
+    Real low = 0, high = 1, u = clamp(dot(p - at[0], side) / (chord * chord), 0.0, 1.0);
     for (Index step = 0; step < most_steps && high - low > epsilon; ++step) {
         Vec2 const slope = curve.slope(u), off = p - curve.at(u);
         Real const value = dot(off, slope), fall = square(slope) - dot(off, curve.bend(u));

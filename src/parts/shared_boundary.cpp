@@ -89,7 +89,7 @@ void SharedBoundary::lay_out(Arena& arena, Index n_edges, PartProblem const& pro
     boundary.lay_out(arena, counts);
     arena.take(kinds, counts.n_points);
     arena.take(tangent, problem.demands.slip ? counts.n_points : 0);
-    if (problem.demands.slip) slip_curves.lay_out(arena, static_cast<Size>(n_edges));
+    if (problem.demands.slip) slip_curves.lay_out(arena, static_cast<Size>(n_edges), false);
     wall.lay_out(arena, counts);
     wall_work.lay_out(arena, counts);
 }
@@ -221,7 +221,7 @@ Status SharedBoundary::analyse(PartProblem const& problem, Fault& fault) noexcep
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, {}, wall_work, wall, fault));
     find_offsets(points(), conditions, curves, problem.method.offset_correction != 0, wall);
     if (problem.demands.slip) {
-        find_slip_lines(points(), boundary, conditions, kinds, tangent, slip_curves);
+        HARMORPH_TRY(find_slip_lines(points(), boundary, conditions, {{}, wall_work}, kinds, tangent, slip_curves, fault));
     }
     if (!problem.demands.translation) return fault.status;
     return tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault);

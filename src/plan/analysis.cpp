@@ -9,6 +9,7 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index
     Demands const& demands = asked.demands;
     Executor const& executor = asked.executor;
     arena.take(curves, n_curves);
+    arena.take(slip_along, demands.slip_curves);
     arena.take(conditions, n_conditions);
     topology.lay_out(arena, mesh);
     boundary.lay_out(arena, mesh);
@@ -18,7 +19,7 @@ void Analysis::lay_out(Arena& arena, Problem const& asked, Index n_curves, Index
     Index const components = asked.method.components(demands);
     arena.take(tangent, components == 2 ? mesh.n_points : 0);
     if (components == 2) {
-        slip_curves.lay_out(arena, Boundary::max_faces(mesh));
+        slip_curves.lay_out(arena, Boundary::max_faces(mesh), demands.slip_curves > 0);
         slip_followers.lay_out(arena, mesh.n_points, Boundary::max_faces(mesh));
     }
     bool const bounded = asked.method.bounded();
@@ -98,6 +99,9 @@ Index Analysis::count_used_points() const noexcept {
 Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     Mesh const& mesh = problem.mesh;
     for (Index number = 0; number < curves.count(); ++number) HARMORPH_TRY(check_curve(curves[number], number, fault));
+    for (Index number = 0; number < slip_along.count(); ++number) {
+        HARMORPH_TRY(check_curve(slip_along[number], number, fault));
+    }
     HARMORPH_TRY(check_conditions(conditions, curves.count(), boundary, fault));
     if (inverted != none) {
         CellCorners const corners(shape_of(topology, inverted, mesh.points));
@@ -109,7 +113,10 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
     find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
     HARMORPH_TRY(check_offsets(fault));
-    if (!tangent.empty()) find_slip_lines(mesh.points, boundary, conditions, kinds, tangent, slip_curves);
+    if (!tangent.empty()) {
+        HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work}, kinds, tangent, slip_curves,
+                                     fault));
+    }
     if (problem.demands.periodic()) {
         HARMORPH_TRY(tie_periodic(topology, boundary, conditions, wall_work.chain, kinds, tangent, periodicity, fault));
         slip_curves.keep_sliding(kinds);

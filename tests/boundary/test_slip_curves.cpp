@@ -17,10 +17,10 @@ class Curves {
 public:
     Curves() {
         Arena counting;
-        curves.lay_out(counting, 200);
+        curves.lay_out(counting, 200, false);
         block_.resize(counting.bytes());
         Arena arena(block_.data(), block_.size());
-        curves.lay_out(arena, 200);
+        curves.lay_out(arena, 200, false);
         REQUIRE(!arena.overflown());
     }
     void add(std::vector<Vec2> const& points, bool closed) {

@@ -20,7 +20,7 @@ enum class ConditionKind : std::int32_t {
 struct Condition {
     Index marker = 0;
     ConditionKind kind = ConditionKind::fixed;
-    Index first_curve = 0, n_curves = 0;  // on curve: one of these
+    Index first_curve = 0, n_curves = 0;  // on curve: one of these; slip: of those that are given for sliding, or none
     Index body = 0;                       // rigid: number of the body
     Index partner = 0;                    // of a pair: the marker that is this one, moved or turned
     Vec2 centre;                          // rigid, rotation: what the body, or the marker, turns about
@@ -48,6 +48,7 @@ constexpr bool is_unknown(PointKind kind) noexcept {
 // What the conditions together require; known before memory is laid out.
 struct Demands {
     Index bodies = 0;       // rigid ones
+    Offset slip_curves = 0;  // given for sliding
     bool slip = false, free = false, given = false;
     bool translation = false, rotation = false;  // pairs
 

@@ -35,6 +35,7 @@ struct Analysis {
     Problem problem;              // of polygons, problem.mesh is the mesh of their pieces
     PolygonDivision division;            // polygons only
     Span<Curve> curves;           // set by the caller before run()
+    Span<Curve> slip_along;       // those that the sliding boundaries have given; set by the caller before run()
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Topology topology;            // of problem.mesh
     Index inverted = none;        // the first inverted cell

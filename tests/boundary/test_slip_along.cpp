@@ -1,0 +1,191 @@
+// Boundaries that slide along B-splines that are given.
+#include <doctest/doctest.h>
+
+#include <fixtures/core.hpp>
+#include <fixtures/safe.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+// An arc of a circle in quarters, exactly: rational quadratic segments. degrees: where it begins; backwards: clockwise.
+Spline circle(double radius, double degrees, int quarters = 4, bool backwards = false) {
+    Spline out;
+    out.degree = 2;
+    for (int k = 0; k <= 2 * quarters; ++k) {
+        double const angle = pi * (degrees + (backwards ? -45 : 45) * k) / 180, far = k % 2 == 0 ? 1 : std::sqrt(2.0);
+        if (quarters < 4 || k < 8) {
+            out.control.insert(out.control.end(), {far * radius * std::cos(angle), far * radius * std::sin(angle)});
+            out.weights.push_back(k % 2 == 0 ? 1 : std::sqrt(0.5));
+        }
+        out.indices.push_back(quarters == 4 ? k % 8 : k);
+    }
+    out.knots = {0};
+    for (int k = 0; k <= quarters; ++k) out.knots.insert(out.knots.end(), {1.0 * k, 1.0 * k});
+    out.knots.push_back(quarters);
+    return out;
+}
+
+// A ring of few faces, whose outer circle slides along curves.
+struct Along {
+    Case its = ring_case(4, 12, 0.5, 2, Cells::hybrid);
+    CurveSet curves;
+
+    explicit Along(Spline const& first) {
+        curves.add(first);
+        its.set_slip(far_field);
+        for (double& number : its.curves.control) number *= 0.5 / 0.445;
+    }
+    hm_condition& condition() {
+        hm_condition& last = its.conditions.back();
+        last.along = &curves.view();
+        last.n_curves = last.along->n_curves;
+        return last;
+    }
+    bool is_outer(std::size_t k) const { return std::hypot(its.mesh.x[k], its.mesh.y[k]) > 1.99; }
+    // The largest distance of outer points from the circle, after a random movement and hm_slide.
+    double off_circle() {
+        Attempt attempt;
+        hm_options const options = options_of(HM_CONFORMAL);
+        REQUIRE(attempt.analyse(its.problem(), &options));
+        std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        REQUIRE(hm_slide(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
+        CHECK(same_bits(x, its.mesh.x));
+        CHECK(same_bits(y, its.mesh.y));
+        std::vector<double> const by = some_move(static_cast<std::int32_t>(x.size()), 0.3, 4);
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            x[k] += by[2 * k];
+            y[k] += by[2 * k + 1];
+        }
+        REQUIRE(hm_slide(attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
+        double off = 0;
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            if (is_outer(k)) off = std::fmax(off, std::fabs(std::hypot(x[k], y[k]) - 2));
+        }
+        return off;
+    }
+};
+
+hm_error refusal(Along& of) {
+    Attempt attempt;
+    hm_options const options = options_of(HM_CONFORMAL);
+    CHECK(!attempt.analyse(of.its.problem(), &options));
+    return attempt.error;
+}
+
+}  // namespace
+
+TEST_CASE("points slide along the curve that is given, wherever that begins and whichever way it goes") {
+    Along without(circle(2, 0));
+    CHECK(without.off_circle() > 1e-8);   // the curve through twelve points
+    for (double const begin : {0.0, 17.0, 90.0, 181.0}) {
+        for (bool const backwards : {false, true}) {
+            Along of(circle(2, begin, 4, backwards));
+            of.condition();
+            CHECK(of.off_circle() < 1e-11);
+        }
+    }
+}
+
+TEST_CASE("points that are beside their curve keep their offset") {
+    Along of(circle(2.03, 11));
+    of.condition();
+    CHECK(of.off_circle() < 1.1 * 0.03 * (1 - std::cos(pi / 12)));   // between two points offsets are linear
+    CHECK(of.off_circle() > 1e-5);
+}
+
+TEST_CASE("a body turns, the outer points slide along the given circle with it") {
+    Along of(circle(2, 11));
+    of.condition();
+    Safe safe(of.its);
+    std::vector<double> const move = similarity_move(of.its.curves, std::polar(1.0, 60 * pi / 180), 0, 0);
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR});
+    REQUIRE(safe.run(move) >= HM_OK);
+    CHECK(safe.is_valid());
+    double off = 0, turned = 0;
+    for (std::size_t k = 0; k < safe.x.size(); ++k) {
+        if (!of.is_outer(k)) continue;
+        off = std::fmax(off, std::fabs(std::hypot(safe.x[k], safe.y[k]) - 2));
+        turned += std::arg(Complex(safe.x[k], safe.y[k]) / Complex(of.its.mesh.x[k], of.its.mesh.y[k])) / 12;
+    }
+    CHECK(off < 1e-11);
+    CHECK(turned > 0.5);
+}
+
+TEST_CASE("two arcs: points where they end are fixed, the others slide along their own") {
+    Along of(circle(2, 0, 2));
+    of.curves.add(circle(2, 180, 2));
+    of.condition();
+    CHECK(of.off_circle() > 0.01);   // of the two that do not slide
+    Safe safe(of.its);
+    REQUIRE(safe.run(similarity_move(of.its.curves, std::polar(1.0, 20 * pi / 180), 0, 0)) >= HM_OK);
+    int n_fixed = 0;
+    for (std::size_t k = 0; k < safe.x.size(); ++k) {
+        if (!of.is_outer(k)) continue;
+        bool const stays = safe.x[k] == of.its.mesh.x[k] && safe.y[k] == of.its.mesh.y[k];
+        CHECK(stays == (std::fabs(of.its.mesh.y[k]) < 1e-9));
+        n_fixed += stays ? 1 : 0;
+    }
+    CHECK(n_fixed == 2);
+}
+
+TEST_CASE("the conditions of a basis tell how many curves there were, and are refused without them") {
+    Along of(circle(2, 11));
+    of.condition();
+    hm_options const options = options_of(HM_CONFORMAL);
+    Solved solved(of.its.problem(), &options);
+    std::vector<hm_condition> back(2);
+    for (hm_condition& its : back) its.struct_size = sizeof its;
+    std::int32_t n = 0;
+    REQUIRE(hm_basis_conditions(solved.basis, back.data(), 2, &n, nullptr) == HM_OK);
+    CHECK(back[1].kind == HM_SLIP);
+    CHECK(back[1].first_curve == 0);
+    CHECK(back[1].n_curves == 1);
+    CHECK(back[1].along == nullptr);
+    of.its.conditions = back;
+    hm_error const error = refusal(of);
+    CHECK(error.code == HM_BAD_CONDITION);
+    CHECK(std::string(error.text) ==
+          "condition 1 (from 0) slides along 1 curves, but its `along` is NULL: a basis does not keep them");
+    of.condition();
+    CHECK(of.off_circle() < 1e-11);
+}
+
+TEST_CASE("curves that do not fit are refused, with the point") {
+    Along far(circle(3, 0));
+    far.condition();
+    hm_error error = refusal(far);
+    CHECK(error.code == HM_BAD_CONDITION);
+    CHECK(std::string(error.text).find("from the curve that it should slide along: is the marker another one?") !=
+          std::string::npos);
+    CHECK(error.value == doctest::Approx(1));
+    CHECK(far.is_outer(static_cast<std::size_t>(error.item)));
+
+    Spline octagon;   // in which the curve turns by 45 degrees, between points
+    octagon.degree = 1;
+    for (int k = 0; k <= 8; ++k) {
+        double const angle = pi * (k + 0.3) / 4;
+        if (k < 8) octagon.control.insert(octagon.control.end(), {2.05 * std::cos(angle), 2.05 * std::sin(angle)});
+        octagon.indices.push_back(k % 8);
+    }
+    octagon.knots = {0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 8};
+    Along corners(octagon);
+    corners.condition();
+    error = refusal(corners);
+    CHECK(error.code == HM_BAD_CONDITION);
+    CHECK(std::string(error.text).find("and those after it should slide has a corner between them") != std::string::npos);
+
+    Along of(circle(2, 0));
+    of.condition().n_curves = 2;
+    CHECK(std::string(refusal(of).text) ==
+          "condition 1 (from 0) has n_curves 2, but that is not the number of curves in its `along`");
+    of.condition().kind = HM_FIXED;
+    of.its.conditions.back().n_curves = 0;
+    CHECK(std::string(refusal(of).text) ==
+          "condition 1 (from 0) has curves along which to slide, which are of HM_SLIP only, but its kind is 2");
+    of.condition().kind = HM_SLIP;
+    of.curves.shapes[0].knots[1] = 9;   // not in order
+    CHECK(refusal(of).code == HM_BAD_CURVE);
+}
