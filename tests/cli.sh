@@ -582,6 +582,9 @@ for centre in '0 0' '5 -7'; do
     done
 done
 runs "--periodic: transfer of a passage" 0 transfer "$tmp/passage.su2" "$tmp/passage.basis" "$tmp/passage.su2" -o "$tmp/passage-fine.basis"
+runs "--periodic: morph by the functions that were transferred" 0 morph "$tmp/passage.su2" "$tmp/passage-fine.basis" \
+    --move "$tmp/passage.txt" -o "$tmp/passage-moved.su2"
+check "--periodic: the sides of the passage stay images with them" misfit "$tmp/passage-moved.su2" 5 -7
 runs "--periodic: page of a passage" 0 explore "$tmp/passage.su2" "$tmp/passage.basis" -o "$tmp/passage.html"
 refuses "--periodic: a passage with multigrid" 2 'rotation pairs go with the direct engine only' solve "$tmp/passage.su2" \
     --rigid block --periodic in:let:out --operator laplace --engine multigrid -o "$tmp/x"

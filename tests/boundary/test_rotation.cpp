@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/passage.hpp>
 
 using namespace fixtures;
@@ -27,7 +28,7 @@ void refused(Case& its, hm_status status, const char* words, hm_options const& o
 
 }  // namespace
 
-TEST_CASE("one passage is an annulus whose bodies move as turned copies: all operators, cells and numbers of passages") {
+TEST_CASE("one passage is an annulus whose bodies move as turned copies, with all operators and cells") {
     for (std::int32_t const operator_kind : operators)
         for (Cells const kind : kinds)
             for (int const n : {2, 3, 5}) {
@@ -64,6 +65,45 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
                 CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-14);
                 CHECK(std::abs(found[4]) > 1e-4);
             }
+}
+
+TEST_CASE("thin cells along the hub and along the sides, also with a factor in single precision: one passage is the annulus") {
+    int const n = 5;
+    for (bool const at_sides : {false, true})
+        for (std::int32_t const operator_kind : operators)
+            for (std::int32_t const precision : {HM_DOUBLE, HM_SINGLE}) {
+                Case flat;
+                flat.mesh = square(40, Cells::quads, 6, 6);
+                auto const squeeze = [](double t) { return 0.5 * (1 + std::tanh(6 * (2 * t - 1)) / std::tanh(6.0)); };
+                for (double& t : at_sides ? flat.mesh.x : flat.mesh.y) t = squeeze(t);   // heights of 1e-6
+                Case one = bent(flat, n, 0.3);
+                std::vector<std::vector<std::int32_t>> number;
+                Case all = annulus_of(one, n, number);
+                hm_options options = options_of(operator_kind);
+                options.precision = precision;
+                Solved const a(one, &options), b(all, &options);
+                std::vector<double> const move = some_move(one.curves.n_control(), 0.05, 3);
+                Field const found = displacement(a, move), expected = displacement(b, turned_copies(move, n));
+                CHECK(largest_difference(found, of_passage(expected, number[0])) < 1e-11);
+                CHECK(a.report.residual < 1e-11);
+            }
+}
+
+TEST_CASE("any number of threads gives the same bits") {
+    Case flat;
+    flat.mesh = square(130, Cells::hybrid, 6, 6);   // several ranges of rows
+    Case its = bent(flat, 7, 0.3);
+    std::vector<double> const move = some_move(its.curves.n_control(), 0.05, 3);
+    for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE}) {
+        hm_options options = options_of(operator_kind);
+        Field const expected = displacement(Solved(its, &options), move);
+        Backwards pool;
+        hm_executor const executor = pool.executor(4);
+        options.executor = &executor;
+        Field const found = displacement(Solved(its, &options), move);
+        CHECK(pool.tasks > 4);
+        CHECK(same_bits(found, expected));
+    }
 }
 
 TEST_CASE("rigid bodies in a passage turn and move as turned copies") {

@@ -1,4 +1,4 @@
-// Large movements and better cells in one passage of an annulus: what all passages together do, and sides that stay images.
+// Large movements and better cells in one passage of an annulus: what all passages do, and sides that stay images.
 #include <doctest/doctest.h>
 
 #include <fixtures/displaced.hpp>
@@ -40,8 +40,8 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
     double* const better = reinterpret_cast<double*>(to.data());
     hm_improve_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2), work.data(), bytes, nullptr,
-                       &report, nullptr) == HM_OK);
+    REQUIRE(hm_improve(solved.plan, points_in(x, x + 1, 2), points_out(better, better + 1, 2), work.data(), bytes,
+                       nullptr, &report, nullptr) == HM_OK);
     CHECK(work.guards_intact());
     CHECK(mesh.x.size() == from.size());
     return report;
@@ -49,7 +49,7 @@ hm_improve_report improved(Solved const& solved, Mesh const& mesh, Field const& 
 
 }  // namespace
 
-TEST_CASE("a safe morph of a passage: the target is reached, the sides stay images of each other, and all passages agree") {
+TEST_CASE("a safe morph of a passage reaches the target, its sides stay images, and all passages agree") {
     int const n = 6;
     Complex const turn = turn_of_passage(n);
     for (std::int32_t const operator_kind : {HM_CONFORMAL, HM_LAPLACE, HM_WEIGHTED})
@@ -104,9 +104,10 @@ TEST_CASE("given displacements of a passage, safely") {
         safe.struct_size = sizeof safe;
         safe.min_quality = -1;
         hm_error error;
+        std::int32_t const n_wall = static_cast<std::int32_t>(wall.size());
         hm_status const status =
-            hm_displace_safe(displaced.plan, displaced.basis, nullptr, static_cast<std::int32_t>(wall.size()), nullptr,
-                             points_in(w, w + 1, 2), points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
+            hm_displace_safe(displaced.plan, displaced.basis, nullptr, n_wall, nullptr, points_in(w, w + 1, 2),
+                             points_out(xy, xy + 1, 2), work.data(), bytes, &safe, nullptr, &error);
         INFO(error.text);
         CHECK(status == HM_OK);
         CHECK(misfit_of_sides(its.mesh, to, turn_of_passage(n)) < 1e-15);
