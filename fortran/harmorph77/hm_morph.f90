@@ -79,6 +79,40 @@ subroutine hmsafe(w, dp, xn, yn, inc, dr, frac, istrat, ierr, msg)
     call this%finish(ierr, msg)
 end subroutine
 
+subroutine hmslid(w, x, y, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), x(*), y(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(c_ptr) :: analysis
+    call this%open_solved(w)
+    call analysis_of_start(this, "HMSLID", analysis)
+    call this%forgive()
+    if (this%ok()) call this%told(hm_c_slide(analysis, points_of(x, y, inc), points_of(x, y, inc), this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
+subroutine hmsadj(w, x, y, gx, gy, inc, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: inc
+    real(c_double), intent(inout), target :: w(*), gx(*), gy(*)
+    real(c_double), intent(in), target :: x(*), y(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    type(c_ptr) :: analysis
+    call this%open_solved(w)
+    call analysis_of_start(this, "HMSADJ", analysis)
+    call this%forgive()
+    if (this%ok()) call this%told(hm_c_slide_adjoint(analysis, points_of(x, y, inc), points_of(gx, gy, inc), &
+        points_of(gx, gy, inc), this%e))
+    call this%finish(ierr, msg)
+end subroutine
+
 subroutine hmstep(w, x, y, dx, dy, inc, s, icell, ierr, msg)
     use harmorph77
     implicit none

@@ -46,7 +46,7 @@
 !     CALL HMCOND (W, MARK, KIND, ICURV, NCURV, IERR, MSG)     KIND 0: on curves ICURV..ICURV+NCURV-1, 2 fixed
 !                                                              (as markers without condition), 3 slips along its
 !                                                              lines (on curves HMMORF moves points along tangents,
-!                                                              HMSAFE puts them back), 4 free (not with OPERATOR 0),
+!                                                              HMSLID puts them back), 4 free (not with OPERATOR 0),
 !                                                              6 moved by HMGIVE; ICURV and NCURV both 0 or 1 then
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)          belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                  these two are translates of each other and move alike
@@ -86,6 +86,12 @@
 !                                                              ISTRAT 0: as HMMORF, 2: in several steps, 3: untangled
 !     CALL HMDISP (W, DP, DX, DY, INC, IERR, MSG)              displacements alone; of velocities: velocities
 !     CALL HMADJ  (W, GX, GY, INC, G, IERR, MSG)               gradient G, like DP, from derivatives by mesh points
+!     CALL HMSLID (W, X, Y, INC, IERR, MSG)                    after HMMORF, where points slide along curves: puts
+!                                                              these points of X, Y onto their curves, and the mesh
+!                                                              with them. X, Y are not XN, YN of HMMESH, which must be
+!                                                              as HMSOLV found them; analyses the mesh again
+!     CALL HMSADJ (W, X, Y, GX, GY, INC, IERR, MSG)            its transpose, before HMADJ: X, Y before HMSLID; GX, GY
+!                                                              by the points after HMSLID become those by X, Y
 !     CALL HMSTEP (W, X, Y, DX, DY, INC, S, ICELL, IERR, MSG)  largest S for which X + S*DX has no inverted cell
 !     CALL HMQUAL (W, X, Y, INC, NINV, AMIN, QMIN, IERR, MSG)  inverted cells, least corner area, least quality
 !     CALL HMGIVE (W, N, IP, WX, WY, DX, DY, INC, IERR, MSG)   displacements DX, DY of all mesh points from WX(N),

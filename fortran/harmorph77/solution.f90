@@ -41,14 +41,14 @@ contains
         if (this%ok()) call this%told(hm_c_plan_init(plan, block, bytes, analysis, this%e))
     end subroutine
 
-    ! A plan for a safe movement from where HMSOLV found the mesh, until the call ends.
-    subroutine plan_of_start(this, name, plan)
+    ! The analysis of the mesh where HMSOLV found it, until the call ends.
+    subroutine analysis_of_start(this, name, analysis)
         type(legacy_call), intent(inout) :: this
         character(len=*), intent(in) :: name
-        type(c_ptr), intent(out) :: plan
-        type(c_ptr) :: analysis, same
+        type(c_ptr), intent(out) :: analysis
+        type(c_ptr) :: same
         integer(c_int32_t) :: status
-        plan = c_null_ptr
+        analysis = c_null_ptr
         if (.not. this%ok()) return
         call this%refuse_if(this%kept%n_conditions == 0, name // " needs HMSOLV before it, HMLOAD is not enough")
         if (.not. this%ok()) return
@@ -58,6 +58,16 @@ contains
         call this%refuse_if(status == hm_moved, "X, Y are no longer where HMSOLV found them")
         if (this%ok()) call this%told(status)
         call analyse(this, .true., analysis)
+    end subroutine
+
+    ! A plan for a safe movement from there, until the call ends.
+    subroutine plan_of_start(this, name, plan)
+        type(legacy_call), intent(inout) :: this
+        character(len=*), intent(in) :: name
+        type(c_ptr), intent(out) :: plan
+        type(c_ptr) :: analysis
+        plan = c_null_ptr
+        call analysis_of_start(this, name, analysis)
         call make_plan(this, analysis, plan)
         call this%forgive()
     end subroutine
