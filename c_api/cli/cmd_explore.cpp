@@ -62,7 +62,8 @@ const Command explore_command = {
     "One self-contained file for any browser, without a network: control points, rigid bodies and design variables to drag;\n"
     "inverted cells, admissible step, quality, heights and angles at the wall, the section's thickness and area, as they\n"
     "become. It saves and loads MOVES as `harmorph morph` reads them. Points on the page are those of `harmorph morph`\n"
-    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n",
+    "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n"
+    "Points that slide along curves (--slip) move along the tangents on the page; `harmorph morph` puts them onto the curves.\n",
     {{"-o", "PAGE", "page to write, HTML (required)"},
      {"--points", "N", "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
                        "for drawing (default 20000)"},
