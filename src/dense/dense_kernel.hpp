@@ -129,7 +129,7 @@ Index factor_diagonal(Panel<Number> const& panel, Index first, Index end, Number
         });
         Index const bad = factor_block<planes>(own.at(k, k), n, sum, size, floor, least_left);
         if (bad != none) return k + bad;
-        apply_inverse<planes>(n, behind, own.at(k, k), InSlabs<Number, planes>{own, k, k + n});
+        apply_inverse<planes>(own, k, n, behind, InSlabs<Number, planes>{own, k, k + n});
         eliminate_sums<planes>(own, k, n, end, inner[0] + (k - first), strip);
         eliminate_sums<planes>(own, k, n, end, sums + k, plane);
     }
@@ -154,7 +154,7 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
                 }
             }
             if (k > first) subtract_product<planes>(own, columns, columns, {first, k}, {k, k + n}, tile);
-            apply_inverse<planes>(n, tile.count(), own.at(k, k), InSlabs<Number, planes>{columns, k, c});
+            apply_inverse<planes>(own, k, n, tile.count(), InSlabs<Number, planes>{columns, k, c});
             subtract_sums<planes>(columns, k, n, tile, sums + k, column_sums + c, panel.sums_plane());
         }
     }
@@ -189,7 +189,7 @@ void solve_strip_forward(Slabs<Number> const& own, Index first, Index end, Numbe
         Index const n = smaller(slab, end - k);
         InRows<Number, planes> const block = sides<planes>(y, row, k);
         if (k > first) subtract_from_rows<planes>(own, sides<planes>(y, row, first), block, {first, k}, {k, k + n});
-        apply_inverse<planes>(n, row, own.at(k, k), block);
+        apply_inverse<planes>(own, k, n, row, block);
     }
 }
 

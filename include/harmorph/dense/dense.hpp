@@ -70,6 +70,7 @@ struct Slabs {
         Offset const start = slab_start(rows, shorter, number) + Offset{slab} * row;
         return data + planes * start + (column - number * slab);
     }
+    Offset rows_of_slab(Index number) const noexcept { return number < shorter ? Offset{slab} * (number + 1) : rows; }
 };
 
 template <class Number>
