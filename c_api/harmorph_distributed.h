@@ -78,8 +78,10 @@ typedef struct hm_equations hm_equations;
 /* problem: curves and conditions, the same in all parts; problem.mesh is ignored; n_given must be 0. options: operator,
  * exponent, offset correction, tolerance, kernel, executor; scheme HM_COMPACT, engine HM_DIRECT and HM_DOUBLE alone
  * (HM_UNSUPPORTED otherwise), though no engine is used. edges [n_edges]: what hm_match_edges has left of all parts, in
- * any order, the same edges in all parts. All conditions of HM_DIRECT with HM_COMPACT. The size is an upper bound from
- * the counts of the part and the edges; edges are read by the initialisation alone.
+ * any order, the same edges in all parts. All conditions of HM_DIRECT with HM_COMPACT but HM_ROTATION_PAIR and
+ * hm_condition.along (HM_UNSUPPORTED). Points that slide along curves move along the tangents at the start, to d^2 / (2 R)
+ * beside the curve for a movement by d, R the radius of curvature; hm_slide is for meshes that are one. The size is an
+ * upper bound from the counts of the part and the edges; edges are read by the initialisation alone.
  * Refused: what hm_analysis_init refuses of boundary, conditions and curves; HM_BAD_MESH, an edge with one cell and no
  * marker that is no cut: a gap between parts, or a marker that is missing. Points in these errors are global numbers.
  * Not examined: whether a part of the mesh hangs on nothing, see hm_analysis_init. The part must exist as long as the

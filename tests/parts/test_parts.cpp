@@ -386,6 +386,12 @@ TEST_CASE("the conditions of a whole mesh are refused in parts as well") {
     its.set_rotation(its.conditions[0].marker + 50, its.conditions[0].marker + 51);
     CHECK(refusal([](hm_options&) {}) == "meshes in parts do not go with HM_ROTATION_PAIR; HM_PERIODIC_PAIR does");
     its.conditions.pop_back();
+    its.set_slip(far_field);
+    its.conditions.back().along = &its.curves.view();
+    its.conditions.back().n_curves = its.conditions.back().along->n_curves;
+    CHECK(refusal([](hm_options&) {}) ==
+          "meshes in parts do not go with curves that are given for sliding (hm_condition.along)");
+    its.conditions.pop_back();
     its.give(0, 0.5);
     CHECK(refusal([](hm_options&) {}) == "meshes in parts: problem.n_given must be 0");
 }
