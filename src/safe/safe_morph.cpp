@@ -117,7 +117,7 @@ void SafeMorph::single_step(Work& work, Basis const& by, Strategy strategy, Inde
 // No way is worse than this one: straight ahead with the functions of the start, as far as no cell inverts.
 void SafeMorph::longest_linear_step(Work& work) noexcept {
     constexpr Index most_trials = 8;
-    if (work.derivative != nullptr && mesh.path.is_bent()) return;
+    if (mesh.path.is_bent()) return;  // the derivative knows no way back; without one the path has been straightened
     begin(work);
     Real length = smaller(0.98 * look_ahead(work, work.basis, 1).step, 1.0);
     for (Index trial = 0; trial < most_trials && length > work.best().fraction; ++trial, length *= 0.8) {

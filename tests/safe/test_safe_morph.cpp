@@ -98,6 +98,26 @@ TEST_CASE("another basis is the one that helps") {
     CHECK(largest_difference(displacement(of.basis, further), displacement(useful, further)) < 1e-15);
 }
 
+TEST_CASE("the longest linear step is straight: no derivative of a path that turns is made of it") {
+    Case its = block(Cells::quads, 15);
+    hm_options const options = options_of(HM_CONFORMAL);
+    Safe safe(its, options);
+    Attempt of;
+    REQUIRE(of.analyse(its.problem(), &options));
+    REQUIRE(of.prepare());
+    std::vector<double> const move = turn_of(its, 150, {0.05, 0.02});
+    REQUIRE(safe.admissible(move) < 1);
+    safe.safe_options.skipped_strategies =
+        without({HM_STRATEGY_OTHER, HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED, HM_STRATEGY_IMPROVED});
+    CHECK(safe.run(move, of.basis) == HM_SHORT);
+    CHECK(safe.report.step_fraction == 0);
+    CHECK(safe.untouched());
+    CHECK(safe.run(move) == HM_SHORT);
+    CHECK(safe.report.step_fraction == doctest::Approx(0.98 * safe.admissible(move)));
+    CHECK(safe.report.strategy == HM_STRATEGY_LINEAR);
+    CHECK(safe.is_valid());
+}
+
 TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spline is") {
     for (Cells const kind : {Cells::quads, Cells::triangles}) {
         Case its = block(kind);
