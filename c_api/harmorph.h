@@ -96,7 +96,7 @@ enum {
                                  the first layer changed more, than was asked for; error.item: the cell, or the wall
                                  point */
     HM_CANCELLED = -1,        /* the progress callback asked to stop; repeat the cancelled call to continue */
-    HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that is too small */
+    HM_BAD_ARGUMENT = -2,     /* NULL, a size or number out of range, a struct_size that no such struct has */
     HM_BAD_MESH = -3,         /* index, repeated point, non-manifold edge, inverted cell, boundary, coordinate */
     HM_BAD_CURVE = -4,        /* degree, knots, indices, weights, control points, or a fit that is not determined */
     HM_BAD_CONDITION = -5,    /* marker that no face has, curve that does not exist, field of another kind, nothing to

@@ -11,11 +11,12 @@
 
 namespace harmorph {
 
-// Has the caller set the size?
+// Has the caller set the size? Also the next struct of an array, that many bytes behind, has to be aligned.
 template <class T>
 bool has_size(T const& given) noexcept {
     constexpr std::uint64_t largest_ever = 4096;
-    return given.struct_size >= sizeof given.struct_size && given.struct_size <= largest_ever;
+    return given.struct_size >= sizeof given.struct_size && given.struct_size <= largest_ever &&
+           given.struct_size % alignof(T) == 0;
 }
 
 // A caller's struct of any age: what it does not have is 0. False if its size was never set.

@@ -106,7 +106,7 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     std::vector<double> const d(48, 0.0);
     auto const shortened = [&](auto whole, auto call) {
         using Report = decltype(whole);
-        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report); size += 4) {
+        for (std::size_t size = sizeof(std::uint64_t); size <= sizeof(Report); size += alignof(Report)) {
             Report report;
             std::memset(static_cast<void*>(&report), 0x5A, sizeof report);
             report.struct_size = size;
@@ -127,10 +127,10 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     });
 }
 
-TEST_CASE("a struct_size that was never set is refused") {
+TEST_CASE("a struct_size that was never set, or with which the next struct of an array were not aligned, is refused") {
     Case its = tiny_case();
     std::size_t bytes = 0;
-    for (std::uint64_t const size : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{1} << 40}) {
+    for (std::uint64_t const size : {std::uint64_t{0}, std::uint64_t{7}, std::uint64_t{75}, std::uint64_t{1} << 40}) {
         hm_problem problem = its.problem();
         hm_options options{};
         hm_error error{};
@@ -141,6 +141,12 @@ TEST_CASE("a struct_size that was never set is refused") {
         options.struct_size = size;
         CHECK(hm_analysis_size(&problem, &options, &bytes, &error) == HM_BAD_ARGUMENT);
         CHECK(says(error, "options.struct_size"));
+        std::vector<hm_condition> conditions(2, its.conditions[0]);
+        for (hm_condition& condition : conditions) condition.struct_size = size;
+        problem.conditions = conditions.data();
+        problem.n_conditions = 2;
+        CHECK(hm_analysis_size(&problem, nullptr, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(says(error, "struct_size of condition 0"));
     }
     CHECK(bytes == 0);
 }
