@@ -143,7 +143,7 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
 template <Index n>
 HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change, Real step) noexcept {
     Vector const zero = {};
-    Vector least = {}, sum = {}, least_change = {}, slopes[now.n_areas];
+    Vector least = {}, sum = {}, least_change = {}, slopes[Corners<n>::n_areas];
 #pragma GCC unroll 4
     for (Index k = 0; k < now.n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);

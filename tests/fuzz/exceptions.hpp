@@ -5,17 +5,21 @@
 
 #include <cfenv>
 
+#ifdef __clang__   // what a test computes stays on its side of clear(); see include/harmorph/base/types.hpp
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(except, on)
+#pragma clang diagnostic pop
+#endif
+
 namespace fuzz {
 
 struct Exceptions {
     static void clear() { std::feclearexcept(FE_ALL_EXCEPT); }
-    // clang assumes that nobody looks at the flags, and divides where the source does not: then they tell nothing.
-    static void expect_none([[maybe_unused]] std::string const& call) {
-#ifndef __clang__
+    static void expect_none(std::string const& call) {
         expect(std::fetestexcept(FE_INVALID) == 0, call + ": an invalid operation");
         expect(std::fetestexcept(FE_DIVBYZERO) == 0, call + ": a division by zero");
         expect(std::fetestexcept(FE_OVERFLOW) == 0, call + ": an overflow");
-#endif
     }
 };
 

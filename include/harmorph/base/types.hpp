@@ -8,6 +8,15 @@
 #include <cstddef>
 #include <cstdint>
 
+// Callers may trap floating-point exceptions. g++ heeds that; clang must be told, or it divides by c in c > 0 ? b / c : 0
+// before it looks at c. For some processors it cannot be told: there it ignores this.
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wignored-pragmas"
+#pragma float_control(except, on)
+#pragma clang diagnostic pop
+#endif
+
 namespace harmorph {
 
 using Index = std::int32_t;   // points, cells, edges, unknowns
