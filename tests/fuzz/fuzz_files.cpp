@@ -73,22 +73,27 @@ std::string damaged(std::string text, Input& input) {
     return text;
 }
 
-// A file of this process, which goes with it.
+// A file of this process, which goes with it: in memory where the system has a directory for that.
 class Scratch {
 public:
     Scratch() {
-        int const file = mkstemp(path_);
+        int file = -1;
+        for (const char* const directory : {"/dev/shm", "/tmp"}) {
+            path_ = std::string(directory) + "/harmorph-fuzz-XXXXXX";
+            file = mkstemp(path_.data());
+            if (file >= 0) break;
+        }
         expect(file >= 0, "no scratch file");
         close(file);
     }
-    ~Scratch() { std::remove(path_); }
+    ~Scratch() { std::remove(path_.c_str()); }
     std::string write(std::string const& text) const {
         std::ofstream(path_, std::ios::binary) << text;
         return path_;
     }
 
 private:
-    char path_[32] = "/tmp/harmorph-fuzz-XXXXXX";
+    std::string path_;
 };
 
 void read_mesh(std::string const& path) {

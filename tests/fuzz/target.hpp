@@ -17,6 +17,7 @@ Outcome run_shape(Input& input);
 Outcome run_given(Input& input);
 Outcome run_parts(Input& input);
 Outcome run_plane(Input& input);
+Outcome run_transfer(Input& input);
 
 struct Target {
     const char* name;
@@ -24,7 +25,7 @@ struct Target {
 };
 inline constexpr Target targets[] = {
     {"problem", run_problem},   {"polygons", run_polygons}, {"basis", run_basis}, {"given", run_given},
-    {"parts", run_parts},       {"plane", run_plane},
+    {"parts", run_parts},       {"plane", run_plane},       {"transfer", run_transfer},
     {"sequence", run_sequence}, {"files", run_files},       {"shape", run_shape}};
 
 }   // namespace fuzz
