@@ -4,7 +4,7 @@
 # the headers are C89 with long long, C99 and C11, also for small compilers; the Makefile and its scripts work with bmake and
 # with busybox's shell and tools. LEVELS="-O2" and COMPILERS="g++-11 clang++-14" choose; LEVELS=-fsyntax-only is quick.
 : "${LEVELS:=-O0 -O1 -O2 -O3}"
-: "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
+: "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-13 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
 build=$(cd "$1" && pwd)
 dir=$build/compilers
 topic=compilers log=$dir/log
@@ -27,7 +27,7 @@ done
 for header in harmorph.h harmorph_pages.h harmorph_distributed.h; do
     printf '#include <%s>\n' $header >"$dir/header.c"
     for standard in "c89 -pedantic-errors -Wno-long-long" "c99 -pedantic-errors" "c11 -pedantic-errors"; do
-        for compiler in gcc-11 gcc-12 clang-14 clang-19; do
+        for compiler in gcc-11 gcc-12 clang-13 clang-14 clang-19; do
             command -v $compiler >/dev/null || continue
             # C89 has no keyword inline, which harmorph_pages.h needs.
             case "$standard $header" in c89*pages*) continue ;; esac
@@ -62,8 +62,10 @@ if command -v busybox >/dev/null; then
 else
     missing busybox
 fi
-for compiler in gfortran-11 gfortran-12 flang-16 flang-19 flang-22; do
+for compiler in gfortran-11 gfortran-12 flang-new-16 flang-new-19 flang-19 flang-22; do
     command -v $compiler >/dev/null || { missing $compiler; continue; }
-    check "the Fortran module, $compiler" silent sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" $compiler "$build"
+    # flang warns of pointers to types without bind(c) from c_f_pointer, which Fortran 2018 allows.
+    case $compiler in flang*) quiet=-w ;; *) quiet= ;; esac
+    check "the Fortran module, $compiler" silent sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" "$compiler $quiet" "$build"
 done
 finish "$dir"

@@ -35,7 +35,8 @@ struct Block {
     void* give(std::size_t wanted) {
         if (wanted > bytes) {
             memory.reset();
-            memory.reset(std::malloc(pages == Pages::huge ? hm_pages_room(wanted) : wanted));
+            std::size_t const room = pages == Pages::huge ? hm_pages_room(wanted) : wanted;   // SIZE_MAX: there is none
+            memory.reset(room <= PTRDIFF_MAX ? std::malloc(room) : nullptr);
             if (!memory) throw std::bad_alloc();
             data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted) : memory.get();
             bytes = wanted;
