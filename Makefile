@@ -39,7 +39,7 @@
 # cannot do without is added to CXXFLAGS.
 .POSIX:
 .SUFFIXES:
-.PHONY: all rules deform-driver unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
+.PHONY: all rules deform-driver test-programs unit fuzzer fuzz test library-only tests-only coverage mutate sanitize test-petsc mpi \
 	check-link bench bench-rows bench-mpi \
 	bench-petsc deform paper demo install uninstall clean \
 	amalgamation compilers cross shared install-shared abi manual dist
@@ -76,15 +76,16 @@ MPICC = mpicc
 
 WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 # No C++ runtime, no errno, so that only mem* stay undefined; no contraction, so that compilers agree on bits. Callers may
-# trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here.
+# trap floating-point exceptions: so -fno-trapping-math, which lets compilers divide where the program does not, is not here;
+# what clang needs for that is in include/harmorph/base/types.hpp.
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
 CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -Ic_api -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
-# Tests are compiled for one run: what the optimiser would take is not given back.
-UNIT = -std=c++17 -O1 -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
+# Tests are compiled for one run: what more of optimisation would take is not given back, nor exceptions caught in each check.
+UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
 
 LIBRARY = $(BUILD)/libharmorph.a
 PROGRAM = $(BUILD)/harmorph
@@ -94,17 +95,22 @@ WITH_RULES = -s -j $(JOBS) -f Makefile -f $(BUILD)/rules.mk
 all: rules
 	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM)
 
+# What is generated is written under a name of this shell, and takes its place at once if it is another text: several makes
+# may run beside each other.
+REPLACE = new=$$$$; replace() { cmp -s $(BUILD)/$$1.$$new $(BUILD)/$$1 || mv -f $(BUILD)/$$1.$$new $(BUILD)/$$1; rm -f $(BUILD)/$$1.$$new; };
+
 # POSIX make has no rules that lead from one directory to another. So the shell writes one for each source it finds: new
 # files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
-	@for file in harmorph harmorph77 harmorph_mpi; do sh fortran/join.sh $$file >$(BUILD)/$$file.f90 || exit 1; done
-	@for part in mpi petsc; do sh c_api/join.sh $$part >$(BUILD)/harmorph_$$part.c || exit 1; done
-	@sh c_api/cli/page/embed.sh >$(BUILD)/page_text.new
-	@cmp -s $(BUILD)/page_text.new $(BUILD)/page_text.cpp || cp $(BUILD)/page_text.new $(BUILD)/page_text.cpp
-	@echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(LEVEL_OF_CALLS) $(CALLS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' >$(BUILD)/flags.new
-	@cmp -s $(BUILD)/flags.new $(BUILD)/flags || cp $(BUILD)/flags.new $(BUILD)/flags
-	@objects() { \
+	@$(REPLACE) for file in harmorph harmorph77 harmorph_mpi; do \
+	    sh fortran/join.sh $$file >$(BUILD)/$$file.f90.$$new || exit 1; replace $$file.f90; done
+	@$(REPLACE) for part in mpi petsc; do \
+	    sh c_api/join.sh $$part >$(BUILD)/harmorph_$$part.c.$$new || exit 1; replace harmorph_$$part.c; done
+	@$(REPLACE) sh c_api/cli/page/embed.sh >$(BUILD)/page_text.cpp.$$new; replace page_text.cpp
+	@$(REPLACE) echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(LEVEL_OF_CALLS) $(CALLS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
+	    >$(BUILD)/flags.$$new; replace flags
+	@$(REPLACE) objects() { \
 	    part=$$1 headers=$$2; shift 2; list=; \
 	    for source do \
 	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | sed "s,^$(BUILD)/,," | tr / -`.o; list="$$list $$object"; \
@@ -121,19 +127,18 @@ rules:
 	}; \
 	some() { echo `ls $$* 2>/dev/null`; }; \
 	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \
-	cli=`some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp`"; \
+	cli=`some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp`"; \
 	{ \
 	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
 	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
 	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
 	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
-	    objects cli "$$cli tests/deform/movements.hpp" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
-	    objects cli "$$cli tests/deform/seeds.hpp" tests/deform/seeded.cpp; list="$$list $$parts"; program $(BUILD)/deform-seeded; \
+	    objects cli "$$cli `some tests/deform/*.hpp`" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
+	    objects cli "$$cli `some tests/deform/*.hpp`" tests/deform/seeded.cpp; list="$$list $$parts"; program $(BUILD)/deform-seeded; \
 	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
 	    flags='$$(UNIT) -Ic_api/cli'; objects fuzz "$$core $$cli `some tests/fuzz/*.hpp`" tests/fuzz/*.cpp; \
 	    list="$$list $$parts"; program $(BUILD)/fuzzer; \
-	} >$(BUILD)/rules.new
-	@cmp -s $(BUILD)/rules.new $(BUILD)/rules.mk || cp $(BUILD)/rules.new $(BUILD)/rules.mk
+	} >$(BUILD)/rules.mk.$$new; replace rules.mk
 
 # The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all
@@ -150,6 +155,10 @@ unit: all
 	    { echo "doctest/doctest.h not found: install Debian's doctest-dev"; exit 1; }
 	@$(MAKE) $(WITH_RULES) $(BUILD)/tests
 	$(BUILD)/tests
+
+# All programs that the tests run.
+test-programs: rules
+	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM) $(BUILD)/tests $(BUILD)/fuzzer $(BUILD)/deform-driver $(BUILD)/deform-seeded
 
 fuzzer: rules
 	@$(MAKE) $(WITH_RULES) $(BUILD)/fuzzer
@@ -186,7 +195,7 @@ abi: all
 	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/abi/run.sh $(BUILD)
 
 manual: all
-	@sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $(BUILD)/harmorph.1
+	@$(REPLACE) sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $(BUILD)/harmorph.1.$$new; replace harmorph.1
 
 dist:
 	@mkdir -p $(BUILD)
@@ -210,7 +219,7 @@ check-link: all
 
 test: all
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' CXXFLAGS='$(CXXFLAGS)' CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' \
-	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' sh tests/run.sh
+	    FFLAGS='$(FFLAGS)' AR='$(AR)' LDFLAGS='$(LDFLAGS)' JOBS='$(JOBS)' sh tests/run.sh
 
 test-petsc: all
 	@CC='$(CC)' CFLAGS='$(CFLAGS)' FC='$(FC)' FFLAGS='$(FFLAGS)' MPICC='$(MPICC)' MESHES='$(MESHES)' sh tests/petsc.sh $(BUILD)

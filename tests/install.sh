@@ -77,7 +77,7 @@ check "a version to come is refused" version_refused "$dir/moved"
 # CMake by itself, without optimisation to be quick.
 check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib
-check "cmake builds" cmake --build "$dir/cmake"
+check "cmake builds" cmake --build "$dir/cmake" -j "${JOBS:-2}"
 check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"
 check "the list of files by cmake" same_files "$dir/second"
 check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f90" "$dir/second/share/harmorph/harmorph.f90"

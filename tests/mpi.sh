@@ -13,13 +13,11 @@ for tool in $MPICC $MPIFC $MPIRUN; do
     echo "0 passed, 1 failed"
     exit 1
 done
-# The compilers behind mpicc and mpifort; more processes than processors, which are to yield to each other.
-export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
+. "$(dirname "$0")/processes.sh"
 strict=-std=f2018 checks=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
     strict="-std=f2018 -Wall -Wextra -Werror -Wno-compare-reals" checks=-fcheck=all,no-array-temps
 fi
-case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
 
 topic=MPI log=$dir/log
 . "$(dirname "$0")/count.sh"
@@ -35,7 +33,7 @@ done
 check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
     "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do
-    for program in mpi_c mpi_f; do $MPIRUN $local -np $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
+    for program in mpi_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done
 
 finish "$dir"

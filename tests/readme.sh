@@ -81,7 +81,7 @@ no_other_commands() {
 check "commands stand in blocks that are run" no_other_commands
 
 # As README says it: harmorph_mpi.c by mpicc, harmorph_mpi.f90 by mpifort; see tests/mpi.sh.
-export OMPI_CC="$CC" OMPI_FC="$FC" MPICH_CC="$CC" MPICH_FC="$FC" OMPI_MCA_mpi_yield_when_idle=1
+. "$(dirname "$0")/processes.sh"
 several_processes() {
     block fortran 4 >"$dir/readme_mpi.inc" && cp tests/readme_mpi.f90 "$dir" || return 1
     (cd "$dir" && $MPICC $CFLAGS -I"$source/c_api" -c "$source/c_api/harmorph_mpi.c" -o harmorph_mpi_c.o &&
@@ -89,8 +89,7 @@ several_processes() {
             $MPIFC $FFLAGS -c "$file" || exit 1
         done &&
         $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1
-    case $($MPIRUN --version 2>&1) in *Open*) local="--allow-run-as-root --oversubscribe --timeout 60" ;; *) local= ;; esac
-    $MPIRUN $local -np 2 "$dir/readme_mpi" >"$dir/out" 2>&1
+    start 2 "$dir/readme_mpi" >"$dir/out" 2>&1
     cat "$dir/out"
     grep -q "agree on processes: 2" "$dir/out"
 }

@@ -1,10 +1,10 @@
 #!/bin/sh
 # All tests (called by `make test`, which says with what compilers and where). Each step prints one or several lines
 # "N passed, M failed", or is the doctest program; the sum is the last line.
-: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}"
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${JOBS:=2}"
 export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
 passed=0 failed=0
-log=$BUILD/test.log
+logs=$BUILD/test-logs
 
 missing=0
 need() {   # what is needed, Debian's package, how to see that it is there
@@ -23,63 +23,81 @@ need pkg-config pkg-config pkg-config --version
 need cmake cmake cmake --version
 if [ $missing -gt 0 ]; then echo "0 passed, $missing failed"; exit 1; fi
 
-# The counts are added up; a step that fails without counting a failure, or counts nothing, is a failure.
-step() {   # name, command...
-    echo "== $1"; shift
-    { "$@" </dev/null 2>&1; echo $? >"$log.status"; } | tee "$log"
-    counts=$(sed -n -e 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' \
-        -e 's/^.*test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$log" |
-        awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }')
-    p=${counts% *} f=${counts#* }
-    if [ "$f" = 0 ] && { [ "$(cat "$log.status")" != 0 ] || [ "$p" = 0 ]; }; then
-        echo "this step failed"
-        f=1
-    fi
-    passed=$((passed + p)) failed=$((failed + f))
+# Steps run in two lanes beside each other; those that call make in $BUILD are all in the first one. The list of steps is
+# gone through three times: each lane runs its own; the third time tells, in the order of the list, what they
+# said, and adds up the counts. A step that fails without counting a failure, or counts nothing, is a failure.
+step() {   # lane, name, command...
+    lane=$1 name=$2 log=$logs/$(echo "$2" | tr ' ' -); shift 2
+    case $doing in
+    "$lane")
+        "$@" </dev/null >"$log" 2>&1
+        echo $? >"$log.new" && mv "$log.new" "$log.status" ;;
+    telling)
+        echo "== $name"
+        while [ ! -e "$log.status" ] && [ ! -e "$logs/lane-$lane.ended" ]; do sleep 1; done
+        cat "$log"
+        counts=$(sed -n -e 's/^\([0-9][0-9]*\) passed, \([0-9][0-9]*\) failed$/\1 \2/p' \
+            -e 's/^.*test cases: *[0-9]* | *\([0-9]*\) passed | *\([0-9]*\) failed.*/\1 \2/p' "$log" |
+            awk '{ p += $1; f += $2 } END { print p + 0, f + 0 }')
+        p=${counts% *} f=${counts#* }
+        if [ "$f" = 0 ] && { [ "$(cat "$log.status")" != 0 ] || [ "$p" = 0 ]; }; then
+            echo "this step failed"
+            f=1
+        fi
+        passed=$((passed + p)) failed=$((failed + f)) ;;
+    esac
 }
 compile_and_run() {   # program, compiler with flags...
     program=$1; shift
     "$@" -o "$program" && "$program"
 }
-make_and_test_figures() {
-    $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" deform-driver &&
-        sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD/deform-driver"
-}
 # The header's way to begin a struct, {sizeof it}, leaves fields to be 0 by the language.
 strict="-pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api"
 
-step "C++ tests" $MAKE -s BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" unit
-step "sentences of refusals" sh tests/refusals.sh
-step "random problems" sh tests/fuzz/quick.sh "$BUILD"
 stands_alone() { sh tests/check_link.sh "$BUILD" && sh tests/cortex.sh "$BUILD"; }
-step "the library stands alone" stands_alone
-step "one file" sh tests/amalgamation.sh "$BUILD"
-step "binary interface" sh tests/abi/run.sh "$BUILD" quick
-step "distribution" sh tests/dist.sh "$BUILD"
-step "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
-step "header in C++" compile_and_run "$BUILD/c_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
-step "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c "$BUILD/libharmorph.a" -lm
-step "Fortran" sh tests/fortran.sh "$BUILD"
-step "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
-step "MPI" sh tests/mpi.sh "$BUILD"
-if pkg-config --exists petsc; then
-    step "PETSc" sh tests/petsc.sh "$BUILD"
-else
-    echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"
-fi
-step "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
-step "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
-step "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh "$BUILD"
-step "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
-step "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
-step "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
-step "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
-step "page of figures" make_and_test_figures
-step "includes point downwards" sh tests/includes.sh
-step "installation" sh tests/install.sh "$BUILD"
-step "examples" sh tests/examples.sh "$BUILD"
-step "README" sh tests/readme.sh "$BUILD"
+steps() {
+    step 2 "C++ tests" "$BUILD/tests"
+    step 2 "sentences of refusals" sh tests/refusals.sh
+    step 2 "random problems" sh tests/fuzz/quick.sh "$BUILD"
+    step 2 "the library stands alone" stands_alone
+    step 2 "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
+    step 2 "header in C++" compile_and_run "$BUILD/cxx_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
+    step 2 "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c "$BUILD/libharmorph.a" -lm
+    step 1 "one file" sh tests/amalgamation.sh "$BUILD"
+    step 1 "binary interface" sh tests/abi/run.sh "$BUILD" quick
+    step 1 "distribution" sh tests/dist.sh "$BUILD"
+    step 1 "installation" sh tests/install.sh "$BUILD"
+    step 1 "examples" sh tests/examples.sh "$BUILD"
+    step 1 "README" sh tests/readme.sh "$BUILD"
+    step 1 "Fortran" sh tests/fortran.sh "$BUILD"
+    step 1 "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
+    step 1 "MPI" sh tests/mpi.sh "$BUILD"
+    if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
+    elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
+    step 2 "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
+    step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
+    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh "$BUILD"
+    step 2 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
+    step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
+    step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
+    step 2 "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
+    step 2 "page of figures" sh tests/figures_test.sh "$BUILD/figures-test" "$BUILD/deform-driver"
+    step 2 "includes point downwards" sh tests/includes.sh
+}
 
-rm -f "$log" "$log.status"
+# Programs first, by all jobs.
+$MAKE -s JOBS="$JOBS" BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" test-programs || {
+    echo "0 passed, 1 failed"
+    exit 1
+}
+rm -rf "$logs" && mkdir -p "$logs" || exit 1
+trap 'kill 0' INT
+for lane in 1 2; do
+    { (doing=$lane; steps); : >"$logs/lane-$lane.ended"; } &
+    if [ "$JOBS" = 1 ]; then wait; fi
+done
+doing=telling
+steps
+rm -rf "$logs"
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]
