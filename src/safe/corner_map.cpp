@@ -15,9 +15,13 @@ struct Eigen {
     Vec2 axis;
 
     Eigen(Real a, Real b, Real c) noexcept {  // a b; b c
-        Real const mean = 0.5 * (a + c), half = 0.5 * (a - c), radius = square_root(half * half + b * b);
-        value[0] = mean + radius;
-        value[1] = mean - radius;
+        Real const mean = 0.5 * (a + c), whole = 0.5 * (a - c);
+        // Of cells that have nearly collapsed derivatives are so large that their squares would overflow.
+        Real const unit = larger(absolute(whole), absolute(b)) > 0x1p500 ? 0x1p512 : 1;
+        Real const half = whole / unit, radius = square_root(half * half + (b / unit) * (b / unit));
+        value[0] = mean + unit * radius;
+        value[1] = mean - unit * radius;
+        b /= unit;
         axis = direction_or_x(half >= 0 ? Vec2{half + radius, b} : Vec2{b, radius - half});
     }
 };
