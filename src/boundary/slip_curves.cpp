@@ -1,6 +1,7 @@
 #include "harmorph/boundary/slip_curves.hpp"
 
 #include "harmorph/base/angle.hpp"
+#include "harmorph/base/hash.hpp"
 
 namespace harmorph {
 namespace {
@@ -93,6 +94,28 @@ void SlipCurves::keep_sliding(Span<const PointKind> kinds) const noexcept {
     for (Index slot = 0; slot < n_slots(); ++slot) {
         if (kinds[point[slot]] != PointKind::slip) own[slot] = none;
     }
+}
+
+std::uint64_t SlipCurves::fingerprint_with(std::uint64_t others) const noexcept {
+    Hash hash;
+    hash.add(others);
+    auto const add = [&](Vec2 of) {
+        hash.add(bits_of(of.x));
+        hash.add(bits_of(of.y));
+    };
+    bool any = false;
+    for (Index curve = 0; curve < count; ++curve) {
+        if (is_given[curve] == 0) continue;
+        any = true;
+        hash.add(static_cast<std::uint64_t>(curve));
+        Index const first = start[curve], last = start[curve + 1] - 1;
+        for (Index slot = first; slot <= last; ++slot) add(tangent[slot]);
+        for (Index k = (parts - 1) * first; k < (parts - 1) * last; ++k) {
+            add(between_at[k]);
+            add(between_tangent[k]);
+        }
+    }
+    return any ? hash.value() : others;
 }
 
 Index SlipCurves::curve_of(Index slot) const noexcept {

@@ -129,7 +129,7 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind(), periodicity);
-    conditions_fingerprint = fingerprint_of(kinds, wall);
+    conditions_fingerprint = slip_curves.fingerprint_with(fingerprint_of(kinds, wall));
     return Status::ok;
 }
 

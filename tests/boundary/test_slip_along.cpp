@@ -153,6 +153,21 @@ TEST_CASE("the conditions of a basis tell how many curves there were, and are re
     CHECK(of.off_circle() < 1e-11);
 }
 
+TEST_CASE("a plan takes functions only of its own curves for sliding") {
+    Along one(circle(2, 11)), other(circle(2, 11));
+    one.condition();
+    other.condition();
+    hm_options const options = options_of(HM_CONFORMAL);
+    Solved solved(one.its.problem(), &options), same(other.its.problem(), &options);
+    CHECK(hm_plan_solve(same.plan, solved.basis, nullptr, nullptr) == HM_OK);
+    Along farther(circle(2.03, 11)), without(circle(2, 11));
+    farther.condition();
+    for (Along* its : {&farther, &without}) {
+        Solved foreign(its->its.problem(), &options);
+        CHECK(hm_plan_solve(foreign.plan, solved.basis, nullptr, nullptr) == HM_BAD_BASIS);
+    }
+}
+
 TEST_CASE("curves that do not fit are refused, with the point") {
     Along far(circle(3, 0));
     far.condition();

@@ -66,7 +66,8 @@ struct BasisHeader {
     std::uint64_t checksum;       // of all that follows this field
     MeshFingerprint topology;
     std::uint64_t coordinates;
-    std::uint64_t conditions;     // fingerprint of what is asked on the boundary: points on curves, kinds of points
+    std::uint64_t conditions;     // fingerprint of what is asked on the boundary: kinds of points, places on curves, curves
+                                  // that are given for sliding
     std::int32_t solved;
     Index index_base;             // of the mesh: what points and cells count from in reports
     BasisCounts counts;

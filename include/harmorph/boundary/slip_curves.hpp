@@ -47,6 +47,8 @@ struct SlipCurves {
     bool give(Along const& along) noexcept;
     // Points of other kinds do not slide.
     void keep_sliding(Span<const PointKind> kinds) const noexcept;
+    // That of the other conditions, with the curves that are given; the same one if there are none.
+    std::uint64_t fingerprint_with(std::uint64_t others) const noexcept;
 
     // visit(slot, point) for the points that slide.
     template <class Visit>
