@@ -338,7 +338,7 @@ TEST_CASE("fields that are not of a condition's kind are refused by name, and wh
         void (*set)(hm_condition& c);
     } const fields[] = {
         {"first_curve", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.first_curve = 1; }},
-        {"n_curves", HM_ON_CURVE, HM_ON_CURVE, [](hm_condition& c) { c.n_curves = 1; }},
+        {"n_curves", HM_ON_CURVE, HM_SLIP, [](hm_condition& c) { c.n_curves = 1; }},
         {"body", HM_RIGID, HM_RIGID, [](hm_condition& c) { c.body = 1; }},
         {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.x = 0.5; }},
         {"x or y", HM_RIGID, HM_ROTATION_PAIR, [](hm_condition& c) { c.y = -1e-300; }},
