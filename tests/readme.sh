@@ -75,8 +75,8 @@ first_lines() {
 check "the first two commands" first_lines
 # No other block holds commands: those of the program stand in blocks that are run.
 no_other_commands() {
-    ! awk '/^```/ { inside = !inside && $0 != "```sh"; next }
-        inside && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .
+    ! awk '/^```/ { fenced = !fenced; here = fenced && $0 != "```sh"; next }
+        here && /^(harmorph|make|cc|gfortran|mpicc) /' README.md | grep .
 }
 check "commands stand in blocks that are run" no_other_commands
 
