@@ -5,7 +5,6 @@
 #include "json.hpp"
 #include "numbers.hpp"
 #include "output_file.hpp"
-#include "side_pair.hpp"
 #include "solver.hpp"
 #include "storage.hpp"
 #include "task.hpp"
@@ -54,10 +53,7 @@ void print_for_people(const Solver& solver, const Stored& stored, const Mesh& me
     std::printf("%s on %s and %s, %s\n", plural(report.functions, "function").c_str(),
                 plural(mesh.points(), "point").c_str(), plural(mesh.cells(), "cell").c_str(),
                 plural(report.unknowns, "unknown").c_str());
-    for (const hm_condition& condition : task.conditions) {
-        const std::string pair = described(mesh, condition);
-        if (!pair.empty()) std::printf("passage          %s\n", pair.c_str());
-    }
+    for (const std::string& passage : task.passages) std::printf("passage          %s\n", passage.c_str());
     std::printf("residual         %s (function %d)\n", brief(report.residual).c_str(), report.residual_function + 1);
     if (report.iterations > 0) {
         std::printf("iterations       %s on %s, %s over the finest\n", brief(report.iterations).c_str(),

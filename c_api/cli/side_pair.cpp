@@ -67,36 +67,29 @@ std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_
 
 } // namespace
 
-hm_condition side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
-    auto pair = sized<hm_condition>();
+SidePair side_pair(const Mesh& mesh, std::int32_t marker, std::int32_t partner) {
+    SidePair out{sized<hm_condition>(), {}};
+    hm_condition& pair = out.condition;
     pair.marker = marker;
     pair.partner = partner;
     pair.kind = HM_PERIODIC_PAIR;
     const std::optional<Sides> sides = sides_of(mesh, marker, partner);
-    if (!sides) return pair;
+    if (!sides) return out;
     const Complex from = sides->mean(sides->from), to = sides->mean(sides->to);
-    if (sides->fit(1, to - from)) return pair;
+    if (sides->fit(1, to - from)) return out;
     Complex turn = sides->turn_about(0, 0), centre = 0;
     if (!sides->fit(turn, 0)) {
         turn = sides->turn_about(from, to);
         centre = (to - turn * from) / (1.0 - turn);
-        if (!sides->fit(turn, centre - turn * centre)) return pair;
+        if (!sides->fit(turn, centre - turn * centre)) return out;
     }
     pair.kind = HM_ROTATION_PAIR;
     pair.x = centre.real();
     pair.y = centre.imag();
-    return pair;
-}
-
-std::string described(const Mesh& mesh, const hm_condition& pair) {
-    if (pair.kind != HM_ROTATION_PAIR) return {};
-    const std::optional<Sides> sides = sides_of(mesh, pair.marker, pair.partner);
-    if (!sides) return {};
-    const Complex centre(pair.x, pair.y);
-    const double degrees = 180 / std::acos(-1.0) * std::arg(sides->turn_about(centre, centre));
-    return "'" + mesh.markers[static_cast<std::size_t>(pair.marker)] + "' to '" +
-           mesh.markers[static_cast<std::size_t>(pair.partner)] + "' turned by " + brief(degrees) + " degrees about (" +
-           brief(pair.x) + ", " + brief(pair.y) + ")";
+    out.passage = "'" + mesh.markers[static_cast<std::size_t>(marker)] + "' to '" +
+                  mesh.markers[static_cast<std::size_t>(partner)] + "' turned by " +
+                  brief(180 / std::acos(-1.0) * std::arg(turn)) + " degrees about (" + brief(pair.x) + ", " + brief(pair.y) + ")";
+    return out;
 }
 
 } // namespace cli

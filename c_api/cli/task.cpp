@@ -110,7 +110,10 @@ void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task, con
     };
     for (std::size_t colon = binding.find(':'); colon != std::string::npos; colon = binding.find(':', colon + 1)) {
         const std::int32_t marker = number_of(binding.substr(0, colon)), partner = number_of(binding.substr(colon + 1));
-        if (marker >= 0 && partner >= 0) return add_condition(arguments, mesh, task, side_pair(mesh, marker, partner));
+        if (marker < 0 || partner < 0) continue;
+        const SidePair pair = side_pair(mesh, marker, partner);
+        if (!pair.passage.empty()) task.passages.push_back(pair.passage);
+        return add_condition(arguments, mesh, task, pair.condition);
     }
     arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + quoted(binding));
 }

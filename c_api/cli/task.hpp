@@ -12,6 +12,7 @@ namespace cli {
 struct Task {
     Curves curves;
     std::vector<hm_condition> conditions;
+    std::vector<std::string> passages; // pairs of sides that are turned, in words
     std::vector<std::int32_t> given_points, given_curves; // parameters that are known
     std::vector<double> given_u;
     hm_options options;

@@ -45,9 +45,7 @@ void SafeMorph::improve(Work& work) noexcept {
     measure(work, mesh.ahead(), outcome);
     if (!is_valid(work, mesh.ahead()) || !work.is_better(outcome, work.best())) return;
     outcome.strategy = Strategy::improved;
-    copy(best_x, Span<const Real>(mesh.ahead_x));
-    copy(best_y, Span<const Real>(mesh.ahead_y));
-    work.best() = outcome;
+    replace_inner_points(work, outcome);
 }
 
 }  // namespace harmorph

@@ -206,6 +206,12 @@ void SafeMorph::keep(Work& work, Outcome const& outcome, Span<const Real> x, Spa
     work.derivative_of_best = true;
 }
 
+void SafeMorph::replace_inner_points(Work& work, Outcome const& outcome) noexcept {
+    copy(best_x, Span<const Real>(mesh.ahead_x));
+    copy(best_y, Span<const Real>(mesh.ahead_y));
+    work.best() = outcome;
+}
+
 void SafeMorph::write(MutablePoints to) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) to.set(k, result()[k]);
 }

@@ -45,9 +45,7 @@ void SafeMorph::restore_heights(Work& work) noexcept {
         Outcome outcome = work.best();
         measure(work, mesh.ahead(), outcome);
         if (!is_asked_for && !work.is_better(outcome, work.best())) continue;
-        copy(best_x, Span<const Real>(mesh.ahead_x));
-        copy(best_y, Span<const Real>(mesh.ahead_y));
-        work.best() = outcome;
+        replace_inner_points(work, outcome);
         work.report.heights = amount;
         return;
     }

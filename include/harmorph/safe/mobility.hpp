@@ -7,9 +7,8 @@
 namespace harmorph {
 
 // Points inside move anywhere, sliding points along their lines, points of a cut or a periodic pair as one, those of a
-// rotation pair as one that is turned. Points on
-// walls, on fixed and on free boundaries, and those that slide along curves, are held: where a free boundary goes, the
-// operator alone says.
+// rotation pair as one that is turned. Points on walls, on fixed and on free boundaries, and those that slide along curves,
+// are held: where a free boundary goes, the operator alone says.
 struct Mobility {
     Span<Index> representative;
     Span<std::uint8_t> held;

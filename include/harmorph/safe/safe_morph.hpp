@@ -96,6 +96,8 @@ private:
     void turn_sliding(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
     void keep(Work& work, Outcome const& outcome, Span<const Real> x, Span<const Real> y, Span<const Real> movement) noexcept;
+    // The best mesh becomes the one ahead, which has the same movement: reached and derivative stay.
+    void replace_inner_points(Work& work, Outcome const& outcome) noexcept;
     void measure(Work const& work, Points points, Outcome& outcome) const noexcept;
     void single_step(Work& work, Basis const& by, Strategy strategy, Index other) noexcept;
     void longest_linear_step(Work& work) noexcept;
