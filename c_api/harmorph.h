@@ -528,13 +528,13 @@ typedef struct hm_condition {
     int32_t  reserved;             /* 0 */
     double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
     const hm_curves *along;        /* slip: the curves along which the points slide, all of this set; NULL (n_curves 0):
-                                      straight lines, or the smooth curves through the points of the marker. The control
-                                      points of these curves do not move and have no functions. Each piece of the
-                                      boundary between two corners slides along the curve that is nearest to all of its
-                                      points; a point that is not on the curve keeps its offset. Corners, where a point
-                                      is fixed, are the points nearest to the ends of open curves and to the corner of
-                                      closed ones, and where another marker begins that slides, unless that marker has
-                                      the same `along`. Refused (HM_BAD_CONDITION): a point farther from the curve than
+                                      the polyline of the marker, made smooth: straight lines, or the smooth curves
+                                      through its points (see hm_slide). The control points of the curves do not move and
+                                      have no functions. Each piece of the boundary between two corners slides along the
+                                      curve that is nearest to all of its points; a point that is not on the curve keeps
+                                      its offset. Corners, where a point is fixed, are the points nearest to the ends of
+                                      open curves and to the corner of closed ones, and where another marker begins that
+                                      slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a point farther from the curve than
                                       5 % of the length of its piece of the boundary, and a corner in the middle of a
                                       curve. Read by hm_analysis_size and hm_analysis_init, not needed afterwards. A
                                       basis does not keep these curves: hm_basis_conditions gives n_curves and NULL,

@@ -16,7 +16,8 @@ C     MOVEMENTS. THE OTHERS: LEGACY_CELLS.F, LEGACY_DESIGN.F.
       DOUBLE PRECISION VX(NP), VY(NP)
       DOUBLE PRECISION DR(2,NCP), WX(NA), WY(NA), HX(NA), HY(NA)
       DOUBLE PRECISION DMAX, RESID, S, AMIN, QMIN, HERE, THERE, BIG
-      INTEGER IWALL(NA)
+      DOUBLE PRECISION PC(2,8), WT(8), UC(12)
+      INTEGER IWALL(NA), IC(9)
       INTEGER IPTS(NA), IDX(5), MB(4), N, M, LOOP, ICELL, NINV, IERR
       INTEGER I, J, K, MF
       CHARACTER*112 MSG
@@ -578,6 +579,52 @@ C     20. HMSADJ IS THE TRANSPOSE OF WHAT HMSLID MAKES OF A SMALL STEP.
       CALL CHECK (DMAX .GT. 1D-7 .AND. BIG .LT. 0.1D0*DMAX,
      &            'ON THE CIRCLE', ' ')
       CALL CHECK (ABS(S) .LT. 1D-8, 'TRANSPOSE OF HMSLID', ' ')
+C     THE SAME ALONG THE CIRCLE ITSELF, A RATIONAL B-SPLINE.
+      DO 171 K = 1, 8
+         S = 1D0
+         IF (MOD(K, 2) .EQ. 0) S = SQRT(2D0)
+         PC(1,K) = 20D0*S*COS(0.785398163397448310D0*(K - 1))
+         PC(2,K) = 20D0*S*SIN(0.785398163397448310D0*(K - 1))
+         WT(K) = 1D0/S
+         IC(K) = K
+  171 CONTINUE
+      IC(9) = 1
+      DO 172 K = 1, 12
+         UC(K) = MIN(4, (K - 2)/2)
+  172 CONTINUE
+      CALL HMMESH (W, 200, XR, YR, 1, N, 4, CELLS, MF, FACES, MARKS,
+     &             IERR, MSG)
+      CALL HMALNG (W, 8, PC, WT, 2, 9, IC, UC, IERR, MSG)
+      CALL CHECK (IERR .NE. 0, 'A CURVE WITHOUT A CONDITION: ', MSG)
+      CALL HMRIGD (W, 5, 1, 28D0, 8D0, IERR, MSG)
+      CALL HMALNG (W, 8, PC, WT, 2, 9, IC, UC, IERR, MSG)
+      CALL CHECK (IERR .NE. 0, 'A CURVE OF A RIGID BODY: ', MSG)
+      CALL HMCOND (W, 4, 3, 0, 0, IERR, MSG)
+      IC(9) = 9
+      CALL HMALNG (W, 8, PC, WT, 2, 9, IC, UC, IERR, MSG)
+      CALL CHECK (IERR .NE. 0, 'A CONTROL POINT TOO MANY: ', MSG)
+      IC(9) = 1
+      CALL HMALNG (W, 8, PC, WT, 2, 9, IC, UC, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'A CURVE TO SLIDE ALONG: ', MSG)
+      CALL HMSOLV (W, RESID, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SLIDING ALONG A B-SPLINE: ', MSG)
+      CALL HMDISP (W, TURN, DX, DY, 1, IERR, MSG)
+      DO 173 K = 1, 200
+         XS(K,1) = XR(K) + DX(K)
+         YS(K,1) = YR(K) + DY(K)
+  173 CONTINUE
+      CALL HMSLID (W, XS, YS, 1, IERR, MSG)
+      CALL CHECK (IERR .EQ. 0, 'SLIDE ON A B-SPLINE: ', MSG)
+      BIG = 0D0
+      M = 0
+      DO 174 K = 1, 200
+         S = ABS(SQRT(XS(K,1)**2 + YS(K,1)**2) - 20D0)
+         IF (S .GT. 1D-3) GO TO 174
+         BIG = MAX(BIG, S)
+         IF (ABS(XS(K,1) - XR(K)) .GT. 1D-4) M = M + 1
+  174 CONTINUE
+      CALL CHECK (BIG .LT. 1D-10 .AND. M .GT. 4,
+     &            'ON THE B-SPLINE', ' ')
       XS(81,1) = XR(81)
       XR(81) = XR(81) + 1D-3
       CALL HMSLID (W, XS, YS, 1, IERR, MSG)

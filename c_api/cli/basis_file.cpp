@@ -1,9 +1,11 @@
 #include "basis_file.hpp"
 
+#include "curve_file.hpp"
 #include "failure.hpp"
 #include "marker_names.hpp"
 #include "numbers.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -45,27 +47,70 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
     return info;
 }
 
-constexpr const char* title = "harmorph markers ";
+constexpr const char *title = "harmorph markers ", *slip_title = "harmorph slip ", *of_conditions = "conditions ",
+                     *end_of_curves = "end";
 
-// The names behind the first `bytes` of the file.
-std::vector<std::string> read_names(const Block& block, std::uint64_t bytes, const std::string& path) {
-    const char* const data = reinterpret_cast<const char *>(block.data());
-    std::istringstream text(std::string(data + bytes, data + block.size()));
-    std::string line;
-    std::getline(text, line); // the line feed before the title
-    std::getline(text, line);
-    const std::size_t length = std::char_traits<char>::length(title);
-    std::int32_t n = 0;
-    if (line.compare(0, length, title) != 0 || !parse(std::string_view(line).substr(length), n) || n < 0) {
-        throw Failure(exit_file, path + ": holds a basis without the names of its mesh's markers, so that it is not known "
-                                        "which are meant: solve it again with harmorph solve");
+// The text behind the first `bytes` of the file.
+class BehindBlock {
+public:
+    BehindBlock(const Block& block, std::uint64_t bytes, const std::string& path)
+        : path_(path), text_(std::string(reinterpret_cast<const char *>(block.data()) + bytes, block.size() - bytes)) {
+        next_line(); // the line feed before the title
     }
-    std::vector<std::string> names;
-    while (names.size() < static_cast<std::size_t>(n) && std::getline(text, line) && !text.eof()) names.push_back(line);
-    if (names.size() == static_cast<std::size_t>(n)) return names;
-    throw Failure(exit_file, path + ": the file is cut off: it has " + std::to_string(names.size()) +
-                                 " names of markers, expected are " + std::to_string(n));
-}
+
+    std::vector<std::string> names() {
+        std::int32_t n = 0;
+        if (!next_line() || !begins_with(title) || !parse(rest_behind(title), n) || n < 0) {
+            throw Failure(exit_file, path_ + ": holds a basis without the names of its mesh's markers, so that it is not "
+                                             "known which are meant: solve it again with harmorph solve");
+        }
+        std::vector<std::string> names;
+        while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof()) names.push_back(line_);
+        if (names.size() == static_cast<std::size_t>(n)) return names;
+        throw Failure(exit_file, path_ + ": the file is cut off: it has " + std::to_string(names.size()) +
+                                     " names of markers, expected are " + std::to_string(n));
+    }
+
+    // The curves along which points of these conditions slide.
+    std::vector<std::shared_ptr<const CurveSet>> slip_curves(std::vector<hm_condition>& conditions) {
+        std::vector<std::shared_ptr<const CurveSet>> sets;
+        std::int32_t n = 0;
+        if (!next_line()) return sets;
+        if (!begins_with(slip_title) || !parse(rest_behind(slip_title), n)) refuse_slip_curves();
+        for (std::int32_t set = 0; set < n; ++set) {
+            if (!next_line() || !begins_with(of_conditions)) refuse_slip_curves();
+            std::istringstream numbers{std::string(rest_behind(of_conditions))};
+            sets.push_back(std::make_shared<const CurveSet>(read_curves(path_, lines_of_curves())));
+            const hm_curves* const along = sets.back()->view.get();
+            for (std::size_t number = 0; numbers >> number;) {
+                const bool is_theirs = number < conditions.size() && conditions[number].kind == HM_SLIP &&
+                                       conditions[number].n_curves == along->n_curves;
+                if (!is_theirs) refuse_slip_curves();
+                conditions[number].along = along;
+            }
+        }
+        return sets;
+    }
+
+private:
+    bool next_line() { return static_cast<bool>(std::getline(text_, line_)); }
+    bool begins_with(std::string_view word) const { return line_.compare(0, word.size(), word) == 0; }
+    std::string_view rest_behind(std::string_view word) const { return std::string_view(line_).substr(word.size()); }
+    std::string lines_of_curves() {
+        std::string lines;
+        while (next_line() && line_ != end_of_curves) lines += line_ + '\n';
+        if (line_ != end_of_curves) refuse_slip_curves();
+        return lines;
+    }
+    [[noreturn]] void refuse_slip_curves() const {
+        throw Failure(exit_file, path_ + ": the curves along which points slide are cut off or damaged: solve it again with "
+                                         "harmorph solve");
+    }
+
+    std::string path_;
+    std::istringstream text_;
+    std::string line_;
+};
 
 void refuse_other_markers(const std::vector<std::string>& names, const std::string& path, const Mesh& mesh) {
     if (names == mesh.markers) return;
@@ -79,16 +124,19 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     : path_(path), block_(read_block(path)), info_(sized<hm_basis_info>()), curves_(sized<hm_curves>()) {
     attach(&basis_, block_, nullptr, path_);
     info_ = info_of(basis_, path_);
-    refuse_other_markers(read_names(block_, info_.bytes, path_), path_, mesh);
+    BehindBlock text(block_, info_.bytes, path_);
+    refuse_other_markers(text.names(), path_, mesh);
     const hm_mesh view = mesh.view();
     mesh_has_moved_ = attach(&basis_, block_, &view, path_);
     if (info_.solved == 0) throw Failure(exit_file, path_ + ": holds no functions: it has not been solved");
     curve_.assign(static_cast<std::size_t>(info_.curves) + 1, sized<hm_curve>()); // never none
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
-    conditions_.assign(mesh.markers.size() + 1, sized<hm_condition>()); // at least one, whose size tells that of all
     std::int32_t n = 0;
-    call(path_, hm_basis_conditions, basis_, conditions_.data(), static_cast<std::int32_t>(conditions_.size()), &n);
+    hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
+    conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>()); // at least one, whose size tells that of all
+    call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));
+    slip_curves_ = text.slip_curves(conditions_);
 }
 
 std::vector<double> Basis::values(std::int32_t function, std::int32_t number, const Mesh& mesh) const {
@@ -97,11 +145,27 @@ std::vector<double> Basis::values(std::int32_t function, std::int32_t number, co
     return values;
 }
 
-void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh) {
+void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
+                 const std::vector<hm_condition>& conditions) {
     const hm_basis_info info = info_of(basis, "basis");
     out.write(reinterpret_cast<const char *>(basis), static_cast<std::streamsize>(info.bytes));
     out << '\n' << title << mesh.markers.size() << '\n';
     for (const std::string& name : mesh.markers) out << name << '\n';
+    std::vector<const hm_curves*> sets;
+    for (const hm_condition& condition : conditions) {
+        const bool is_known = std::find(sets.begin(), sets.end(), condition.along) != sets.end();
+        if (condition.along != nullptr && !is_known) sets.push_back(condition.along);
+    }
+    if (!sets.empty()) out << slip_title << sets.size() << '\n';
+    for (const hm_curves* const set : sets) {
+        out << of_conditions;
+        for (std::size_t i = 0; i < conditions.size(); ++i) {
+            if (conditions[i].along == set) out << i << ' ';
+        }
+        out << '\n';
+        write_curves(out, copied(*set));
+        out << end_of_curves << '\n';
+    }
 }
 
 } // namespace cli

@@ -153,7 +153,7 @@ void run(const Arguments& arguments) {
     OutputFiles files;
     if (arguments.has("--history")) write_history(files.add(arguments.text("--history")), history,
                                                   solver.report().iterations);
-    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh);
+    if (converged || arguments.has("--force")) write_basis(files.add(path), stored.basis(), mesh, task.conditions);
     files.commit();
     if (arguments.has("--json")) {
         print_json(solver, stored, mesh, times);

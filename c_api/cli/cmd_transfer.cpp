@@ -122,7 +122,7 @@ void run(const Arguments& arguments) {
     transfer.run(mesh);
     const Stored stored(arguments, fine, transfer.transferred());
     OutputFiles files;
-    write_basis(files.add(path), stored.basis(), fine);
+    write_basis(files.add(path), stored.basis(), fine, task.conditions);
     files.commit();
     if (arguments.has("--json")) {
         print_json(transfer, fine, basis);

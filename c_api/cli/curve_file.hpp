@@ -18,6 +18,7 @@
 namespace cli {
 
 Curves read_curves(const std::string& path);
+Curves read_curves(const std::string& path, std::string text); // text: instead of what is there
 void write_curves(std::ostream& out, const Curves& curves);
 
 // In the format that the path ends with; for the help of commands.

@@ -12,7 +12,7 @@ namespace {
 
 class CurveReader {
 public:
-    explicit CurveReader(const std::string& path) : file_(path), lines_(file_, '#') {}
+    explicit CurveReader(TextFile&& file) : file_(std::move(file)), lines_(file_, '#') {}
     Curves read();
 
 private:
@@ -185,6 +185,10 @@ void CurveReader::points_first() const {
 
 } // namespace
 
-Curves read_curves(const std::string& path) { return CurveReader(path).read(); }
+Curves read_curves(const std::string& path) { return CurveReader(TextFile(path)).read(); }
+
+Curves read_curves(const std::string& path, std::string text) {
+    return CurveReader(TextFile(path, std::move(text))).read();
+}
 
 } // namespace cli

@@ -48,4 +48,11 @@ private:
     hm_curves view_;
 };
 
+// Curves that conditions point to (hm_condition.along): they and their view stay where they are.
+struct CurveSet {
+    explicit CurveSet(const Curves& its) : curves(its), view(curves) {}
+    const Curves curves;
+    const CurvesView view;
+};
+
 } // namespace cli

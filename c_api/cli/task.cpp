@@ -51,6 +51,23 @@ void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, con
     }
 }
 
+// binding: "A[,B..]" or "A[,B..]=FILE", the markers whose points slide, along the curves of that file.
+void let_slide(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
+    const std::size_t equals = binding.find('=');
+    hm_condition along = condition_on(0, HM_SLIP);
+    if (equals != std::string::npos) {
+        task.slip_curves.push_back(std::make_shared<const CurveSet>(read_curves(binding.substr(equals + 1))));
+        along.along = task.slip_curves.back()->view.get();
+        along.n_curves = along.along->n_curves;
+    }
+    for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
+        hm_condition condition = condition_on(piece, HM_SLIP);
+        condition.along = along.along;
+        condition.n_curves = along.n_curves;
+        add_condition(arguments, mesh, task, condition);
+    }
+}
+
 // The middle of the box round the markers' points; of pieces, the point that the first is near to.
 void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double& x, double& y) {
     std::vector<std::int32_t> markers;
@@ -159,7 +176,8 @@ std::vector<Option> task_options() {
                                  "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
     {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
                                  "point that it is near to) and scales (may be repeated)"},
-    {"--slip", "C[,D..]", "markers along which points slide, straight or curved without corners (may be repeated)"},
+    {"--slip", "C[,D..][=CURVE]", "markers along which points slide, straight or curved without corners, or along the\n"
+                                  "curves of a file, which BASIS keeps (may be repeated)"},
     {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike; or one the other turned, as\n"
                           "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
     {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
@@ -193,7 +211,7 @@ Task task_of(const Arguments& arguments, const Mesh& mesh) {
         }
     };
     add("--given", HM_GIVEN);
-    add("--slip", HM_SLIP);
+    for (const std::string& binding : arguments.all("--slip")) let_slide(arguments, mesh, task, binding);
     add("--free", HM_FREE);
     return task;
 }
@@ -207,6 +225,7 @@ Task task_of(const Basis& basis) {
     task.options.exponent_quarters = info.exponent_quarters == 0 ? HM_NO_WEIGHT : info.exponent_quarters;
     task.options.offset_correction = info.offset_correction;
     task.conditions = basis.conditions();
+    task.slip_curves = basis.slip_curves();
     task.curves = copied(basis.curves());
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         if (info.point_curve[k] >= info.curves) continue; // on no curve

@@ -5,6 +5,7 @@
 #include "basis_file.hpp"
 #include "curves.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace cli {
@@ -12,6 +13,7 @@ namespace cli {
 struct Task {
     Curves curves;
     std::vector<hm_condition> conditions;
+    std::vector<std::shared_ptr<const CurveSet>> slip_curves; // that conditions point to
     std::vector<std::string> passages; // pairs of sides that are turned, in words
     std::vector<std::int32_t> given_points, given_curves; // parameters that are known
     std::vector<double> given_u;

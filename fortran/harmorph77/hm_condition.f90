@@ -83,3 +83,40 @@ subroutine hmnear(w, x, y, ierr, msg)
     end if
     call this%finish(ierr, msg)
 end subroutine
+
+! Conditions with the same control points have the same set of curves.
+subroutine hmalng(w, ncp, p, wt, ideg, nidx, idx, u, ierr, msg)
+    use harmorph77
+    implicit none
+    integer, intent(in) :: ncp, ideg, nidx
+    integer, intent(in), target :: idx(nidx)
+    real(c_double), intent(in), target :: p(2, ncp), wt(ncp), u(*)
+    real(c_double), intent(inout), target :: w(*)
+    integer, intent(out) :: ierr
+    character(len=*), intent(inout) :: msg
+    type(legacy_call) :: this
+    integer :: n, first
+    call this%open(w)
+    if (this%ok()) call this%refuse_if(this%kept%n_conditions == 0, "HMALNG: there is no condition yet")
+    if (this%ok()) call this%refuse_if(this%kept%condition(this%kept%n_conditions)%kind /= hm_slip, &
+        "HMALNG: the last condition is not of KIND 3")
+    if (this%ok()) then
+        associate (kept => this%kept)
+            n = kept%n_conditions
+            kept%along_curve(n) = hm_c_curve(int(c_sizeof(kept%along_curve(n)), c_int64_t), ideg, nidx, c_loc(idx), c_loc(u))
+            kept%along(n) = hm_c_curves(int(c_sizeof(kept%along(n)), c_int64_t), 1_c_int32_t, ncp, c_loc(p), c_loc(wt), &
+                1_c_int32_t, c_loc(kept%along_curve(n)))
+            call this%told(hm_c_curves_check(kept%along(n), this%e))
+            if (this%ok()) then
+                first = 1
+                do while (first < n)
+                    if (c_associated(kept%condition(first)%along) .and. c_associated(kept%along(first)%control, c_loc(p))) exit
+                    first = first + 1
+                end do
+                kept%condition(n)%along = c_loc(kept%along(first))
+                kept%condition(n)%n_curves = 1
+            end if
+        end associate
+    end if
+    call this%finish(ierr, msg)
+end subroutine

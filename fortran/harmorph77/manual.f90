@@ -48,6 +48,11 @@
 !                                                              lines (on curves HMMORF moves points along tangents,
 !                                                              HMSLID puts them back), 4 free (not with OPERATOR 0),
 !                                                              6 moved by HMGIVE; ICURV and NCURV both 0 or 1 then
+!     CALL HMALNG (W, NCP, P, WT, IDEG, NIDX, IDX, U, IERR,    the points of the last condition, of KIND 3, slide along
+!                  MSG)                                        this curve: as of HMCTRL and HMCURV, with the weights
+!                                                              WT(NCP), 1 if it is not rational. P, WT, IDX, U are not
+!                                                              copied. Markers with the same P: points slide from one
+!                                                              to the next. After HMLOAD, call HMCOND and HMALNG again
 !     CALL HMRIGD (W, MARK, IBODY, XC, YC, IERR, MSG)          belongs to rigid body IBODY, which turns about XC, YC
 !     CALL HMPAIR (W, MARK, MARK2, IERR, MSG)                  these two are translates of each other and move alike
 !     CALL HMTURN (W, MARK, MARK2, XC, YC, IERR, MSG)          one passage of an annulus: MARK2 is MARK, turned about

@@ -116,7 +116,7 @@ public:
         solver.run();
         seconds_ = seconds() - begin;
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh);
+        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
         files.commit();
         basis_ = std::make_unique<cli::Basis>(path, mesh);
     }

@@ -68,7 +68,7 @@ Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& ta
         cli::Solver solver(mesh, task, threads);
         solver.run();
         cli::OutputFiles files;
-        cli::write_basis(files.add(path), solver.basis(), mesh);
+        cli::write_basis(files.add(path), solver.basis(), mesh, task.conditions);
         files.commit();
     }
     const cli::Basis basis(path, mesh);

@@ -152,7 +152,7 @@ struct SolvedSquare {
         hm_plan_factor(plan, nullptr, nullptr);
         expect(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK, "the square cannot be solved");
         std::ostringstream out;
-        cli::write_basis(out, basis, mesh);
+        cli::write_basis(out, basis, mesh, {});
         basis_text = out.str();
     }
 };
