@@ -4,8 +4,9 @@
 
 namespace harmorph {
 
-void polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept {
+Real polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept {
     value[0] = 1;
+    Real largest = 1;
     for (Index j = 1; j <= curve.degree; ++j) {
         Real const* const low = curve.knots + span + 1 - j;
         Real const* const high = curve.knots + span + 1;
@@ -15,9 +16,12 @@ void polar_form(Curve const& curve, Index span, const Real* argument, Real* valu
             Real const before = value[r], width = high[r] - low[r];
             value[r] = carried + (high[r] - u) / width * before;
             carried = (u - low[r]) / width * before;
+            largest = larger(largest, absolute(value[r]));
         }
         value[j] = carried;
+        largest = larger(largest, absolute(carried));
     }
+    return largest;
 }
 
 bool has_periodic_points(Curve const& curve) noexcept {
@@ -143,44 +147,50 @@ void FinerCurves::choose_window(Curve const& old, Index degree) noexcept {
 
 // ---- Control points
 
-// A span of the new curve, not empty, that the control point at a position acts on, near the middle of its knots.
-Index FinerCurves::middle_span(Index position) const noexcept {
-    Index const first = larger(position, degree_), last = smaller(position + degree_, n_positions_ - 1);
-    auto const off = [&](Index span) { return absolute(static_cast<Real>(2 * span - first - last)); };
-    Index nearest = none;
-    for (Index span = first; span <= last; ++span) {
-        if (!(knots_[span] < knots_[span + 1])) continue;
-        bool const nearer = nearest == none || off(span) < off(nearest);
-        if (nearer) nearest = span;
-    }
-    return nearest;
-}
-
-// The row of the control point at a position, appended to the matrix.
-void FinerCurves::put_row(Curve const& old, Index position) noexcept {
-    Index const span = knot_span(old, knots_[middle_span(position)]);
-    Real sum[max_order] = {};
-    const Real* const argument = knots_.data() + position + 1;
-    Index untouched = none;  // with the old knots as arguments: exactly that control point
+// The coefficients, of the control points of one span of the old curve, of a control point with these knots; returns the
+// largest number on the way to them.
+Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argument, Real* sum) const noexcept {
+    for (Index k = 0; k < max_order; ++k) sum[k] = 0;
     for (Index i = span - old.degree; i <= span && degree_ == old.degree; ++i) {
         bool equal = true;
         for (Index r = 0; r < degree_; ++r) equal = equal && old.knots[i + 1 + r] == argument[r];
-        if (equal) untouched = i;
+        if (!equal) continue;
+        sum[i - (span - old.degree)] = 1;  // exactly that control point
+        return 0;
     }
-    if (untouched != none) {
-        sum[untouched - (span - old.degree)] = 1;
-    } else {
-        for (Index left_out = 0; left_out < (degree_ > old.degree ? degree_ : 1); ++left_out) {
-            Real chosen[max_order], value[max_order];
-            for (Index r = 0, n = 0; n < old.degree; ++r) {
-                if (degree_ == old.degree || r != left_out) chosen[n++] = argument[r];
-            }
-            polar_form(old, span, chosen, value);
-            for (Index k = 0; k <= old.degree; ++k) sum[k] += value[k];
+    Real largest = 0;
+    for (Index left_out = 0; left_out < (degree_ > old.degree ? degree_ : 1); ++left_out) {
+        Real chosen[max_order], value[max_order];
+        for (Index r = 0, n = 0; n < old.degree; ++r) {
+            if (degree_ == old.degree || r != left_out) chosen[n++] = argument[r];
         }
-        if (degree_ > old.degree) {
-            for (Real& number : sum) number /= degree_;
+        largest = larger(largest, polar_form(old, span, chosen, value));
+        for (Index k = 0; k <= old.degree; ++k) sum[k] += value[k];
+    }
+    if (degree_ > old.degree) {
+        for (Index k = 0; k < max_order; ++k) sum[k] /= degree_;
+    }
+    return largest;
+}
+
+// The row of the control point at a position, appended to the matrix: from the span of all it acts on, and of a periodic
+// curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of a polar form,
+// large numbers cancel.
+void FinerCurves::put_row(Curve const& old, Index position) noexcept {
+    Real sum[max_order] = {}, least = 0;
+    Index span = none;
+    for (Index at = position; at < n_positions_; at += period_) {
+        for (Index its = larger(at, degree_); its <= smaller(at + degree_, n_positions_ - 1); ++its) {
+            if (!(knots_[its] < knots_[its + 1])) continue;
+            Real candidate[max_order];
+            Index const old_span = knot_span(old, knots_[its]);
+            Real const largest = coefficients(old, old_span, knots_.data() + at + 1, candidate);
+            if (span != none && !(largest < least)) continue;
+            for (Index k = 0; k < max_order; ++k) sum[k] = candidate[k];
+            least = largest;
+            span = old_span;
         }
+        if (period_ == 0) break;
     }
     Span<Real> const row = matrix.from(Offset{n_control} * old_control, old_control);
     fill(row, 0.0);

@@ -175,6 +175,25 @@ TEST_CASE("a periodic curve stays periodic, also where the knot is inserted at i
     }
 }
 
+TEST_CASE("a periodic curve whose knots lie in close groups: the points at the seam are found from the better end") {
+    Spline spline = fixtures::periodic(5, 9, 0.3, 6);
+    double const in_one_period[] = {0, 5e-5, 1.2e-4, 1.7e-4, 0.25, 0.5, 0.50008, 0.50015, 0.5002};
+    for (std::size_t k = 0; k < spline.knots.size(); ++k)
+        spline.knots[k] = in_one_period[(k + 4) % 9] + static_cast<double>((k + 4) / 9) - 1;
+    CurveSet set(spline);
+    for (double const u : {0.22, 0.4, 0.69, 0.95}) {
+        INFO("knot " << u);
+        Finer const finer = refined(set.view(), 0, {u});
+        REQUIRE_MESSAGE(finer.status == HM_OK, finer.error.text);
+        for (int k = 0; k <= 100; ++k) {
+            double before[2], after[2];
+            REQUIRE(hm_curve_point(&set.view(), 0, 0.01 * k, 0, before, nullptr) == HM_OK);
+            REQUIRE(hm_curve_point(finer.curves, 0, 0.01 * k, 0, after, nullptr) == HM_OK);
+            CHECK(std::hypot(after[0] - before[0], after[1] - before[1]) < 1e-11);
+        }
+    }
+}
+
 TEST_CASE("ties and common ends persist, points that the change does not touch keep their bits") {
     CurveSet set;
     set.index_base = 1;

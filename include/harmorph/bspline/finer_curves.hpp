@@ -11,8 +11,8 @@
 namespace harmorph {
 
 // The coefficients, of the control points of one span that is not empty, of the polar form at `degree` arguments:
-// value [degree + 1]. At equal arguments the basis functions without weights.
-void polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept;
+// value [degree + 1]. At equal arguments the basis functions without weights. Returns the largest number on the way.
+Real polar_form(Curve const& curve, Index span, const Real* argument, Real* value) noexcept;
 
 // Do the first control points come again at the end, with knots that repeat with the period end() - begin()?
 bool has_periodic_points(Curve const& curve) noexcept;
@@ -49,7 +49,7 @@ private:
     void insert(Curve const& old, Span<const Real> knots) noexcept;
     void repeat_each_knot(Curve const& old) noexcept;
     void choose_window(Curve const& old, Index degree) noexcept;
-    Index middle_span(Index position) const noexcept;
+    Real coefficients(Curve const& old, Index span, const Real* argument, Real* sum) const noexcept;
     void put_row(Curve const& old, Index position) noexcept;
     void number_changed(Curve const& old) noexcept;
     void number_others(Index changed) noexcept;
