@@ -12,20 +12,48 @@ using harmorph::orientation_sign;
 
 namespace {
 
-__extension__ typedef __int128 Whole;   // products of four differences below 2^30 fit
-
 struct GridPoint {
     std::int64_t x, y;
 };
 GridPoint operator-(GridPoint a, GridPoint b) { return {a.x - b.x, a.y - b.y}; }
-Whole cross(GridPoint a, GridPoint b) { return Whole(a.x) * b.y - Whole(a.y) * b.x; }
-Whole square(GridPoint a) { return Whole(a.x) * a.x + Whole(a.y) * a.y; }
-int sign(Whole value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+std::int64_t cross(GridPoint a, GridPoint b) { return a.x * b.y - a.y * b.x; }
+std::int64_t square(GridPoint a) { return a.x * a.x + a.y * a.y; }
 
-int orientation_sign(GridPoint a, GridPoint b, GridPoint c) { return sign(cross(a - c, b - c)); }
-int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
+// Sums of products of two numbers below 2^62: high 2^62 + middle 2^31 + low, as not all processors have 128 bits.
+class Whole {
+public:
+    void add_product(std::int64_t a, std::int64_t b) {
+        add(0, 0, (a & below_2_31) * (b & below_2_31));
+        add(0, (a >> 31) * (b & below_2_31), 0);
+        add(0, (a & below_2_31) * (b >> 31), 0);
+        add((a >> 31) * (b >> 31), 0, 0);
+    }
+    int sign() const { return high_ < 0 ? -1 : high_ + middle_ + low_ > 0; }
+
+private:
+    static constexpr std::int64_t below_2_31 = (std::int64_t{1} << 31) - 1;
+
+    void add(std::int64_t high, std::int64_t middle, std::int64_t low) {
+        low_ += low;
+        middle_ += middle + (low_ >> 31);
+        high_ += high + (middle_ >> 31);
+        low_ &= below_2_31;
+        middle_ &= below_2_31;
+    }
+    std::int64_t high_ = 0, middle_ = 0, low_ = 0;
+};
+
+int orientation_sign(GridPoint a, GridPoint b, GridPoint c) {
+    std::int64_t const area = cross(a - c, b - c);
+    return area < 0 ? -1 : area > 0;
+}
+int in_circle_sign(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {   // differences below 2^30
     GridPoint const p = a - d, q = b - d, r = c - d;
-    return sign(square(p) * cross(q, r) + square(q) * cross(r, p) + square(r) * cross(p, q));
+    Whole sum;
+    sum.add_product(square(p), cross(q, r));
+    sum.add_product(square(q), cross(r, p));
+    sum.add_product(square(r), cross(p, q));
+    return sum.sign();
 }
 
 Vec2 at(GridPoint p, double scale) { return {scale * static_cast<double>(p.x), scale * static_cast<double>(p.y)}; }

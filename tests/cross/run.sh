@@ -100,7 +100,7 @@ export WINEDEBUG=-all WINEPREFIX="$dir/wine"
 for name in $TARGETS; do
     case $name in
     aarch64) on $name aarch64-linux-gnu qemu-aarch64 "g++-aarch64-linux-gnu qemu-user" "" ;;
-    armhf) on $name arm-linux-gnueabihf qemu-arm "g++-arm-linux-gnueabihf qemu-user" "" ;;
+    armhf) on $name arm-linux-gnueabihf qemu-arm "g++-arm-linux-gnueabihf qemu-user" "-Wno-psabi" ;;
     riscv64) on $name riscv64-linux-gnu qemu-riscv64 "g++-riscv64-linux-gnu qemu-user" "" ;;
     s390x) on $name s390x-linux-gnu qemu-s390x "g++-s390x-linux-gnu qemu-user" "" ;;
     # Registers of the 8087 round to 64 bits or twice: the library refuses to be compiled for them.

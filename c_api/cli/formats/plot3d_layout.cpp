@@ -28,9 +28,8 @@ std::int64_t numbers_of(const Plot3dLayout& layout, const Plot3dBlock& block) {
 }
 
 // Plausible sizes only, so that no product of them overflows.
-bool plausible(const Plot3dBlock& block, std::size_t file_size) {
+bool plausible(const Plot3dBlock& block, std::int64_t most) {
     std::int64_t points = 1;
-    const auto most = static_cast<std::int64_t>(file_size);
     for (const std::int64_t n : block.n) {
         if (n < 1 || n > most / points) return false;
         points *= n;
@@ -114,7 +113,7 @@ public:
             for (int d = 0; d < layout_.dimensions; ++d) {
                 if (!take(layout_.blocks.back().n[static_cast<std::size_t>(d)])) return false;
             }
-            if (!plausible(layout_.blocks.back(), std::size_t{1} << 40)) return false;
+            if (!plausible(layout_.blocks.back(), std::int64_t{1} << 40)) return false;
         }
         if (!close()) return false;
         for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {

@@ -10,7 +10,7 @@ namespace cli {
 namespace {
 
 constexpr std::int64_t most_repeats = INT32_MAX;
-constexpr std::size_t most_bytes = std::size_t{1} << 36;
+constexpr std::size_t most_bytes = SIZE_MAX >> (sizeof(std::size_t) > 4 ? 28 : 2);
 
 bool is_part_of_number(char c) {
     return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == 'e' || c == 'E' || c == 'd' || c == 'D';
