@@ -82,7 +82,7 @@ void break_conditions(Problem& its, Input& input) {
     hm_condition& condition = some(its.conditions, input);
     switch (input.below(8)) {
         case 0: condition.marker = input.wild_index(); break;
-        case 1: condition.kind = input.from(-1, 6); break;
+        case 1: condition.kind = input.from(-1, 8); break;
         case 2: condition.first_curve = input.wild_index(); break;
         case 3: condition.n_curves = input.wild_index(); break;
         case 4: condition.body = input.wild_index(); break;

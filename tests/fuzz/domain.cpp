@@ -10,8 +10,10 @@ constexpr std::int32_t low = 1, right = 2, high = 3, left = 4, first_wall = 5;
 struct Grid {
     std::int32_t nx, ny;   // cells
     bool is_ring;          // column nx is column 0; row 0 is the wall
+    bool has_tip = false;  // row 0 is one point
 
     std::int32_t at(std::int32_t i, std::int32_t j) const {
+        if (has_tip && j == 0) return 0;
         return (is_ring ? i % nx : i) + (is_ring ? nx : nx + 1) * j;
     }
 };
@@ -35,7 +37,9 @@ void add_hole(Domain& domain, Grid const& grid, Hole const& hole, std::int32_t m
 
 void add_cell(Domain& domain, Input& input, std::uint32_t split, std::int32_t a, std::int32_t b, std::int32_t c,
               std::int32_t d) {
-    if (split == 0 || (split == 1 && input.one_in(2))) {
+    if (a == b) {   // at the tip
+        domain.cells.push_back({a, c, d});
+    } else if (split == 0 || (split == 1 && input.one_in(2))) {
         domain.cells.push_back({a, b, c, d});
         domain.ni = split == 0 ? domain.ni : 0;
     } else if (input.one_in(2)) {
@@ -63,7 +67,25 @@ void drop_unused(Domain& domain) {
     for (Face& face : domain.faces) renumber(face.from), renumber(face.to);
     for (std::vector<std::int32_t>& wall : domain.walls)
         for (std::int32_t& k : wall) renumber(k);
+    for (Domain::Image& image : domain.images) renumber(image.of), renumber(image.at);
     domain.points = points;
+}
+
+// The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may be curved. With a tip
+// it is a sector.
+void bend(Domain& domain, Grid const& grid, Input& input) {
+    double const angle = 2 * std::acos(-1.0) / input.from(2, 40), twist = input.any_of({0.0, 0.0, 0.1, -0.3});
+    double const highest = domain.points.back().y, hub = grid.has_tip ? 0 : grid.nx / angle * input.between(0.2, 3);
+    for (Point& p : domain.points) {
+        double const from_top = angle * p.x / grid.nx + twist * p.y / highest, radius = hub + p.y;
+        p = {radius * std::sin(from_top), radius * std::cos(from_top)};
+    }
+    domain.is_passage = true;
+    domain.turn = {std::cos(angle), -std::sin(angle)};
+    for (Domain::Image const& image : domain.images) {
+        Point const from = domain.points[static_cast<std::size_t>(image.of)];
+        domain.points[static_cast<std::size_t>(image.at)] = turned(from, domain.turn);
+    }
 }
 
 }   // namespace
@@ -98,7 +120,8 @@ Domain make_domain(Input& input) {
                 out.points.push_back({radius * std::cos(angle), radius * ratio * std::sin(angle)});
             }
         }
-    if (!grid.is_ring && !input.one_in(3)) {   // sides are straight again, and opposite ones translates of each other
+    std::uint32_t const sides = grid.is_ring ? 2 : input.below(9);
+    if (sides % 3 != 2) {   // sides are straight again, and opposite ones translates of each other
         for (std::int32_t i = 0; i < columns; ++i) {
             Point &bottom = out.points[static_cast<std::size_t>(grid.at(i, 0))],
                   &top = out.points[static_cast<std::size_t>(grid.at(i, grid.ny))];
@@ -112,6 +135,10 @@ Domain make_domain(Input& input) {
             start.x = 0;
             end = {grid.nx + 0.0, start.y};
         }
+        bool const is_passage = !holes.empty() && (sides == 3 || sides == 6);
+        grid.has_tip = is_passage && input.one_in(4);
+        for (std::int32_t j = 0; j <= grid.ny; ++j) out.images.push_back({grid.at(0, j), grid.at(grid.nx, j)});
+        if (is_passage) bend(out, grid, input);
     }
 
     std::uint32_t const split = input.below(3);
@@ -125,7 +152,7 @@ Domain make_domain(Input& input) {
             if (grid.is_ring) std::swap(b, d);   // all cells run counter-clockwise
             add_cell(out, input, split, a, b, c, d);
         }
-    if (split != 0) out.ni = 0;
+    if (split != 0 || grid.has_tip) out.ni = 0;
 
     if (grid.is_ring) {
         std::vector<std::int32_t> wall;
@@ -138,7 +165,7 @@ Domain make_domain(Input& input) {
     } else {
         bool const side_moves = holes.empty();
         for (std::int32_t i = 0; i < grid.nx; ++i) {
-            out.faces.push_back({grid.at(i, 0), grid.at(i + 1, 0), side_moves ? first_wall : low});
+            if (!grid.has_tip) out.faces.push_back({grid.at(i, 0), grid.at(i + 1, 0), side_moves ? first_wall : low});
             out.faces.push_back({grid.at(i, grid.ny), grid.at(i + 1, grid.ny), high});
         }
         for (std::int32_t j = 0; j < grid.ny; ++j) {
@@ -158,6 +185,7 @@ Domain make_domain(Input& input) {
     double const size = input.one_in(6) ? std::pow(10.0, input.from(-95, 95)) : 1;
     Point const centre = input.one_in(6) ? Point{size * input.from(-1000000, 1000000), size} : Point{0, 0};
     for (Point& p : out.points) p = {centre.x + size * p.x, centre.y + size * p.y};
+    out.centre = centre;
     return out;
 }
 

@@ -55,26 +55,27 @@ private:
 
     // The functions, finite, and solutions of their equation.
     void values() {
-        value_.assign(static_cast<std::size_t>(info_.functions), Numbers(n_));
+        auto const numbers = std::size_t(info_.numbers_per_value);
+        value_.assign(std::size_t(info_.functions), std::vector<Numbers>(numbers, Numbers(n_)));
         std::vector<bool> inside(n_, true);
         for (Face const& face : problem_.domain.faces)
             inside[std::size_t(face.from)] = inside[std::size_t(face.to)] = false;
         for (std::int32_t i = 0; i < info_.functions; ++i)
             for (std::int32_t number = 0; number < info_.numbers_per_value; ++number) {
-                Numbers found(n_, 0);
+                Numbers& found = value_[std::size_t(i)][std::size_t(number)];
                 expect(hm_basis_values(its_.basis, i, number, found.data(), &error_) == HM_OK, "no values");
                 for (double const its : found) {
                     expect(std::isfinite(its), "a value is not finite");
                     largest_ = std::max(largest_, std::abs(its));
                 }
-                if (number == 0) value_[std::size_t(i)] = found;
             }
         bool const is_laplace = problem_.options.operator_kind == HM_LAPLACE && problem_.options.scheme == HM_COMPACT;
-        if (!is_laplace || judged_.ambiguous > 0 || !is_real() || its_.status != HM_OK || problem_.options.engine != HM_DIRECT) return;
-        for (Numbers const& its : value_) {
-            double const residual = laplace_residual(problem_.domain, judged_, its, inside);
-            expect(residual < 1e-7, "Laplace's equation has the residual " + std::to_string(residual));
-        }
+        if (!is_laplace || judged_.ambiguous > 0 || its_.status != HM_OK || problem_.options.engine != HM_DIRECT) return;
+        for (std::vector<Numbers> const& function : value_)
+            for (Numbers const& its : function) {
+                double const residual = laplace_residual(problem_.domain, judged_, its, inside);
+                expect(residual < 1e-7, "Laplace's equation has the residual " + std::to_string(residual));
+            }
     }
 
     // Points on curves have the basis functions at their parameter.
@@ -85,7 +86,7 @@ private:
             if (curve >= info_.curves) continue;
             Numbers const expected = basis_functions(problem_.curves, curve, info_.point_u[slot]);
             for (std::size_t i = 0; i < expected.size(); ++i) {
-                double const found = value_[i][std::size_t(info_.curve_point[slot])];
+                double const found = value_[i][0][std::size_t(info_.curve_point[slot])];
                 expect(std::abs(found - expected[i]) < 1e-11, "a point of the wall has another basis function");
             }
         }
@@ -105,21 +106,50 @@ private:
         expect(hm_morph(its_.basis, move_.data(), &problem_.mesh.points, &at, nullptr, &error_) == HM_OK, "no morph");
         double largest = 0;
         for (double const number : move_) largest = std::max(largest, std::abs(number));
-        for (std::size_t k = 0; k < n_ && is_real(); ++k) {
-            Wide sum = 0, size = 0;
-            for (std::size_t i = 0; i < value_.size(); ++i) {
-                sum += Wide(value_[i][k]) * move_[2 * i];
-                size += std::abs(Wide(value_[i][k]) * move_[2 * i]);
-            }
-            expect(std::abs(dx[k] - double(sum)) <= 1e-14 * double(value_.size()) * double(size),
-                   "a displacement is not the sum");
+        for (std::size_t k = 0; k < n_; ++k) {
+            is_sum(dx[k], k, 0);
+            is_sum(dy[k], k, 1);
             Point const from = problem_.domain.points[k];
             if (dx[k] == 0) expect(x[k] == from.x, "a point that stays has other bits");
             expect(std::abs(x[k] - (from.x + dx[k])) <= 4e-16 * (std::abs(from.x) + std::abs(dx[k])),
                    "a morph is not x + dx");
         }
+        pairs_move_alike(dx, dy, 0);
         step(by, moved(dx, dy));
         quality(to, moved(x, y));
+    }
+
+    // A component of the displacement of a point: real values f, complex ones a + i b, or matrices, times the movement.
+    void is_sum(double found, std::size_t point, std::size_t component) const {
+        Wide sum = 0, size = 0;
+        for (std::size_t i = 0; i < value_.size(); ++i) {
+            auto const f = [&](std::size_t number) { return Wide(value_[i][number][point]); };
+            Wide of_x = component == 0 ? f(0) : 0, of_y = component == 1 ? f(0) : 0;
+            if (info_.numbers_per_value == 2) (component == 0 ? of_y : of_x) = component == 0 ? -f(1) : f(1);
+            if (info_.numbers_per_value == 4) of_x = f(2 * component), of_y = f(2 * component + 1);
+            sum += of_x * move_[2 * i] + of_y * move_[2 * i + 1];
+            size += std::abs(of_x * move_[2 * i]) + std::abs(of_y * move_[2 * i + 1]);
+        }
+        expect(std::abs(found - double(sum)) <= 1e-14 * double(value_.size()) * double(size),
+               "a displacement is not the sum");
+    }
+
+    // The header: points of a periodic pair by the same bits, those of a rotation pair turned.
+    void pairs_move_alike(Numbers const& dx, Numbers const& dy, double rounding) const {
+        for (hm_condition const& condition : problem_.conditions) {
+            bool const is_turned = condition.kind == HM_ROTATION_PAIR;
+            if (!is_turned && condition.kind != HM_PERIODIC_PAIR) continue;
+            double largest = 0;
+            for (std::size_t k = 0; k < n_; ++k) largest = std::max({largest, std::abs(dx[k]), std::abs(dy[k])});
+            // How well the angle is known from the coordinates.
+            double const turning = is_turned ? 1e-13 * largest * problem_.size() / extent() : 0;
+            for (Domain::Image const& image : problem_.domain.images) {
+                std::size_t const from = std::size_t(image.of), to = std::size_t(image.at);
+                Point const by{dx[from], dy[from]}, expected = is_turned ? turned(by, problem_.domain.turn) : by;
+                expect(std::abs(dx[to] - expected.x) <= turning + rounding, "the points of a pair move differently");
+                expect(std::abs(dy[to] - expected.y) <= turning + rounding, "the points of a pair move differently");
+            }
+        }
     }
 
     void step(hm_points const& by, std::vector<Point> const& displacement) {
@@ -282,6 +312,12 @@ private:
             expect(report.step_fraction == 1, "a part of the movement, and no warning");
             expect(reached == move_, "HM_OK, and another movement is reached");
         }
+        Numbers dx(n_), dy(n_);
+        for (std::size_t k = 0; k < n_; ++k) {
+            dx[k] = x[k] - problem_.domain.points[k].x;
+            dy[k] = y[k] - problem_.domain.points[k].y;
+        }
+        pairs_move_alike(dx, dy, 1e-14 * problem_.size());
         if (is_real()) expect(report.turned_offset == 0, "real functions turn no offset");
         wall_is_at(at, reached, report.turned_offset);
     }
@@ -316,7 +352,7 @@ private:
     std::size_t n_ = 0;
     Numbers move_;
     double largest_ = 0;   // of the functions' values
-    std::vector<Numbers> value_;
+    std::vector<std::vector<Numbers>> value_;   // of each function, its numbers at each point
 };
 
 // What a solution gives, to compare bits: its functions, and where it takes the mesh by a movement that needs more than

@@ -195,7 +195,15 @@ void write_conditions(Problem& its, Input& input) {
     if (outside == 1) add(3, HM_FIXED);
     if (outside == 2) add(3, HM_SLIP), add(2, HM_SLIP);
     if (outside == 3) add(3, HM_FREE);
-    if (outside == 4) add(4, HM_PERIODIC_PAIR).partner = 2;
+    if (its.domain.is_passage && (outside == 0 || outside > 2)) {
+        std::int32_t const first = input.any_of({2, 4});
+        hm_condition& pair = add(first, HM_ROTATION_PAIR);
+        pair.partner = 6 - first;
+        pair.x = its.domain.centre.x;
+        pair.y = its.domain.centre.y;
+    } else if (outside == 4) {
+        add(4, HM_PERIODIC_PAIR).partner = 2;
+    }
 }
 
 // Rows of the header's table of combinations, mostly.

@@ -16,6 +16,7 @@ namespace fuzz {
 struct Point {
     double x, y;
 };
+inline Point turned(Point p, Point by) { return {p.x * by.x - p.y * by.y, p.x * by.y + p.y * by.x}; }
 struct Face {
     std::int32_t from, to, marker;
 };
@@ -31,6 +32,15 @@ struct Domain {
     bool walls_are_loops = true, has_seam = false;
     bool has_polygons = false;     // given as HM_CELLS_POLYGONS, and judged as those are
     std::int32_t ni = 0, nj = 0;   // if all of its cells are those of a structured mesh
+
+    // Points of the left side (marker 4), and their images on the right one (marker 2): translated, or in a passage of
+    // an annulus turned about `centre` by an angle with this cosine and sine.
+    struct Image {
+        std::int32_t of, at;
+    };
+    std::vector<Image> images;
+    bool is_passage = false;
+    Point centre{0, 0}, turn{1, 0};
 };
 Domain make_domain(Input& input);
 
