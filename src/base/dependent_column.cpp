@@ -18,8 +18,10 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
         entry[0] = value.x;
         if (numbers == 2) entry[1] = value.y;
     };
-    auto const scale = [&](Index column, Real factor) {
-        for (Index row = 0; row < rows; ++row) set(row, column, factor * at(row, column));
+    // Divided, as the reciprocal of a tiny number may be infinite.
+    auto const quotient_of = [](Vec2 v, Real by) { return Vec2{v.x / by, v.y / by}; };
+    auto const divide = [&](Index column, Real by) {
+        for (Index row = 0; row < rows; ++row) set(row, column, quotient_of(at(row, column), by));
     };
     auto const size_of = [&](Index column) {
         Real largest = 0;
@@ -29,13 +31,13 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
         }
         if (!(largest > 0)) return 0.0;
         Real sum = 0;
-        for (Index row = 0; row < rows; ++row) sum += square((1 / largest) * at(row, column));
+        for (Index row = 0; row < rows; ++row) sum += square(quotient_of(at(row, column), largest));
         return largest * square_root(sum);
     };
     for (Index column = 0; column < n; ++column) {
         Real const size = size_of(column);
         if (!(size > 0)) return {column, true};
-        scale(column, 1 / size);
+        divide(column, size);
         for (Index pass = 0; pass < 2; ++pass) {
             for (Index before = 0; before < column; ++before) {
                 Vec2 part;
@@ -50,7 +52,7 @@ DependentColumn find_dependent_column(Span<Real> matrix, Index n, Index numbers)
             Real const left = size_of(column);
             if (!(left > smallest)) return {column, false};
         }
-        scale(column, 1 / size_of(column));
+        divide(column, size_of(column));
     }
     return {};
 }
