@@ -64,7 +64,7 @@ void Improvement::run(ImproveOptions const& options, Points from, MutablePoints 
 void Improvement::climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest,
                         ImproveReport& report) noexcept {
     Real before = energy(power);
-    for (Index k = 0; k < most_steps; ++k) {
+    for (Index k = 0; k < most_steps && before < infinity; ++k) {
         Real const after = step(options, power, before, report);
         Score const found = score();
         if (found.is_better_than(highest)) {
@@ -118,11 +118,11 @@ void Improvement::assemble(Index power) const noexcept {
         Triangle const triangle = triangle_of(point, as_points(now));
         Real const share = targets.share(cell), least = targets.cell[cell].least;
         QualityEnergy const relative(targets.of(cell, point, triangle));
-        relative.differentiate(triangle, 1, share, floor, gradient, mode);
+        relative.differentiate(triangle, share, floor, gradient, mode);
         add(gradient, mode);
         if (power == 0) return;
-        QualityEnergy const absolute(targets.ideal(cell, point, triangle));
-        absolute.differentiate(triangle, power, share * power_of(least * least, power), floor, gradient, mode);
+        QualityEnergy const absolute(targets.ideal(cell, point, triangle), power, least * least);
+        absolute.differentiate(triangle, share, floor, gradient, mode);
         add(gradient, mode);
     });
 }
@@ -139,10 +139,9 @@ Real Improvement::energy_at(Real length, Index power) const noexcept {
             Triangle triangle = triangle_of(point, as_points(now));
             Triangle const way = triangle_of(point, as_points(change));
             for (Index end = 0; end < 3; ++end) triangle.at[end] = triangle.at[end] + length * way.at[end];
-            sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle, 1);
+            sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
             if (power == 0) continue;
-            Real const absolute = QualityEnergy(targets.ideal(cell, point, triangle)).energy(triangle, power);
-            sum.value += share * power_of(least * least, power) * absolute;
+            sum.value += share * QualityEnergy(targets.ideal(cell, point, triangle), power, least * least).energy(triangle);
         }
     }).value;
 }

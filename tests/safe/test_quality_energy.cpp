@@ -33,7 +33,7 @@ struct Derivatives {
     harmorph::CornerMode mode[4];
 
     Derivatives(Triangle const& target, Triangle const& now, Index power, double weight, double least) {
-        QualityEnergy(target).differentiate(now, power, weight, least, gradient, mode);
+        QualityEnergy(target, power).differentiate(now, weight, least, gradient, mode);
     }
     double hessian(int i, int j) const {
         double sum = 0;
@@ -52,7 +52,7 @@ TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian
         Triangle const target = random_triangle(random), now = random_triangle(random);
         Index const power = 1 + trial % 4;
         double const weight = 0.3 + 0.2 * (trial % 5), h = 1e-6;
-        QualityEnergy const energy(target);
+        QualityEnergy const energy(target, power);
         Derivatives const here(target, now, power, weight, exact);
         double slopes = 0, bends = 0;
         for (int i = 0; i < 6; ++i) {
@@ -63,7 +63,7 @@ TEST_CASE("quality energy: the gradient is that of the energy, the exact Hessian
             Triangle ahead = now, behind = now;
             coordinate(ahead, i) += h;
             coordinate(behind, i) -= h;
-            double const rise = weight * (energy.energy(ahead, power) - energy.energy(behind, power));
+            double const rise = weight * (energy.energy(ahead) - energy.energy(behind));
             CHECK(std::fabs(component(here.gradient, i) - rise / (2 * h)) < 1e-6 * (slopes + bends));
             Derivatives const after(target, ahead, power, weight, exact), before(target, behind, power, weight, exact);
             for (int j = 0; j < 6; ++j) {
@@ -81,7 +81,7 @@ TEST_CASE("quality energy: curvatures are raised to a part of 4 power energy, ne
         Triangle const target = random_triangle(random), now = random_triangle(random);
         Index const power = 1 + trial % 3;
         Derivatives const free(target, now, power, 1, exact), convex(target, now, power, 1, 0.25);
-        double const floor = 0.25 * 4 * power * QualityEnergy(target).energy(now, power);
+        double const floor = 0.25 * 4 * power * QualityEnergy(target, power).energy(now);
         for (int k = 0; k < 4; ++k) {
             raised += free.mode[k].curvature < floor;
             CHECK(convex.mode[k].curvature == doctest::Approx(std::fmax(free.mode[k].curvature, floor)).epsilon(1e-13));
@@ -102,20 +102,21 @@ TEST_CASE("quality energy: 1 at the target turned and moved at will, more elsewh
             now.at[k] = {c * p.x - s * p.y + 5, s * p.x + c * p.y - 3};
         }
         for (Index const power : {1, 2, 4, 8}) {
-            CHECK(energy.energy(now, power) == doctest::Approx(1).epsilon(1e-12));
+            CHECK(QualityEnergy(target, power).energy(now) == doctest::Approx(1).epsilon(1e-12));
             Derivatives const here(target, now, power, 1, exact);
             for (int k = 0; k < 6; ++k) CHECK(std::fabs(component(here.gradient, k)) < 1e-10);
         }
         for (int k = 0; k < 20; ++k) {
             Triangle const other = random_triangle(random);
-            double const value = energy.energy(other, 1);
+            double const value = energy.energy(other);
             CHECK(value >= 1 - 1e-12);
-            CHECK(energy.energy(other, 4) == doctest::Approx(value * value * value * value).epsilon(1e-12));
+            double const of_power = QualityEnergy(target, 4, 0.25).energy(other);
+            CHECK(of_power == doctest::Approx(std::pow(0.25 * value, 4)).epsilon(1e-12));
         }
         std::swap(now.at[0], now.at[2]);
-        CHECK(energy.energy(now, 1) == HUGE_VAL);
+        CHECK(energy.energy(now) == HUGE_VAL);
         now.at[0] = now.at[1];
-        CHECK(energy.energy(now, 1) == HUGE_VAL);
+        CHECK(energy.energy(now) == HUGE_VAL);
     }
 }
 
@@ -128,6 +129,31 @@ TEST_CASE("quality energy: of a triangle with the area of an equilateral target 
         double const x[] = {now.at[0].x, now.at[1].x, now.at[2].x}, y[] = {now.at[0].y, now.at[1].y, now.at[2].y};
         harmorph::CellShape const shape(harmorph::Cell{3, {0, 1, 2}}, {x, y, 1}, false);
         double const quality = harmorph::skew_quality(3, harmorph::CellCorners(shape));
-        CHECK(energy.energy(now, 1) == doctest::Approx(1 / (quality * quality)).epsilon(1e-12));
+        CHECK(energy.energy(now) == doctest::Approx(1 / (quality * quality)).epsilon(1e-12));
     }
+}
+
+TEST_CASE("quality energy: of corners of any size and however flat, derivatives are finite where the energy is") {
+    int finite = 0, infinite = 0;
+    for (double const size : {1e-95, 1e-40, 1.0, 1e40, 1e95})
+        for (int flat = 0; flat < 80; flat += 3)
+            for (double const grown : {1e-30, 1.0, 1e30})
+                for (Index const power : {1, 2, 8, 32}) {
+                    double const height = std::pow(10.0, -flat);
+                    Triangle const target{{{0, 0}, {size, 0}, {size, size}}};
+                    Triangle const now{{{0, 0}, {grown * size, 0}, {grown * size, grown * height * size}}};
+                    QualityEnergy const its(target, power);
+                    if (its.energy(now) == HUGE_VAL) {
+                        ++infinite;
+                    } else {
+                        ++finite;
+                        Derivatives const by(target, now, power, 1, 0.02);
+                        for (int i = 0; i < 6; ++i) {
+                            CHECK(std::isfinite(component(by.gradient, i)));
+                            for (int j = 0; j < 6; ++j) CHECK(std::isfinite(by.hessian(i, j)));
+                        }
+                    }
+                }
+    CHECK(finite > 200);
+    CHECK(infinite > 200);
 }

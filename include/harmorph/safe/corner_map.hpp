@@ -31,6 +31,7 @@ class CornerMap {
 public:
     explicit CornerMap(Triangle const& reference) noexcept;
 
+    Real twice_area() const noexcept { return twice_area_; }  // of the reference
     Real determinant(Triangle const& now) const noexcept { return now.twice_area() / twice_area_; }
     Vec2 z(Triangle const& now) const noexcept {
         return product(first_, now.at[1] - now.at[0]) + product(second_, now.at[2] - now.at[1]);

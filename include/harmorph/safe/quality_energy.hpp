@@ -6,33 +6,29 @@
 namespace harmorph {
 
 // With J the map from the target corner, p and q as of CornerMap and d = det J > 0:
-//     shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,   energy = (shape^2 size)^power.
+//     shape = |J|^2 / (2 d) = (p + q) / (p - q),   size = (d + 1/d) / 2,   energy = (scale shape^2 size)^power.
 // Both are 1 at the target, turned and moved at will, and larger elsewhere. 1 / (shape sqrt(size)) is the size-skew
 // quality relative to the target: P. M. Knupp, SIAM J. Sci. Comput. 23 (2001) 193, measures by the target matrix; 1 /
-// size tends to 2 min(d, 1/d), but is smooth. So the energy is the quality to the power of -2 power.
+// size tends to 2 min(d, 1/d), but is smooth. So with scale = least^2 the energy is (least / quality)^(2 power).
 class QualityEnergy {
 public:
     // Of the smallest natural curvature; turning, which changes nothing at the target, has it too.
     static constexpr Real least_curvature = 0.02;
 
-    explicit QualityEnergy(Triangle const& target) noexcept : map_(target) {}
+    explicit QualityEnergy(Triangle const& target, Index power = 1, Real scale = 1) noexcept
+        : map_(target), power_(power), scale_(scale) {}
 
-    // Infinite where the corner has no positive area.
-    Real energy(Triangle const& now, Index power) const noexcept;
-    // Derivatives by the three points, see CornerMap, of `weight` times the energy. Curvatures below `least` times
+    // Infinite where the corner has no positive area, or is so far from its target that a derivative would overflow.
+    Real energy(Triangle const& now) const noexcept;
+    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is finite. Curvatures below `least` times
     // 4 power energy, that of growing at the target, are raised to it.
-    void differentiate(Triangle const& now, Index power, Real weight, Real least, Vec2 (&gradient)[3],
+    void differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 
 private:
     CornerMap map_;
+    Index power_;
+    Real scale_;
 };
-
-// x^n for n >= 1.
-constexpr Real power_of(Real x, Index n) noexcept {
-    Real product = x;
-    for (Index k = 1; k < n; ++k) product *= x;
-    return product;
-}
 
 }  // namespace harmorph
