@@ -59,7 +59,7 @@ LOOPS = src/dense/dense.cpp src/operators/[!r]* src/operators/residual.cpp src/o
 	src/boundary/distance.cpp src/boundary/distance_tree.cpp src/mesh/control_volumes.cpp src/mesh/edges.cpp src/mesh/median_dual.cpp \
 	src/mesh/orientation.cpp src/morph/weighted_sum.cpp
 LEVEL_OF_CALLS = -Os
-CALLS = c_api/*.cpp c_api/cli/*.cpp c_api/cli/pictures/*.cpp src/bspline/[!bp]* src/space/* src/parts/* src/safe/safe_* \
+CALLS = c_api/*.cpp c_api/cli/main.cpp src/bspline/[!bp]* src/space/* src/parts/* src/safe/safe_* \
 	src/safe/target* src/safe/mo*
 CC = cc
 CFLAGS = -O2
@@ -81,11 +81,11 @@ WARNINGS = -Wall -Wextra -Wconversion -Wshadow
 CORE = -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off \
 	-fno-threadsafe-statics -fno-stack-protector -fno-asynchronous-unwind-tables -U_FORTIFY_SOURCE \
 	-fvisibility=hidden -fPIC $(WARNINGS) -Iinclude -Isrc -Ic_api
-CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -Ic_api -Ic_api/cli
+CLI = -std=c++17 -pthread $(WARNINGS) $(CGNS:1=-DHARMORPH_CGNS) -I. -Ic_api -Ic_api/cli
 # CGNS=1: the program reads and writes CGNS files; it needs libcgns (Debian's libcgns-dev), the library does not.
 CGNS =
 # Tests are compiled for one run: what more of optimisation would take is not given back, nor exceptions caught in each check.
-UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -Ic_api -Itests
+UNIT = -std=c++17 -Og -DDOCTEST_CONFIG_SUPER_FAST_ASSERTS -ffp-contract=off $(WARNINGS) -Iinclude -I. -Ic_api -Itests
 
 LIBRARY = $(BUILD)/libharmorph.a
 PROGRAM = $(BUILD)/harmorph
@@ -99,8 +99,7 @@ all: rules
 # may run beside each other.
 REPLACE = new=$$$$; replace() { cmp -s $(BUILD)/$$1.$$new $(BUILD)/$$1 || mv -f $(BUILD)/$$1.$$new $(BUILD)/$$1; rm -f $(BUILD)/$$1.$$new; };
 
-# POSIX make has no rules that lead from one directory to another. So the shell writes one for each source it finds: new
-# files need no edit. Objects depend on all headers of their part, and on a file that changes when compiler or flags do.
+# What is generated from sources, and the rules of all objects and programs: c_api/rules.sh.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
 	@$(REPLACE) for file in harmorph harmorph77 harmorph_mpi; do \
@@ -110,35 +109,8 @@ rules:
 	@$(REPLACE) sh c_api/cli/page/embed.sh >$(BUILD)/page_text.cpp.$$new; replace page_text.cpp
 	@$(REPLACE) echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(LEVEL_OF_CALLS) $(CALLS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
 	    >$(BUILD)/flags.$$new; replace flags
-	@$(REPLACE) objects() { \
-	    part=$$1 headers=$$2; shift 2; list=; \
-	    for source do \
-	        object=$(BUILD)/objects/$$part/`echo $${source%.cpp} | sed "s,^$(BUILD)/,," | tr / -`.o; list="$$list $$object"; \
-	        level='$(LEVEL)'; \
-	        for file in $(LOOPS); do if [ $$source = $$file ]; then level='$(LEVEL_OF_LOOPS)'; fi; done; \
-	        for file in $(CALLS); do if [ $$source = $$file ]; then level='$(LEVEL_OF_CALLS)'; fi; done; \
-	        printf '%s: %s %s $(BUILD)/flags\n' $$object $$source "$$headers"; \
-	        printf '\techo $(CXX) %s\n\t$$(CXX) %s $$(CXXFLAGS) %s -c -o $$@ %s\n' $$source "$$level" "$$flags" $$source; \
-	    done; \
-	}; \
-	program() { \
-	    printf '%s:%s $(LIBRARY) $(BUILD)/rules.mk\n\techo $(CXX) $$@\n' $$1 "$$list"; \
-	    printf '\t$$(CXX) $$(CXXFLAGS) -pthread -o $$@%s $(LIBRARY) $$(LDFLAGS) $$(CGNS:1=-lcgns)\n' "$$list"; \
-	}; \
-	some() { echo `ls $$* 2>/dev/null`; }; \
-	core=`some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp`; \
-	cli=`some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp`; unit="$$core `some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp`"; \
-	{ \
-	    flags='$$(CORE)'; objects core "$$core" src/*/*.cpp c_api/*.cpp; \
-	    printf '$(LIBRARY):%s\n\techo $(AR) $$@\n\trm -f $$@\n\t$$(AR) rcs $$@%s\n' "$$list" "$$list"; \
-	    flags='$$(CLI)'; objects cli "$$cli" c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp $(BUILD)/page_text.cpp; program $(PROGRAM); \
-	    parts=`echo "$$list" | sed 's/ [^ ]*cli-main\.o//'`; \
-	    objects cli "$$cli `some tests/deform/*.hpp`" tests/deform/deform.cpp; list="$$list $$parts"; program $(BUILD)/deform-driver; \
-	    objects cli "$$cli `some tests/deform/*.hpp`" tests/deform/seeded.cpp; list="$$list $$parts"; program $(BUILD)/deform-seeded; \
-	    flags='$$(UNIT)'; objects unit "$$unit" tests/main.cpp $(UNITS); program $(BUILD)/tests; \
-	    flags='$$(UNIT) -Ic_api/cli'; objects fuzz "$$core $$cli `some tests/fuzz/*.hpp`" tests/fuzz/*.cpp; \
-	    list="$$list $$parts"; program $(BUILD)/fuzzer; \
-	} >$(BUILD)/rules.mk.$$new; replace rules.mk
+	@LEVEL='$(LEVEL)' LEVEL_OF_LOOPS='$(LEVEL_OF_LOOPS)' LOOPS='$(LOOPS)' LEVEL_OF_CALLS='$(LEVEL_OF_CALLS)' CALLS='$(CALLS)' \
+	    UNITS='$(UNITS)' sh c_api/rules.sh $(BUILD)
 
 # The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all

@@ -7,9 +7,9 @@ dir=$BUILD/coverage
 $MAKE -s BUILD="$BUILD" JOBS="$JOBS" all fuzzer tests-only || exit 1
 $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O0 --coverage" library-only || exit 1
 rm -f "$dir"/objects/core/*.gcda
-$CXX --coverage -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o "$dir/libharmorph.a" || exit 1
+$CXX --coverage -pthread -o "$dir/tests" $(cat "$BUILD/objects/tests.list") "$dir/libharmorph.a" || exit 1
 $CXX --coverage -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o \
-    $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$dir/libharmorph.a" || exit 1
+    $(cat "$BUILD/objects/program.list") "$dir/libharmorph.a" || exit 1
 # In two halves side by side: gcov adds up what several processes have counted. Without optimisation this is most of the
 # time, a third of it in the tests of the engines that iterate.
 half="*tests/multigrid/*,*tests/operators/*,*tests/direct/*,*tests/safe/*"

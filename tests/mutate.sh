@@ -62,11 +62,11 @@ compile() {   # source: what stands in `mutant.cpp`, so that names in objects ar
     $CXX $flags -I"$(dirname "$1")" -c -o "$dir/mutant.o" "$dir/mutant.cpp" 2>/dev/null
 }
 link_tests() {   # object of the mutant, or nothing
-    $CXX -pthread -o "$dir/tests" "$BUILD"/objects/unit/*.o $1 "$BUILD/libharmorph.a"
+    $CXX -pthread -o "$dir/tests" $(cat "$BUILD/objects/tests.list") $1 "$BUILD/libharmorph.a"
 }
 link_fuzzer() {
     $CXX -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o $1 \
-        $(ls "$BUILD"/objects/cli/*.o | grep -v -e 'cli-main\.o' -e 'tests-deform') "$BUILD/libharmorph.a"
+        $(cat "$BUILD/objects/program.list") "$BUILD/libharmorph.a"
 }
 # What may find a mutant, the likeliest first. Of other rooms, those below in the table of src/README.md: the rest cannot
 # know of the file, but through the C interface, whose tests are among them.

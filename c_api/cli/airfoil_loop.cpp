@@ -4,15 +4,8 @@
 #include "library.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cli {
-
-namespace {
-
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
-} // namespace
 
 AirfoilLoop::AirfoilLoop(const hm_curves& curves, std::int32_t curve) {
     constexpr int per_span = 40;

@@ -39,7 +39,7 @@ Arguments::Arguments(const Command& command, const std::vector<std::string>& wor
     }
     const std::size_t wanted = command_.operands.size();
     if (operands_.size() < wanted) refuse(std::string(command_.operands[operands_.size()]) + " is missing");
-    if (operands_.size() > wanted) refuse(quoted(operands_[wanted]) + " is one argument too many");
+    if (operands_.size() > wanted) refuse(in_quotes(operands_[wanted]) + " is one argument too many");
 }
 
 // Returns where the option ends: at its value, if that is a word of its own.
@@ -49,7 +49,7 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     const std::string name = word.substr(0, equals);
     const auto known = std::find_if(command_.options.begin(), command_.options.end(),
                                     [&name](const Option& option) { return name == option.name; });
-    if (known == command_.options.end()) refuse("unknown option " + quoted(name));
+    if (known == command_.options.end()) refuse("unknown option " + in_quotes(name));
     std::string value;
     if (equals != std::string::npos) {
         if (!known->value) refuse(name + " takes no value");
@@ -83,7 +83,7 @@ std::int32_t Arguments::whole(const std::string& option, std::int32_t fallback, 
     std::int32_t value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
         refuse(option + " expects a whole number between " + std::to_string(low) + " and " + std::to_string(high) +
-               ", found " + quoted(text(option)));
+               ", found " + in_quotes(text(option)));
     }
     return value;
 }
@@ -96,7 +96,7 @@ std::vector<std::int32_t> Arguments::whole_list(const std::string& option, std::
         std::int32_t value = 0;
         if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low || value > high) {
             refuse(option + " expects whole numbers between " + std::to_string(low) + " and " + std::to_string(high) +
-                   " with commas between, found " + quoted(list));
+                   " with commas between, found " + in_quotes(list));
         }
         values.push_back(value);
         begin = end + 1;
@@ -108,7 +108,7 @@ double Arguments::positive(const std::string& option, double fallback) const {
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value <= 0) {
-        refuse(option + " expects a number above 0, found " + quoted(text(option)));
+        refuse(option + " expects a number above 0, found " + in_quotes(text(option)));
     }
     return value;
 }
@@ -117,7 +117,7 @@ double Arguments::real(const std::string& option, double fallback, double low, d
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " + quoted(text(option)));
+        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " + in_quotes(text(option)));
     }
     return value;
 }
@@ -131,7 +131,7 @@ std::int32_t Arguments::choice(const std::string& option, const std::vector<Choi
         names += names.empty() ? "" : ", ";
         names += choice.name;
     }
-    refuse(option + " is one of " + names + ", found " + quoted(given));
+    refuse(option + " is one of " + names + ", found " + in_quotes(given));
 }
 
 void Arguments::refuse(const std::string& message) const {

@@ -47,7 +47,7 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
     return info;
 }
 
-constexpr const char *title = "harmorph markers ", *slip_title = "harmorph slip ", *of_conditions = "conditions ",
+constexpr const char *title_of_names = "harmorph markers ", *slip_title = "harmorph slip ", *of_conditions = "conditions ",
                      *end_of_curves = "end";
 
 // The text behind the first `bytes` of the file.
@@ -60,7 +60,7 @@ public:
 
     std::vector<std::string> names() {
         std::int32_t n = 0;
-        if (!next_line() || !begins_with(title) || !parse(rest_behind(title), n) || n < 0) {
+        if (!next_line() || !begins_with(title_of_names) || !parse(rest_behind(title_of_names), n) || n < 0) {
             throw Failure(exit_file, path_ + ": holds a basis without the names of its mesh's markers, so that it is not "
                                              "known which are meant: solve it again with harmorph solve");
         }
@@ -149,7 +149,7 @@ void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
                  const std::vector<hm_condition>& conditions) {
     const hm_basis_info info = info_of(basis, "basis");
     out.write(reinterpret_cast<const char *>(basis), static_cast<std::streamsize>(info.bytes));
-    out << '\n' << title << mesh.markers.size() << '\n';
+    out << '\n' << title_of_names << mesh.markers.size() << '\n';
     for (const std::string& name : mesh.markers) out << name << '\n';
     std::vector<const hm_curves*> sets;
     for (const hm_condition& condition : conditions) {

@@ -1,5 +1,7 @@
 #include "cell_faces.hpp"
 
+#include "place.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -19,8 +21,6 @@ std::array<std::int32_t, 4> sorted(std::array<std::int32_t, 4> points) {
     std::sort(points.begin(), points.end());
     return points;
 }
-
-std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 } // namespace
 

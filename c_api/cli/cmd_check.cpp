@@ -65,7 +65,7 @@ void write_picture(const Arguments& arguments, const Mesh& mesh) {
     files.commit();
 }
 
-void run(const Arguments& arguments) {
+void run_check(const Arguments& arguments) {
     const Mesh mesh = read_mesh(arguments, 0);
     const hm_mesh_report report = MeshAnalysis(mesh).report();
     if (arguments.has("--json")) {
@@ -99,6 +99,6 @@ const Command check_command = {
      {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
                          "min_quality, mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",
-    run};
+    run_check};
 
 } // namespace cli

@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-void run(const Arguments& arguments) {
+void run_convert(const Arguments& arguments) {
     const std::string& path = arguments.operand(1);
     const Format& format = format_to_create(arguments.has("--to") ? arguments.text("--to") : "", path);
     const Mesh mesh = read_mesh(arguments, 0);
@@ -32,6 +32,6 @@ const Command convert_command = {
     "plane. What else stands in MESH is not in it. Numbers are written with all their digits.\n",
     {format_option, zone_option, {"--to", "NAME", "format of NEW (otherwise its extension tells)"}},
     "  harmorph convert naca0012.su2 naca0012.msh\n",
-    run};
+    run_convert};
 
 } // namespace cli

@@ -126,7 +126,7 @@ void print_measures(const Arguments& arguments, const Curves& curves) {
     if (arguments.has("--json")) std::printf("%s\n", object.text().c_str());
 }
 
-void run(const Arguments& arguments) {
+void run_curve(const Arguments& arguments) {
     const Curves curves = changed(arguments, read_curves(arguments.operand(0)));
     if (arguments.has("-o")) {
         OutputFiles files;
@@ -158,6 +158,6 @@ const Command curve_command = {
      {"--json", nullptr, "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, clearance"}},
     "  harmorph curve airfoil.curve --stations 0.25,0.5\n"
     "  harmorph curve airfoil.curve --halve -o fine.curve\n",
-    run};
+    run_curve};
 
 } // namespace cli

@@ -106,7 +106,7 @@ void copy_mesh(const std::string& from, const std::string& to) {
     files.commit();
 }
 
-void run(const Arguments& arguments) {
+void run_demo(const Arguments& arguments) {
     const std::filesystem::path folder = arguments.operand(0);
     const std::string shipped = arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
     std::error_code error;
@@ -150,6 +150,6 @@ const Command demo_command = {
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
     "  harmorph demo demo-output\n",
-    run};
+    run_demo};
 
 } // namespace cli

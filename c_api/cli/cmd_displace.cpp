@@ -187,7 +187,7 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
     return movement;
 }
 
-void run(const Arguments& arguments) {
+void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
     for (const char* const option : {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
         if (!arguments.has("--safe") && arguments.has(option)) arguments.refuse(std::string(option) + " goes with --safe");
@@ -240,6 +240,6 @@ const Command displace_command = {
                          "admissible_step but the keys of `harmorph morph --safe`"}},
     "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
     "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
-    run};
+    run_displace};
 
 } // namespace cli

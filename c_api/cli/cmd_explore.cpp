@@ -24,7 +24,7 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
                                      mesh.file.place(line));
 }
 
-void run(const Arguments& arguments) {
+void run_explore(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t most = arguments.whole("--points", 20000, 100, 2000000);
     const Mesh mesh = read_mesh(arguments, 0);
@@ -71,6 +71,6 @@ const Command explore_command = {
      format_option,
      zone_option},
     "  harmorph explore naca0012.su2 airfoil.basis -o page.html\n",
-    run};
+    run_explore};
 
 } // namespace cli

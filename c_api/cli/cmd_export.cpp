@@ -101,7 +101,7 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
     if (arguments.has("--svg")) files.add(arguments.text("--svg")) << function_picture(mesh, std::move(panels), window);
 }
 
-void run(const Arguments& arguments) {
+void run_export(const Arguments& arguments) {
     if (arguments.has("--level")) return export_levels(arguments);
     arguments.text("--function"); // there is no default
     if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") && !arguments.has("--contour-csv")) {
@@ -152,6 +152,6 @@ const Command export_command = {
      agglomeration_option},
     "  harmorph export naca0012.su2 airfoil.basis --function 7 --svg function.svg\n"
     "  harmorph export naca0012.su2 airfoil.basis --function 5,7,9,11 --svg functions.svg\n",
-    run};
+    run_export};
 
 } // namespace cli

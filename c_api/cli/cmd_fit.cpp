@@ -50,7 +50,7 @@ std::int32_t closed_option(const Arguments& arguments) {
     if (closed == "auto") return HM_CLOSED_AUTO;
     if (closed == "periodic") return HM_PERIODIC;
     if (closed == "tied") return HM_TIED;
-    arguments.refuse("--closed expects auto, periodic or tied, found " + quoted(closed));
+    arguments.refuse("--closed expects auto, periodic or tied, found " + in_quotes(closed));
 }
 
 hm_fit_options fit_options(const Arguments& arguments) {
@@ -139,7 +139,7 @@ Outline outline_of(const Arguments& arguments, const std::string& path) {
     return Outline(is_section ? read_section(path) : sampled(read_curves(path)));
 }
 
-void run(const Arguments& arguments) {
+void run_fit(const Arguments& arguments) {
     const hm_fit_options options = fit_options(arguments);
     const std::string path = arguments.text("-o"), from = arguments.operand(0);
     const Outline outline = outline_of(arguments, from);
@@ -184,6 +184,6 @@ const Command fit_command = {
                          "backtracks (the curve runs back between two points), max_error, rms_error"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
     "  harmorph fit rae2822.dat -o rae2822.curve\n",
-    run};
+    run_fit};
 
 } // namespace cli

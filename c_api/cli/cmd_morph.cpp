@@ -91,7 +91,7 @@ Morph safe_morph(const Arguments& arguments, const Mesh& mesh, const Basis& basi
     return Morph(basis, mesh, moves, options, threads);
 }
 
-void run(const Arguments& arguments) {
+void run_morph(const Arguments& arguments) {
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
@@ -181,6 +181,6 @@ const Command morph_command = {
                          "airfoil_max_error and airfoil_rms_error (distances of its points from the curve)"}},
     "  harmorph morph naca0012.su2 airfoil.basis --move moves.txt -o morphed.su2 --svg morphed.svg\n"
     "  harmorph morph naca0012.su2 airfoil.basis --to-airfoil naca2412.dat --safe -o naca2412.su2\n",
-    run};
+    run_morph};
 
 } // namespace cli

@@ -133,7 +133,7 @@ std::string what_is_missed(const Solver& solver, const hm_options& options) {
            (options.precision == HM_SINGLE ? ": --precision double brings them nearer" : "");
 }
 
-void run(const Arguments& arguments) {
+void run_solve(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const std::int32_t repeats = arguments.whole("--repeat", 1, 1, 1000000);
     if (!arguments.has("--curve") && !arguments.has("--rigid") && !arguments.has("--mode")) {
@@ -195,6 +195,6 @@ const Command solve_command = {
                          "storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
-    run};
+    run_solve};
 
 } // namespace cli

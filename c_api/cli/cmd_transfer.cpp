@@ -21,7 +21,7 @@ std::int32_t same_marker(const Arguments& arguments, const Mesh& mesh, std::int3
     const std::string& tag = mesh.markers.at(static_cast<std::size_t>(marker));
     const auto found = std::find(fine.markers.begin(), fine.markers.end(), tag);
     if (found == fine.markers.end()) {
-        arguments.refuse(fine.file.path() + " has no marker " + quoted(tag) + ", which has a condition in " +
+        arguments.refuse(fine.file.path() + " has no marker " + in_quotes(tag) + ", which has a condition in " +
                          mesh.file.path());
     }
     return static_cast<std::int32_t>(found - fine.markers.begin());
@@ -111,7 +111,7 @@ void print_for_people(const Transfer& transfer, const Mesh& fine, const Basis& b
                 brief(transfer.analysis_seconds()).c_str(), brief(transfer.transfer_seconds()).c_str());
 }
 
-void run(const Arguments& arguments) {
+void run_transfer(const Arguments& arguments) {
     const std::string path = arguments.text("-o");
     const Mesh mesh = read_mesh(arguments, 0);
     const Basis basis(arguments.operand(1), mesh);
@@ -149,6 +149,6 @@ const Command transfer_command = {
      {"--json", nullptr, "print one JSON object: points, cells, functions, interpolated, outside, max_distance,\n"
                          "boundary_error, wall_correction, analysis_seconds, transfer_seconds"}},
     "  harmorph transfer coarse.su2 coarse.basis fine.su2 -o fine.basis\n",
-    run};
+    run_transfer};
 
 } // namespace cli

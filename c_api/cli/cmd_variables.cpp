@@ -67,7 +67,7 @@ hm_variables variables_of(const Arguments& arguments, std::vector<double>& peaks
     return variables;
 }
 
-void run(const Arguments& arguments) {
+void run_variables(const Arguments& arguments) {
     const std::string path = arguments.operand(0);
     const Curves curves = read_curves(path);
     const CurvesView view(curves);
@@ -125,6 +125,6 @@ const Command variables_command = {
      {"--json", nullptr, "print one JSON object: points, variables (rms_error, max_error of each)"}},
     "  harmorph variables airfoil.curve --cst 6,6 -o cst.map\n"
     "  harmorph morph mesh.su2 airfoil.basis --variables cst.map --move values.txt -o morphed.su2\n",
-    run};
+    run_variables};
 
 } // namespace cli

@@ -176,7 +176,7 @@ template <class Number> Number CurveReader::number(std::string_view word, const 
 }
 
 void CurveReader::only_once(bool there_already) const {
-    if (there_already) lines_.fail(quoted(lines_.line()) + " stands here a second time for one curve");
+    if (there_already) lines_.fail(in_quotes(lines_.line()) + " stands here a second time for one curve");
 }
 
 void CurveReader::points_first() const {

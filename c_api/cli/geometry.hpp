@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cli {
@@ -9,6 +10,8 @@ namespace cli {
 struct Point {
     double x, y;
 };
+
+inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 struct Box {
     static constexpr double infinity = std::numeric_limits<double>::infinity();

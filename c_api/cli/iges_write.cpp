@@ -1,5 +1,7 @@
 #include "cad_curves.hpp"
 
+#include "numbers.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <ostream>
@@ -9,12 +11,6 @@
 namespace cli {
 
 namespace {
-
-std::string real(double value) { // with a decimal point and an exponent, as the format wants it
-    char text[32];
-    std::snprintf(text, sizeof text, "%.16E", value);
-    return text;
-}
 
 std::string padded(std::string text, std::size_t width) {
     text.resize(width, ' ');
@@ -52,17 +48,17 @@ std::vector<std::string> parameters_of(const Curves& curves, const Curve& curve)
     std::vector<std::string> out = {"126", std::to_string(n - 1), std::to_string(curve.degree), "1",
                                     curve.closed == HM_OPEN ? "0" : "1", polynomial ? "1" : "0",
                                     curve.closed == HM_PERIODIC ? "1" : "0"};
-    for (const double knot : curve.knots) out.push_back(real(knot));
+    for (const double knot : curve.knots) out.push_back(scientific(knot));
     for (const std::int32_t index : curve.indices) {
-        out.push_back(real(polynomial ? 1.0 : curves.weights[static_cast<std::size_t>(index)]));
+        out.push_back(scientific(polynomial ? 1.0 : curves.weights[static_cast<std::size_t>(index)]));
     }
     for (const std::int32_t index : curve.indices) {
         const auto point = 2 * static_cast<std::size_t>(index);
-        for (const double coordinate : {curves.control[point], curves.control[point + 1], 0.0}) out.push_back(real(coordinate));
+        for (const double coordinate : {curves.control[point], curves.control[point + 1], 0.0}) out.push_back(scientific(coordinate));
     }
     const auto degree = static_cast<std::size_t>(curve.degree);
-    for (const double end : {curve.knots[degree], curve.knots[n]}) out.push_back(real(end));
-    for (const double component : {0.0, 0.0, 1.0}) out.push_back(real(component));
+    for (const double end : {curve.knots[degree], curve.knots[n]}) out.push_back(scientific(end));
+    for (const double component : {0.0, 0.0, 1.0}) out.push_back(scientific(component));
     return out;
 }
 
@@ -74,7 +70,7 @@ std::vector<std::string> globals_of(const Curves& curves) {
     for (const double coordinate : curves.control) largest = std::max({largest, coordinate, -coordinate});
     const std::string date = text_parameter("20000101.000000"), name = text_parameter("harmorph");
     return {"1H,", "1H;", name, text_parameter("curve.igs"), name, name, "32", "38", "6", "308", "15", name,
-            "1.0", "6", "1HM", "1", "0.01", date, real(1e-9 * largest), real(largest), name, name, "11", "0", date};
+            "1.0", "6", "1HM", "1", "0.01", date, scientific(1e-9 * largest), scientific(largest), name, name, "11", "0", date};
 }
 
 } // namespace

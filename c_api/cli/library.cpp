@@ -24,7 +24,7 @@ ExitCode exit_code(hm_status status) {
 }
 
 // The line of the first cell, face or point that the sentence names; the library counts as the file does.
-std::string place(const std::string& sentence, const Mesh& mesh) {
+std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
     std::istringstream words(sentence);
     std::string kind, word;
     while (words >> word) {
@@ -63,7 +63,7 @@ void refuse(const hm_error& error, const std::string& path) {
 
 void refuse(const hm_error& error, const Mesh& mesh) {
     const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
-    throw Failure(exit_code(error.code), (of_the_mesh ? place(error.text, mesh) + ": " : std::string()) +
+    throw Failure(exit_code(error.code), (of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string()) +
                                              name_markers(error.text, mesh.markers));
 }
 

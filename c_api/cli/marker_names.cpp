@@ -61,7 +61,7 @@ std::string name_markers(const std::string& sentence, const std::vector<std::str
         const bool is_number = parse(word, number);
         const bool is_marker = words.names_marker(word, is_number);
         const bool exists = is_marker && number >= 0 && static_cast<std::size_t>(number) < names.size();
-        text += exists ? quoted(names[static_cast<std::size_t>(number)]) : std::string(word);
+        text += exists ? in_quotes(names[static_cast<std::size_t>(number)]) : std::string(word);
         begin = end;
     }
     return text;
@@ -69,7 +69,7 @@ std::string name_markers(const std::string& sentence, const std::vector<std::str
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + quoted(name);
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + in_quotes(name);
     return text.empty() ? "no markers" : text;
 }
 

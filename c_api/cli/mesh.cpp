@@ -17,8 +17,8 @@ std::int32_t find_marker(const Mesh& mesh, std::string_view tag) {
 
 [[noreturn]] void refuse_tag(const Mesh& mesh, std::string_view tag) {
     std::string known;
-    for (const std::string& name : mesh.markers) known += (known.empty() ? "" : ", ") + quoted(name);
-    throw Failure(exit_usage, mesh.file.path() + " has no marker " + quoted(tag) + ", but " +
+    for (const std::string& name : mesh.markers) known += (known.empty() ? "" : ", ") + in_quotes(name);
+    throw Failure(exit_usage, mesh.file.path() + " has no marker " + in_quotes(tag) + ", but " +
                                   (known.empty() ? "none at all" : known));
 }
 
@@ -26,7 +26,7 @@ std::int32_t usable_marker(const Mesh& mesh, std::string_view tag) {
     const std::int32_t marker = find_marker(mesh, tag);
     if (marker < 0) refuse_tag(mesh, tag);
     if (mesh.faces(marker) == 0) {
-        throw Failure(exit_usage, "marker " + quoted(tag) + " of " + mesh.file.path() + " has no faces");
+        throw Failure(exit_usage, "marker " + in_quotes(tag) + " of " + mesh.file.path() + " has no faces");
     }
     return marker;
 }

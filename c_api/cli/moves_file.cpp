@@ -51,7 +51,7 @@ private:
         const auto& words = lines_.words();
         if (words.size() < 5 || words.size() > 6) lines_.expected("rigid MARKER dx dy degrees [scale]");
         const auto function = static_cast<std::size_t>(function_of(std::string(words[1])));
-        if (moved_[function]) lines_.fail("the body of " + quoted(std::string(words[1])) + " is moved a second time");
+        if (moved_[function]) lines_.fail("the body of " + in_quotes(std::string(words[1])) + " is moved a second time");
         moved_[function] = true;
         const double angle = number(words[4]) * pi / 180, scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);

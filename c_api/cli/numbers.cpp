@@ -55,6 +55,7 @@ bool parse(std::string_view word, double& value) {
 }
 
 std::string exact(double value) { return print("%.17g", value); }
+std::string scientific(double value) { return print("%.16E", value); }
 
 std::string brief(double value) { return print("%.4g", value); }
 

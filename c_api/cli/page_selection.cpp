@@ -1,5 +1,7 @@
 #include "page_selection.hpp"
 
+#include "place.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,8 +15,6 @@ namespace cli {
 namespace {
 
 constexpr std::int32_t unselected = -1;
-
-std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 // The length of the shortest way along edges of the mesh from some points to each point; infinite where none leads.
 class Distances {

@@ -1,5 +1,7 @@
 #include "cad_curves.hpp"
 
+#include "numbers.hpp"
+
 #include <cstdio>
 #include <ostream>
 #include <string>
@@ -8,12 +10,6 @@
 namespace cli {
 
 namespace {
-
-std::string real(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.16E", value);
-    return text;
-}
 
 template <class Values, class Word> std::string list_of(const Values& values, Word word) {
     std::string text = "(";
@@ -58,10 +54,10 @@ std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve
     const std::string shape = std::to_string(curve.degree) + "," + control + ",.UNSPECIFIED.," +
                               logical(curve.closed != HM_OPEN) + ",.F.";
     const std::string spans = list_of(knots.times, [](int times) { return std::to_string(times); }) + "," +
-                              list_of(knots.value, real) + ",.UNSPECIFIED.";
+                              list_of(knots.value, scientific) + ",.UNSPECIFIED.";
     if (curves.weights.empty()) return step.put("B_SPLINE_CURVE_WITH_KNOTS(''," + shape + "," + spans + ")");
     const std::string weights =
-        list_of(curve.indices, [&](std::int32_t index) { return real(curves.weights[static_cast<std::size_t>(index)]); });
+        list_of(curve.indices, [&](std::int32_t index) { return scientific(curves.weights[static_cast<std::size_t>(index)]); });
     return step.put("(BOUNDED_CURVE()B_SPLINE_CURVE(" + shape + ")B_SPLINE_CURVE_WITH_KNOTS(" + spans +
                     ")CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(" + weights + ")REPRESENTATION_ITEM(''))");
 }
@@ -102,7 +98,7 @@ void write_step(std::ostream& out, const Curves& curves) {
     StepWriter step(out);
     std::vector<std::string> points;
     for (std::size_t k = 0; k < curves.control.size(); k += 2) {
-        const std::string coordinates = real(curves.control[k]) + "," + real(curves.control[k + 1]) + ",0.";
+        const std::string coordinates = scientific(curves.control[k]) + "," + scientific(curves.control[k + 1]) + ",0.";
         points.push_back(step.put("CARTESIAN_POINT('',(" + coordinates + "))"));
     }
     std::vector<std::string> written;

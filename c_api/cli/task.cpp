@@ -30,7 +30,7 @@ hm_condition condition_on(const MarkerPiece& on, std::int32_t kind) {
 void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, const hm_condition& condition) {
     for (const hm_condition& other : task.conditions) {
         if (other.marker == condition.marker && other.piece == 0 && condition.piece == 0) {
-            arguments.refuse("marker " + quoted(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
+            arguments.refuse("marker " + in_quotes(mesh.markers[static_cast<std::size_t>(condition.marker)]) +
                              " has two conditions: name it once");
         }
     }
@@ -40,7 +40,7 @@ void add_condition(const Arguments& arguments, const Mesh& mesh, Task& task, con
 // binding: "A[,B..]=FILE", the markers that lie on the curves of that file.
 void put_on_curves(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding) {
     const std::size_t equals = binding.find('=');
-    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + quoted(binding));
+    if (equals == std::string::npos) arguments.refuse("--curve expects MARKER=FILE, found " + in_quotes(binding));
     const auto first_curve = static_cast<std::int32_t>(task.curves.curves.size());
     task.curves.append(read_curves(binding.substr(equals + 1)));
     for (const MarkerPiece& piece : mesh.find_pieces(binding.substr(0, equals))) {
@@ -107,7 +107,7 @@ void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const 
         const std::string centre = binding.substr(equals + 1);
         const std::size_t comma = centre.find(',');
         if (comma == std::string::npos || !parse(centre.substr(0, comma), x) || !parse(centre.substr(comma + 1), y)) {
-            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + quoted(binding));
+            arguments.refuse("--rigid expects MARKER or MARKER=X,Y, found " + in_quotes(binding));
         }
     }
     for (const MarkerPiece& piece : pieces) {
@@ -132,7 +132,7 @@ void make_periodic(const Arguments& arguments, const Mesh& mesh, Task& task, con
         if (!pair.passage.empty()) task.passages.push_back(pair.passage);
         return add_condition(arguments, mesh, task, pair.condition);
     }
-    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + quoted(binding));
+    arguments.refuse("--periodic expects two markers of the mesh as A:B, found " + in_quotes(binding));
 }
 
 std::int32_t operator_of(const Arguments& arguments) {
@@ -141,7 +141,7 @@ std::int32_t operator_of(const Arguments& arguments) {
     if (name == "conformal") return HM_CONFORMAL;
     if (name == "laplace") return HM_LAPLACE;
     if (name == "weighted") return HM_WEIGHTED;
-    arguments.refuse("--operator is laplace, weighted or conformal, found " + quoted(name));
+    arguments.refuse("--operator is laplace, weighted or conformal, found " + in_quotes(name));
 }
 
 std::int32_t scheme_of(const Arguments& arguments) {
@@ -151,7 +151,7 @@ std::int32_t scheme_of(const Arguments& arguments) {
     if (name == "nodal-gradient") return HM_NODAL_GRADIENT;
     if (name == "nodal-gradient-plain") return HM_NODAL_GRADIENT_PLAIN;
     if (name == "bounded") return HM_BOUNDED;
-    arguments.refuse("--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " + quoted(name));
+    arguments.refuse("--scheme is compact, nodal-gradient, nodal-gradient-plain or bounded, found " + in_quotes(name));
 }
 
 std::int32_t quarters_of(const Arguments& arguments) {
@@ -161,7 +161,7 @@ std::int32_t quarters_of(const Arguments& arguments) {
     const auto quarters = is_number && exponent >= 0 && exponent <= 4 ? static_cast<std::int32_t>(4 * exponent) : -1;
     if (quarters < 0 || quarters != 4 * exponent) {
         arguments.refuse("--exponent expects a number from 0 to 4 in steps of 1/4, found " +
-                         quoted(arguments.text("--exponent")));
+                         in_quotes(arguments.text("--exponent")));
     }
     return quarters == 0 ? HM_NO_WEIGHT : quarters;
 }

@@ -15,8 +15,6 @@ namespace cli {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f\r\n";
-
 std::string read_whole(const std::string& path) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
     std::string text;
@@ -124,7 +122,7 @@ void LineReader::fail(const std::string& message) const { file_.fail(offset(), m
 void LineReader::expected(const std::string& what) const { expected(what, line_); }
 
 void LineReader::expected(const std::string& what, std::string_view found) const {
-    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : quoted(found)));
+    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -133,7 +131,11 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-std::string quoted(std::string_view text) {
+bool ends_with(std::string_view text, std::string_view end) {
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 48;
     std::string result = "'";
     for (const char c : text.substr(0, longest)) result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;

@@ -62,7 +62,9 @@ private:
     std::vector<std::string_view> words_;
 };
 
+constexpr std::string_view blanks = " \t\v\f\r\n";
 std::string_view trimmed(std::string_view text);
-std::string quoted(std::string_view text); // for messages: 'text', shortened and without control characters
+bool ends_with(std::string_view text, std::string_view end);
+std::string in_quotes(std::string_view text); // for messages: 'text', shortened and without control characters
 
 } // namespace cli

@@ -23,7 +23,7 @@ std::optional<Box> window_of(const Arguments& arguments) {
     }
     const Box window = {{number[0], number[1]}, {number[2], number[3]}};
     if (n == 4 && window.width() > 0 && window.height() > 0) return window;
-    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, found " + quoted(text));
+    arguments.refuse("--window expects X,Y,X,Y, the lower left and the upper right corner, found " + in_quotes(text));
 }
 
 } // namespace cli

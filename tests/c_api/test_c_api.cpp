@@ -37,7 +37,8 @@ TEST_CASE("NULL where it is not allowed is refused, everywhere; hm_error may alw
     hm_plan* plan = nullptr;
     hm_basis* basis = nullptr;
     const hm_basis* attached = nullptr;
-    hm_mesh_report report{sizeof report, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    hm_mesh_report report{};
+    report.struct_size = sizeof report;
     hm_basis_info info{};
     hm_step_report step{};
     hm_quality_report quality{};

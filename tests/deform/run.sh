@@ -10,7 +10,7 @@ if ! echo '#include <Eigen/Sparse>' | $CXX -I/usr/include/eigen3 -x c++ -E - >/d
     echo "the comparison with other methods is skipped: it needs Eigen (Debian's libeigen3-dev)"
     exit 0
 fi
-objects=$(ls "$BUILD"/objects/cli/*.o | grep -v -e cli-main.o -e deform-deform.o -e deform-seeded.o)
+objects=$(cat "$BUILD/objects/program.list")
 $CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Ic_api -Ic_api/cli -I/usr/include/eigen3 -o "$BUILD/deform-compare" \
     tests/deform/compare.cpp $objects "$BUILD/libharmorph.a" $LDFLAGS || exit
 exec "$BUILD/deform-compare" "$BUILD/deform" $meshes

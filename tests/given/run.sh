@@ -31,7 +31,7 @@ for word in $words; do
     name=$(basename "${word%:*}")
     "$build/harmorph" fit "${word%:*}" --marker "${word##*:}" -o "$dir/${name%.*}.${word##*:}.curve" >/dev/null || exit
 done
-objects=$(ls "$build"/objects/cli/*.o | grep -v -e cli-main.o -e deform-)
+objects=$(cat "$build/objects/program.list")
 $CXX -std=c++17 -Wall -Wextra $CXXFLAGS -pthread -Ic_api -Ic_api/cli -o "$dir/fields" tests/given/fields.cpp $objects \
     "$build/libharmorph.a" $LDFLAGS || { echo "0 passed, 1 failed"; exit 1; }
 exec "$dir/fields" "$dir" "$SEEDS" $words

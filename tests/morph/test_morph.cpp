@@ -23,7 +23,7 @@ Moved morphed(Solved const& solved, Mesh const& mesh, Numbers const& move) {
 }
 
 // Without a starting position: displacements, or velocities.
-Moved displacement(Solved const& solved, Numbers const& move) {
+Moved displaced(Solved const& solved, Numbers const& move) {
     std::size_t const n = static_cast<std::size_t>(solved.info().points);
     Moved out{Numbers(n, 7.0), Numbers(n, 7.0)};
     REQUIRE(hm_morph(solved.basis, move.data(), nullptr, points_out(out.x, out.y), nullptr, nullptr) == HM_OK);
@@ -37,7 +37,7 @@ TEST_CASE("the displacement is the sum of functions times movements") {
     Solved const solved(its);
     std::int32_t const n = its.curves.n_control();
     Numbers const move = some_move(n, 0.01, 1);
-    Moved const found = displacement(solved, move);
+    Moved const found = displaced(solved, move);
     Numbers mx, my;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
         mx.push_back(move[2 * i]);
@@ -55,14 +55,14 @@ TEST_CASE("a morph is linear in the movement, also for more functions than one b
         Numbers const a = some_move(n, 1, 2), b = some_move(n, 1, 3);
         Numbers both;
         for (std::size_t k = 0; k < a.size(); ++k) both.push_back(a[k] - 2.5 * b[k]);
-        Moved const of_a = displacement(solved, a), of_b = displacement(solved, b), of_both = displacement(solved, both);
+        Moved const of_a = displaced(solved, a), of_b = displaced(solved, b), of_both = displaced(solved, both);
         Numbers expected;
         for (std::size_t k = 0; k < of_a.y.size(); ++k) expected.push_back(of_a.y[k] - 2.5 * of_b.y[k]);
         CHECK(largest_difference(of_both.y, expected) < 1e-14);
 
         Numbers twice;
         for (double const m : a) twice.push_back(2 * m);
-        Moved const of_twice = displacement(solved, twice);
+        Moved const of_twice = displaced(solved, twice);
         for (double& x : expected) x = 0;
         for (std::size_t k = 0; k < expected.size(); ++k) expected[k] = 2 * of_a.x[k];
         CHECK(same_bits(of_twice.x, expected));
@@ -74,7 +74,7 @@ TEST_CASE("a translation moves the wall as a whole, and the far field not at all
     Solved const solved(its);
     Numbers move;
     for (std::int32_t i = 0; i < its.curves.n_control(); ++i) move.insert(move.end(), {0.25, -0.5});
-    Moved const found = displacement(solved, move);
+    Moved const found = displaced(solved, move);
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face) {
         std::size_t const point = static_cast<std::size_t>(its.mesh.faces[2 * face]);
         bool const far = its.mesh.face_markers[face] == far_field;
@@ -88,7 +88,7 @@ TEST_CASE("the adjoint is the transpose: <g, F m> = <F^T g, m>") {
         Case its = ring_case(20, 300, 0.5, 2, Cells::hybrid, 3, n);   // 6300 points: more than one block of them
         Solved const solved(its);
         Numbers const move = some_move(n, 1, 4), g = some_move(its.mesh.n_points(), 1, 5);
-        Moved const found = displacement(solved, move);
+        Moved const found = displaced(solved, move);
         Numbers gradient(2 * static_cast<std::size_t>(n), -1.0);
         REQUIRE(hm_adjoint(solved.basis, points_in(g.data(), g.data() + 1, 2), gradient.data(), nullptr, nullptr) ==
                 HM_OK);
@@ -186,7 +186,7 @@ TEST_CASE("displacements added to the mesh are the morphed mesh") {
     Case its = airfoil_case();
     Solved const solved(its);
     Numbers const move = some_move(its.curves.n_control(), 0.01, 8);
-    Moved const by = displacement(solved, move), to = morphed(solved, its.mesh, move);
+    Moved const by = displaced(solved, move), to = morphed(solved, its.mesh, move);
     Numbers expected;
     for (std::size_t k = 0; k < by.x.size(); ++k) expected.push_back(by.x[k] == 0 ? its.mesh.x[k] : its.mesh.x[k] + by.x[k]);
     CHECK(same_bits(to.x, expected));
@@ -199,7 +199,7 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
             for (int k = 0; k < 20; ++k) its.curves.weights.push_back(1 + 0.1 * k);
         Solved const solved(its);
         Numbers const move = some_move(20, 0.3, 9);
-        Moved const by = displacement(solved, move);
+        Moved const by = displaced(solved, move);
         CurveSet moved = its.curves;
         for (std::size_t k = 0; k < move.size(); ++k) moved.control[k] += move[k];
         hm_basis_info const info = solved.info();

@@ -13,16 +13,16 @@ namespace cli {
 
 namespace {
 
-bool probe(const TextFile& file) {
+bool probe_cgns(const TextFile& file) {
     const std::string_view text = file.text();
     return text.substr(0, 8) == std::string_view("\x89HDF\r\n\x1a\n", 8) ||
            text.substr(0, 64).find("ADF Database") != std::string_view::npos;
 }
 
 #ifdef HARMORPH_CGNS
-void read(Mesh& mesh, const ReadOptions&) { read_cgns(mesh); }
+void read_cgns(Mesh& mesh, const ReadOptions&) { read_cgns(mesh); }
 #else
-void read(Mesh& mesh, const ReadOptions&) {
+void read_cgns(Mesh& mesh, const ReadOptions&) {
     mesh.file.fail(0, "this is an HDF5 or ADF file: CGNS files are read by programs made with `make CGNS=1`, where libcgns "
                       "is installed");
 }
@@ -30,6 +30,6 @@ void read(Mesh& mesh, const ReadOptions&) {
 
 } // namespace
 
-const Format cgns_format = {"cgns", ".cgns", "CGNS, 2D or one cell thick (programs made with CGNS=1)", probe, read, nullptr};
+const Format cgns_format = {"cgns", ".cgns", "CGNS, 2D or one cell thick (programs made with CGNS=1)", probe_cgns, read_cgns, nullptr};
 
 } // namespace cli

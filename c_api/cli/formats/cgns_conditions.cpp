@@ -29,7 +29,7 @@ void CgnsConditions::read() {
 
 std::int32_t CgnsConditions::point(const CgnsZone& zone, const char* condition, cgsize_t number) const {
     if (number < 1 || number > zone.n[0]) {
-        cgns_.fail(in_zone(zone) + ": the boundary condition " + cli::quoted(condition) + " has point " +
+        cgns_.fail(in_zone(zone) + ": the boundary condition " + in_quotes(condition) + " has point " +
                    std::to_string(number) + ", but there are " + plural(zone.n[0], "point"));
     }
     return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
@@ -69,7 +69,7 @@ void CgnsConditions::add_conditions(std::size_t z) {
         std::vector<cgsize_t> items(static_cast<std::size_t>(n) * dimensions);
         std::vector<double> normals(static_cast<std::size_t>(std::max<cgsize_t>(list_size, 1)));
         cgns_(cg_boco_read(cgns_.file, cgns_base, number, c, items.data(), list_size > 0 ? normals.data() : nullptr),
-              in_zone(zones_[z]) + ", boundary condition " + cli::quoted(name));
+              in_zone(zones_[z]) + ", boundary condition " + in_quotes(name));
         if (set == ElementRange || set == ElementList) location = cell_dimension_ == 2 ? EdgeCenter : FaceCenter;
         const bool is_range = set == PointRange || set == ElementRange;
         if (zones_[z].is_structured) {
@@ -144,7 +144,7 @@ void CgnsConditions::mark_points(const std::string& name, const std::set<std::in
 void CgnsConditions::mark_element(const std::string& name, std::size_t z, cgsize_t number) {
     const auto found = sides_.find({z, number});
     if (found == sides_.end()) {
-        cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + cli::quoted(name) + " names element " +
+        cgns_.fail(in_zone(zones_[z]) + ": the boundary condition " + in_quotes(name) + " names element " +
                    std::to_string(number) +
                    ", which is no face of the boundary");
     }

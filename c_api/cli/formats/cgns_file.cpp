@@ -30,7 +30,7 @@ std::string CgnsZone::point(std::size_t k) const {
            std::to_string(number / n[0] % n[1] + 1) + ", " + std::to_string(number / n[0] / n[1] + 1) + ")";
 }
 
-std::string in_zone(const CgnsZone& zone) { return "zone " + cli::quoted(zone.name); }
+std::string in_zone(const CgnsZone& zone) { return "zone " + in_quotes(zone.name); }
 
 std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
     char name[33] = "";
@@ -42,7 +42,7 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
         cgns.fail("expected a base with cells of 2 or 3 dimensions, found " + std::to_string(cell_dimension));
     }
     cgns(cg_nzones(cgns.file, cgns_base, &n_zones));
-    if (n_zones < 1) cgns.fail("the base " + cli::quoted(name) + " has no zone");
+    if (n_zones < 1) cgns.fail("the base " + in_quotes(name) + " has no zone");
     std::vector<CgnsZone> zones;
     std::size_t first = 0;
     for (int z = 1; z <= n_zones; ++z) {

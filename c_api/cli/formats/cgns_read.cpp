@@ -116,7 +116,7 @@ private:
 
     std::int32_t point(const CgnsZone& zone, const std::string& section, cgsize_t element, std::int64_t number) const {
         if (number < 1 || number > zone.n[0]) {
-            cgns_.fail(in_zone(zone) + ", section " + cli::quoted(section) + ": element " + std::to_string(element) +
+            cgns_.fail(in_zone(zone) + ", section " + in_quotes(section) + ": element " + std::to_string(element) +
                        " has point " + std::to_string(number) + ", but there are " + plural(zone.n[0], "point"));
         }
         return static_cast<std::int32_t>(zone.first) + static_cast<std::int32_t>(number) - 1;
@@ -134,7 +134,7 @@ private:
             cgns_(cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary, &has_parents),
                   in_zone(zones_[z]) + ", section " + std::to_string(s));
             if (type == NODE) continue;
-            const std::string where = in_zone(zones_[z]) + ", section " + cli::quoted(name);
+            const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
             cgns_(cg_ElementDataSize(cgns_.file, cgns_base, number, s, &size), where);
             std::vector<cgsize_t> data(static_cast<std::size_t>(size)), start(static_cast<std::size_t>(end - begin) + 2);
             const bool has_start = type == MIXED || type == NGON_n || type == NFACE_n;
@@ -159,7 +159,7 @@ private:
                     --count;
                 }
                 if (at + count > data.size()) {
-                    cgns_.fail(in_zone(zones_[z]) + ", section " + cli::quoted(name) + " ends inside element " +
+                    cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(name) + " ends inside element " +
                                std::to_string(element));
                 }
                 std::vector<std::int32_t> points;
@@ -183,7 +183,7 @@ private:
         } else if (is_side) {
             sides_[{z, number}] = points;
         } else {
-            cgns_.fail(in_zone(zones_[z]) + ", section " + cli::quoted(section) + ": element " + std::to_string(number) +
+            cgns_.fail(in_zone(zones_[z]) + ", section " + in_quotes(section) + ": element " + std::to_string(number) +
                        " is of type " + cg_ElementTypeName(type) + ": " +
                        (plane ? "TRI_3, QUAD_4, NGON_n and BAR_2 are read"
                               : "TETRA_4, PYRA_5, PENTA_6, HEXA_8, TRI_3 and QUAD_4 are read"));

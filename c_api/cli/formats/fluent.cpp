@@ -19,8 +19,8 @@ namespace cli {
 
 namespace {
 
-enum Section { dimension = 2, nodes = 10, cells = 12, faces = 13, zone_name_old = 39, zone_name = 45, cell_tree = 58,
-               face_tree = 59 };
+enum Section { dimension_section = 2, node_section = 10, cell_section = 12, face_section = 13, old_name_section = 39,
+               name_section = 45, cell_tree_section = 58, face_tree_section = 59 };
 constexpr std::int64_t first_binary_section = 2000; // 2010, 3010: nodes in single and double precision, and so on
 enum ZoneType { no_type = 0, interior = 2 };
 enum FaceType { mixed = 0, polygonal = 5 }; // those that have the number of nodes before each face
@@ -79,19 +79,19 @@ void FluentReader::read_section() {
     numbers_.jump(section_.head);
     numbers_.stop_at(section_.head_end);
     switch (section_.number) {
-    case dimension:
+    case dimension_section:
         if (numbers_.whole("2, of two dimensions") != 2) numbers_.expected("2: meshes of two dimensions are read");
         return;
-    case nodes: return read_nodes();
-    case faces: return read_faces();
-    case zone_name_old:
-    case zone_name: return read_name();
-    case cell_tree:
-    case face_tree: mesh_.file.fail(section_.begin, "the mesh has hanging nodes (from refinement), which are not read");
+    case node_section: return read_nodes();
+    case face_section: return read_faces();
+    case old_name_section:
+    case name_section: return read_name();
+    case cell_tree_section:
+    case face_tree_section: mesh_.file.fail(section_.begin, "the mesh has hanging nodes (from refinement), which are not read");
     default: break;
     }
     const std::int64_t meaning = section_.number % 1000;
-    if (section_.number >= first_binary_section && (meaning == nodes || meaning == cells || meaning == faces)) {
+    if (section_.number >= first_binary_section && (meaning == node_section || meaning == cell_section || meaning == face_section)) {
         mesh_.file.fail(section_.begin,
                         "the section " + std::to_string(section_.number) + " is binary: save the mesh as text");
     }
@@ -255,17 +255,17 @@ void FluentReader::add_faces() {
 }
 
 // A bracket, and the number of a section.
-bool probe(const TextFile& file) {
+bool probe_fluent(const TextFile& file) {
     const std::string_view start = trimmed(std::string_view(file.text()).substr(0, 64));
     if (start.substr(0, 1) != "(") return false;
     const std::string_view number = trimmed(start.substr(1));
     return !number.empty() && number[0] >= '0' && number[0] <= '9';
 }
 
-void read(Mesh& mesh, const ReadOptions&) { FluentReader(mesh).read(); }
+void read_fluent(Mesh& mesh, const ReadOptions&) { FluentReader(mesh).read(); }
 
 } // namespace
 
-const Format fluent_format = {"fluent", ".msh", "Fluent in text, two dimensions", probe, read, nullptr};
+const Format fluent_format = {"fluent", ".msh", "Fluent in text, two dimensions", probe_fluent, read_fluent, nullptr};
 
 } // namespace cli

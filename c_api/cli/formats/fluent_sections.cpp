@@ -5,7 +5,7 @@
 
 namespace cli {
 
-void FluentSections::over_blanks() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
+void FluentSections::over_blanks() { at_ = std::min(text_.find_first_not_of(blanks, at_), text_.size()); }
 
 // Behind the bracket that closes the list which begins here. Brackets in quotation marks do not count.
 std::size_t FluentSections::end_of_list(std::size_t begin) const {
@@ -28,7 +28,7 @@ bool FluentSections::next() {
     section_ = {};
     section_.begin = at_;
     if (text_[at_] != '(') {
-        file_.fail(at_, "expected a section such as (10 ...), found " + quoted(text_.substr(at_, 16)));
+        file_.fail(at_, "expected a section such as (10 ...), found " + in_quotes(text_.substr(at_, 16)));
     }
     const std::size_t end = end_of_list(at_);
     ++at_;

@@ -82,7 +82,7 @@ std::string_view FoamReader::word() {
 
 void FoamReader::expected(const std::string& what) const {
     const std::string_view found = std::string_view(file_.text()).substr(word_, at_ - word_);
-    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : quoted(found)));
+    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::int64_t FoamReader::count(const char* what) {
@@ -92,7 +92,7 @@ std::int64_t FoamReader::count(const char* what) {
 }
 
 void FoamReader::expect(std::string_view wanted) {
-    if (word() != wanted) expected(quoted(wanted));
+    if (word() != wanted) expected(in_quotes(wanted));
 }
 
 bool FoamReader::is_next(std::string_view wanted) {
@@ -154,7 +154,7 @@ void FoamReader::faces(std::vector<std::int64_t>& start, std::vector<std::int64_
         offsets.assign(start.size() - 1, here);
         return;
     }
-    if (header_.is_binary) fail("a binary file of faces has the class faceCompactList, not " + quoted(header_.type));
+    if (header_.is_binary) fail("a binary file of faces has the class faceCompactList, not " + in_quotes(header_.type));
     const std::int64_t n = count("the number of faces");
     start.assign(1, 0);
     expect("(");

@@ -25,7 +25,7 @@ const Format* find_format(const std::string& name) {
     for (const Format* format : formats) {
         if (name == format->name) return format;
     }
-    throw Failure(exit_usage, "unknown format " + cli::quoted(name) + ": known are " + format_names());
+    throw Failure(exit_usage, "unknown format " + in_quotes(name) + ": known are " + format_names());
 }
 
 const Format& format_of(const TextFile& file) {
@@ -35,12 +35,8 @@ const Format& format_of(const TextFile& file) {
     const std::string_view first = std::string_view(file.text()).substr(0, file.text().find_first_of("\r\n"));
     file.fail(0,
               (file.text().empty() ? "the file is empty"
-                                   : "no mesh file that is known begins with " + cli::quoted(first)) +
+                                   : "no mesh file that is known begins with " + in_quotes(first)) +
                   "; read are " + format_names() + " (--format chooses)");
-}
-
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 } // namespace
@@ -84,7 +80,7 @@ const Format& format_to_create(const std::string& name, const std::string& path)
         if (name.empty() ? ends_with(path, format->extension) : name == format->name) return *format;
         known += (known.empty() ? "" : ", ") + std::string(format->name) + " (" + format->extension + ")";
     }
-    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + cli::quoted(name) +
+    throw Failure(exit_usage, (name.empty() ? path + ": no format has this extension" : "format " + in_quotes(name) +
                                                                                          " is not written") +
                                   "; new files are " + known);
 }

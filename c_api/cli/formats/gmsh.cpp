@@ -12,14 +12,14 @@ namespace cli {
 
 namespace {
 
-bool probe(const TextFile& file) {
+bool probe_gmsh(const TextFile& file) {
     return trimmed(std::string_view(file.text()).substr(0, 64)).substr(0, 11) == "$MeshFormat";
 }
 
-void read(Mesh& mesh, const ReadOptions&) { build_gmsh_mesh(mesh, read_gmsh_content(mesh)); }
+void read_gmsh(Mesh& mesh, const ReadOptions&) { build_gmsh_mesh(mesh, read_gmsh_content(mesh)); }
 
 // Version 2.2: what every program reads that reads any. Cells are the physical surface 1, markers curves from 2 on.
-void create(std::ostream& out, const Mesh& mesh) {
+void create_gmsh(std::ostream& out, const Mesh& mesh) {
     mesh.refuse_polygons("Gmsh");
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n" << mesh.markers.size() + 1 << "\n2 1 \"domain\"\n";
     for (std::size_t marker = 0; marker < mesh.markers.size(); ++marker) {
@@ -46,6 +46,6 @@ void create(std::ostream& out, const Mesh& mesh) {
 
 } // namespace
 
-const Format gmsh_format = {"gmsh", ".msh", "Gmsh MSH 2.2 and 4.1, text and binary", probe, read, create};
+const Format gmsh_format = {"gmsh", ".msh", "Gmsh MSH 2.2 and 4.1, text and binary", probe_gmsh, read_gmsh, create_gmsh};
 
 } // namespace cli

@@ -101,7 +101,7 @@ void GmshReader::read_section(std::string_view name) {
         numbers_.fail("the mesh is partitioned: save it as one part");
     } else { // stays as it is
         const std::size_t end = mesh_.file.text().find("$End" + std::string(name), numbers_.offset());
-        if (end == std::string::npos) numbers_.fail("the section " + quoted(name) + " has no end");
+        if (end == std::string::npos) numbers_.fail("the section " + in_quotes(name) + " has no end");
         numbers_.jump(end);
     }
     end_section(name);

@@ -10,10 +10,10 @@ namespace cli {
 namespace {
 
 // The two directions along a side, in the order of the file.
-struct Side {
+struct FaceSide {
     int direction, first, second;
 };
-constexpr Side sides[] = {{2, 0, 1}, {0, 1, 2}, {1, 2, 0}}; // faces 1 and 2: k; 3 and 4: i; 5 and 6: j
+constexpr FaceSide face_sides[] = {{2, 0, 1}, {0, 1, 2}, {1, 2, 0}}; // faces 1 and 2: k; 3 and 4: i; 5 and 6: j
 
 } // namespace
 
@@ -42,7 +42,7 @@ std::vector<NmfPatch> read_nmf(const std::string& path, const std::vector<std::a
         patch.name = lines.words()[0];
         patch.block = static_cast<std::size_t>(number(1, 1, n_blocks, "a block") - 1);
         const std::int64_t face = number(2, 1, 6, "a face");
-        const Side& side = sides[(face - 1) / 2];
+        const FaceSide& side = face_sides[(face - 1) / 2];
         const auto& size = sizes[patch.block];
         patch.direction = side.direction;
         patch.at_end = face % 2 == 0;

@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
+bool separates(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
 
 } // namespace
 
@@ -17,9 +17,9 @@ bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ',';
 std::string_view NumberReader::word() {
     const std::string& text = file_.text();
     file_.passed(at_);
-    while (at_ < end_ && is_blank(text[at_])) ++at_;
+    while (at_ < end_ && separates(text[at_])) ++at_;
     number_ = at_;
-    while (at_ < end_ && !is_blank(text[at_])) ++at_;
+    while (at_ < end_ && !separates(text[at_])) ++at_;
     word_ = std::string_view(text).substr(number_, at_ - number_);
     return word_;
 }
@@ -93,7 +93,7 @@ double NumberReader::real(const char* what, int bytes) {
 }
 
 void NumberReader::expected(const std::string& what) const {
-    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? found_end() : quoted(word_)));
+    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
 }
 
 } // namespace cli

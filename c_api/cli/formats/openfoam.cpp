@@ -47,7 +47,7 @@ std::vector<Patch> read_boundary(const TextFile& file) {
         }
         reader.expect("}");
         if (patch.n_faces < 0 || patch.start_face < 0 || patch.type.empty()) {
-            file.fail(patch.offset, "the patch " + cli::quoted(patch.name) + " has no type, nFaces or startFace");
+            file.fail(patch.offset, "the patch " + in_quotes(patch.name) + " has no type, nFaces or startFace");
         }
         patches.push_back(patch);
     }
@@ -74,7 +74,7 @@ public:
         n_cells_ = owner_.empty() ? 0 : 1 + *std::max_element(owner_.begin(), owner_.end());
         for (const Patch& patch : patches_) {
             if (patch.start_face + patch.n_faces > n_faces()) {
-                boundary.fail(patch.offset, "the patch " + cli::quoted(patch.name) + " ends behind face " +
+                boundary.fail(patch.offset, "the patch " + in_quotes(patch.name) + " ends behind face " +
                                                 std::to_string(n_faces() - 1) + ", the last");
             }
         }
@@ -208,7 +208,7 @@ private:
                 const std::int64_t face = patch.start_face + i;
                 if (corners(face) > 4) {
                     mesh_.file.fail(0,
-                                    "face " + std::to_string(face) + " of the patch " + cli::quoted(patch.name) +
+                                    "face " + std::to_string(face) + " of the patch " + in_quotes(patch.name) +
                                         " does not reach from one plane to the other: the mesh is not one cell thick");
                 }
                 for (std::int64_t k = 0; k < 4; ++k) {
@@ -228,16 +228,16 @@ private:
     std::int64_t n_cells_ = 0;
 };
 
-bool probe(const TextFile& file) {
+bool probe_openfoam(const TextFile& file) {
     FoamHeader header;
     return read_foam_header(file, header);
 }
 
-void read(Mesh& mesh, const ReadOptions&) { PolyMesh(mesh).read(); }
+void read_openfoam(Mesh& mesh, const ReadOptions&) { PolyMesh(mesh).read(); }
 
 } // namespace
 
 const Format openfoam_format = {
-    "openfoam", "points", "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair", probe, read, nullptr};
+    "openfoam", "points", "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair", probe_openfoam, read_openfoam, nullptr};
 
 } // namespace cli

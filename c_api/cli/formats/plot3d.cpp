@@ -27,7 +27,7 @@ namespace cli {
 
 namespace {
 
-constexpr double rounding = 1e-12; // of the largest coordinate: generators compute both sides of a cut
+constexpr double rounding_of_cuts = 1e-12; // of the largest coordinate: generators compute both sides of a cut
 
 class Plot3dReader {
 public:
@@ -159,7 +159,7 @@ void Plot3dReader::join_points() {
     for (const auto& values : in_file_.x) {
         for (const double value : values) largest = std::max(largest, std::fabs(value));
     }
-    same_place_ = rounding * largest;
+    same_place_ = rounding_of_cuts * largest;
     point_of_.reserve(in_file_.x[0].size());
     for (std::size_t d = 0; d < 3; ++d) {
         points_.x[d].reserve(in_file_.x[0].size());
@@ -324,7 +324,7 @@ bool has_usual_extension(const std::string& path) {
 }
 
 // A file that is cut off fits no layout, but its records or its name may still say what it should be.
-bool probe(const TextFile& file) {
+bool probe_plot3d(const TextFile& file) {
     Plot3dLayout layout;
     std::string reason, expanded;
     if (find_plot3d_layout(file, layout, reason)) return true;
@@ -334,7 +334,7 @@ bool probe(const TextFile& file) {
     return (!reason.empty() && !begins_with_number(file)) || has_usual_extension(file.path());
 }
 
-void read(Mesh& mesh, const ReadOptions&) {
+void read_plot3d(Mesh& mesh, const ReadOptions&) {
     Plot3dLayout layout;
     std::string reason, expanded;
     if (expand_repeats(mesh.file.text(), expanded)) {
@@ -351,6 +351,6 @@ void read(Mesh& mesh, const ReadOptions&) {
 } // namespace
 
 const Format plot3d_format = {"plot3d", ".p3d", "PLOT3D, 2D or one cell thick: text, binary, Fortran unformatted",
-                              probe,    read,   nullptr};
+                              probe_plot3d,    read_plot3d,   nullptr};
 
 } // namespace cli

@@ -11,7 +11,7 @@ namespace cli {
 namespace {
 
 constexpr std::int64_t most_blocks = 1 << 20;
-constexpr int word = 4; // bytes of a whole number in binary files
+constexpr int word_bytes = 4; // bytes of a whole number in binary files
 
 std::string sizes(const Plot3dLayout& layout) {
     std::string text = plural(static_cast<std::int64_t>(layout.blocks.size()), "block");
@@ -104,9 +104,9 @@ public:
 
     bool fits(std::string& reason) {
         std::int64_t n_blocks = 1;
-        if (layout_.has_count && !(open(word) && take(n_blocks) && close())) return false;
+        if (layout_.has_count && !(open(word_bytes) && take(n_blocks) && close())) return false;
         if (n_blocks < 1 || n_blocks > most_blocks) return false;
-        if (!open(n_blocks * layout_.dimensions * word)) return false;
+        if (!open(n_blocks * layout_.dimensions * word_bytes)) return false;
         layout_.blocks.clear();
         for (std::int64_t block = 0; block < n_blocks; ++block) {
             layout_.blocks.push_back({{1, 1, 1}, 0});
@@ -119,7 +119,7 @@ public:
         for (std::size_t block = 0; block < layout_.blocks.size(); ++block) {
             const std::int64_t points = layout_.blocks[block].points();
             const std::int64_t bytes =
-                points * (layout_.dimensions * layout_.real_bytes + (layout_.has_iblank ? word : 0));
+                points * (layout_.dimensions * layout_.real_bytes + (layout_.has_iblank ? word_bytes : 0));
             const std::size_t begin = at_;
             const bool opened = open(bytes);
             layout_.blocks[block].data = at_;
@@ -141,9 +141,9 @@ private:
     std::int64_t left() const { return static_cast<std::int64_t>(text_.size() - at_); }
 
     bool take(std::int64_t& value) {
-        if (left() < word) return false;
+        if (left() < word_bytes) return false;
         value = load<std::int32_t>(text_.data() + at_, layout_.swapped);
-        at_ += word;
+        at_ += word_bytes;
         return true;
     }
     // The length before a record, and the same behind it.

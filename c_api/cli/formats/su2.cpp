@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-bool probe(const TextFile& file) {
+bool probe_su2(const TextFile& file) {
     LineReader lines(file, '%');
     if (!lines.next()) return false;
     const std::string_view line = lines.line().substr(0, 64);
@@ -19,7 +19,7 @@ bool probe(const TextFile& file) {
            key.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ_") == std::string::npos;
 }
 
-void create(std::ostream& stream, const Mesh& mesh) {
+void create_su2(std::ostream& stream, const Mesh& mesh) {
     mesh.refuse_polygons("SU2");
     TextOut out(stream);
     out << "NDIME= 2\nNELEM= " << mesh.cells() << '\n';
@@ -48,6 +48,6 @@ void create(std::ostream& stream, const Mesh& mesh) {
 
 } // namespace
 
-const Format su2_format = {"su2", ".su2", "SU2", probe, read_su2, create};
+const Format su2_format = {"su2", ".su2", "SU2", probe_su2, read_su2, create_su2};
 
 } // namespace cli

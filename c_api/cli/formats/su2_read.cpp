@@ -123,7 +123,7 @@ void Su2Reader::choose_zone(const Heading& heading) {
     if (options_.zone.empty()) return;
     if (!parse(options_.zone, chosen_zone_) || chosen_zone_ < 1 || chosen_zone_ > zones_) {
         throw Failure(exit_usage, "--zone expects a number between 1 and " + std::to_string(zones_) + ", found " +
-                                      quoted(options_.zone));
+                                      in_quotes(options_.zone));
     }
 }
 
@@ -180,7 +180,7 @@ void Su2Reader::read_face(const Words& words, std::int32_t marker) {
         lines_.expected("element type 3 (line) in a marker", words[0]);
     }
     if (type == element_vertex) {
-        mesh_.remark("vertex elements of marker " + quoted(mesh_.markers[static_cast<std::size_t>(marker)]) +
+        mesh_.remark("vertex elements of marker " + in_quotes(mesh_.markers[static_cast<std::size_t>(marker)]) +
                      " are ignored");
         return;
     }
@@ -205,7 +205,7 @@ void Su2Reader::pass_over_section(const std::string& key) {
     } else if (key.find("PERIODIC") != std::string::npos) {
         mesh_.remark("sections about periodic boundaries are ignored (and kept)");
     } else {
-        mesh_.remark("section " + quoted(key) + " is ignored (and kept)");
+        mesh_.remark("section " + in_quotes(key) + " is ignored (and kept)");
     }
 }
 

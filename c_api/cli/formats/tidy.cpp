@@ -10,9 +10,9 @@ namespace cli {
 
 namespace {
 
-using Edge = std::uint64_t; // of two points, either way round
+using EdgeKey = std::uint64_t; // of two points, either way round
 
-Edge edge_of(std::int32_t a, std::int32_t b) {
+EdgeKey edge_of(std::int32_t a, std::int32_t b) {
     const auto low = static_cast<std::uint32_t>(std::min(a, b)), high = static_cast<std::uint32_t>(std::max(a, b));
     return std::uint64_t{high} << 32 | low;
 }
@@ -43,7 +43,7 @@ void check_points(const Mesh& mesh) {
 }
 
 void drop_interior_faces(Mesh& mesh, bool remark) {
-    std::unordered_map<Edge, int> cells_at; // cells beside each face
+    std::unordered_map<EdgeKey, int> cells_at; // cells beside each face
     std::vector<char> on_face(mesh.x.size());
     for (std::size_t i = 0; i < mesh.face_points.size(); i += 2) {
         const std::int32_t a = mesh.face_points[i], b = mesh.face_points[i + 1];
@@ -74,7 +74,7 @@ void drop_interior_faces(Mesh& mesh, bool remark) {
     if (!mesh.face_offset.empty()) mesh.face_offset.resize(kept);
     for (std::size_t marker = 0; marker < dropped.size(); ++marker) {
         if (dropped[marker] == 0 || !remark) continue;
-        mesh.remark(plural(dropped[marker], "face") + " of marker " + quoted(mesh.markers[marker]) +
+        mesh.remark(plural(dropped[marker], "face") + " of marker " + in_quotes(mesh.markers[marker]) +
                     " between two cells: ignored (and kept)");
     }
 }

@@ -17,7 +17,7 @@ namespace {
 
 enum Count { nodes, triangles, quads, tetrahedra, pyramids, prisms, hexahedra, n_counts };
 using Counts = std::array<std::int64_t, n_counts>;
-constexpr std::size_t corners[n_counts] = {1, 3, 4, 4, 5, 6, 8};
+constexpr std::size_t corners_of[n_counts] = {1, 3, 4, 4, 5, 6, 8};
 
 struct Layout {
     bool is_text = true, swapped = false;
@@ -57,10 +57,6 @@ bool find_layout(const TextFile& file, Layout& layout) {
         }
     }
     return false;
-}
-
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 // Where the size fits none, the name must say it.
@@ -120,7 +116,7 @@ public:
         read_sides(thick);
         for (const Count kind : {tetrahedra, pyramids, prisms, hexahedra}) {
             for (std::int64_t i = 0; i < counts_[kind]; ++i) {
-                const std::size_t n = corners[kind];
+                const std::size_t n = corners_of[kind];
                 std::int32_t points[8];
                 const std::size_t offset = read_item(points, n);
                 if (kind == pyramids) { // the base is 1 4 5 2, the apex 3
@@ -190,7 +186,7 @@ private:
 };
 
 // Of text the first line: seven counts and nothing else.
-bool probe(const TextFile& file) {
+bool probe_ugrid(const TextFile& file) {
     Layout layout;
     if (ends_with(file.path(), ".ugrid") || find_layout(file, layout)) return true;
     if (!layout.is_text) return false;
@@ -203,7 +199,7 @@ bool probe(const TextFile& file) {
     return true;
 }
 
-void read(Mesh& mesh, const ReadOptions&) {
+void read_ugrid(Mesh& mesh, const ReadOptions&) {
     const Layout layout = layout_of(mesh.file);
     UgridReader(mesh, layout).read();
 }
@@ -211,6 +207,6 @@ void read(Mesh& mesh, const ReadOptions&) {
 } // namespace
 
 const Format ugrid_format = {"ugrid", ".ugrid", "UGRID, one cell thick: text, .b8, .lb8, .b4, .lb4",
-                             probe,   read,     nullptr};
+                             probe_ugrid,   read_ugrid,     nullptr};
 
 } // namespace cli

@@ -179,11 +179,11 @@ void VtkReader::read_types() {
     types_read_ = true;
 }
 
-bool probe(const TextFile& file) { return file.text().compare(0, 22, "# vtk DataFile Version") == 0; }
+bool probe_vtk(const TextFile& file) { return file.text().compare(0, 22, "# vtk DataFile Version") == 0; }
 
-void read(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
+void read_vtk(Mesh& mesh, const ReadOptions&) { VtkReader(mesh).read(); }
 
-void create(std::ostream& out, const Mesh& mesh) {
+void create_vtk(std::ostream& out, const Mesh& mesh) {
     out << "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " << mesh.points()
         << " double\n";
     for (std::size_t i = 0; i < mesh.x.size(); ++i) out << exact(mesh.x[i]) << ' ' << exact(mesh.y[i]) << " 0\n";
@@ -203,6 +203,6 @@ void create(std::ostream& out, const Mesh& mesh) {
 
 } // namespace
 
-const Format vtk_format = {"vtk", ".vtk", "VTK legacy unstructured grids, text and binary", probe, read, create};
+const Format vtk_format = {"vtk", ".vtk", "VTK legacy unstructured grids, text and binary", probe_vtk, read_vtk, create_vtk};
 
 } // namespace cli

@@ -66,7 +66,7 @@ void VtkXmlReader::read_tags() {
             has_head = true;
             read_head(tag);
         } else if (!has_head) {
-            mesh_.file.fail(tag.begin, "expected <VTKFile, found " + quoted("<" + std::string(tag.name)));
+            mesh_.file.fail(tag.begin, "expected <VTKFile, found " + in_quotes("<" + std::string(tag.name)));
         } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "/Points" || tag.name == "/Cells") {
             section = tag.is_empty ? "" : tag.name;
         } else {
@@ -94,7 +94,7 @@ void VtkXmlReader::read_tag(std::string_view section) {
 
 void VtkXmlReader::read_head(const XmlTag& tag) {
     const auto refuse = [&](const std::string& expected, std::string_view found) {
-        mesh_.file.fail(tag.begin, "expected " + expected + ", found " + quoted(found));
+        mesh_.file.fail(tag.begin, "expected " + expected + ", found " + in_quotes(found));
     };
     const std::string_view type = tag.attribute("type"), order = tag.attribute("byte_order");
     const std::string_view header = tag.attribute("header_type");
@@ -116,7 +116,7 @@ void VtkXmlReader::begin_piece(const XmlTag& tag) {
 void VtkXmlReader::begin_appended(const XmlTag& tag) {
     const std::string_view encoding = tag.attribute("encoding"), text = mesh_.file.text();
     if (encoding != "raw") {
-        mesh_.file.fail(tag.begin, "appended data with encoding raw are read, these have " + quoted(encoding));
+        mesh_.file.fail(tag.begin, "appended data with encoding raw are read, these have " + in_quotes(encoding));
     }
     const std::size_t mark = text.find_first_not_of(" \t\r\n", tag.end);
     if (mark == text.npos || text[mark] != '_') mesh_.file.fail(tag.end, "expected _ before the appended data");
@@ -127,7 +127,7 @@ std::int64_t VtkXmlReader::count(const XmlTag& tag, std::string_view key) const 
     std::int64_t value = 0;
     const std::string_view text = trimmed(tag.attribute(key));
     if (!parse(text, value) || value < 0 || value > INT32_MAX) {
-        mesh_.file.fail(tag.begin, "expected " + std::string(key) + " between 0 and 2147483647, found " + quoted(text));
+        mesh_.file.fail(tag.begin, "expected " + std::string(key) + " between 0 and 2147483647, found " + in_quotes(text));
     }
     return value;
 }
@@ -143,7 +143,7 @@ void VtkXmlReader::begin_array(const Array& array, const char* name, int bytes) 
         return numbers_.stop_at(array.text_end);
     }
     if (!numbers_.is_binary) {
-        mesh_.file.fail(at, "arrays of format ascii and appended are read, this one has " + quoted(format));
+        mesh_.file.fail(at, "arrays of format ascii and appended are read, this one has " + in_quotes(format));
     }
     if (is_compressed_) mesh_.file.fail(at, "the array is compressed: save the file without compression");
     if (appended_ == 0) mesh_.file.fail(at, "the array is appended, but the file has no section AppendedData");
@@ -151,7 +151,7 @@ void VtkXmlReader::begin_array(const Array& array, const char* name, int bytes) 
     const std::size_t there = mesh_.file.text().size() - appended_;
     if (!parse(array.tag.attribute("offset"), offset) || offset < 0 || static_cast<std::size_t>(offset) > there) {
         mesh_.file.fail(at, "expected an offset between 0 and " + std::to_string(there) + ", found " +
-                                quoted(array.tag.attribute("offset")));
+                                in_quotes(array.tag.attribute("offset")));
     }
     numbers_.jump(appended_ + static_cast<std::size_t>(offset));
     numbers_.stop_at(mesh_.file.text().size());
@@ -170,7 +170,7 @@ void VtkXmlReader::read_points() {
     const int bytes = type == "Float32" ? 4 : 8;
     begin_array(points_, "Points", bytes);
     if (type != "Float32" && type != "Float64") {
-        mesh_.file.fail(points_.tag.begin, "expected points of type Float32 or Float64, found " + quoted(type));
+        mesh_.file.fail(points_.tag.begin, "expected points of type Float32 or Float64, found " + in_quotes(type));
     }
     if (points_.tag.attribute("NumberOfComponents") != "3") {
         mesh_.file.fail(points_.tag.begin, "expected points with NumberOfComponents=\"3\"");
@@ -209,7 +209,7 @@ void VtkXmlReader::read_wholes(const Array& array, const char* name, std::vector
                                                             : 0;
     begin_array(array, name, bytes > 0 ? bytes : 1);
     if (bytes == 0) {
-        mesh_.file.fail(array.tag.begin, "expected whole numbers of 8, 32 or 64 bits, found " + quoted(type));
+        mesh_.file.fail(array.tag.begin, "expected whole numbers of 8, 32 or 64 bits, found " + in_quotes(type));
     }
     while (!numbers_.at_end()) {
         values.push_back(numbers_.whole("a whole number", bytes));
@@ -224,18 +224,18 @@ void VtkXmlReader::check_length(const Array& array, const char* name, std::size_
                                          plural(n_cells_, "cell"));
 }
 
-bool probe(const TextFile& file) {
+bool probe_vtu(const TextFile& file) {
     const std::string_view start = std::string_view(file.text()).substr(0, 1024);
     return trimmed(start).substr(0, 1) == "<" && start.find("<VTKFile") != start.npos;
 }
 
-void read(Mesh& mesh, const ReadOptions&) { VtkXmlReader(mesh).read(); }
+void read_vtu(Mesh& mesh, const ReadOptions&) { VtkXmlReader(mesh).read(); }
 
-void create(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
+void create_vtu(std::ostream& out, const Mesh& mesh) { write_vtu(out, mesh); }
 
 } // namespace
 
 const Format vtk_xml_format = {"vtu",  ".vtu", "VTK XML unstructured grids, text and appended raw data",
-                               probe,  read,   create};
+                               probe_vtu,  read_vtu,   create_vtu};
 
 } // namespace cli

@@ -4,12 +4,6 @@
 
 namespace cli {
 
-namespace {
-
-constexpr std::string_view blanks = " \t\r\n";
-
-} // namespace
-
 std::string_view XmlTag::attribute(std::string_view key) const {
     for (const auto& [name_of_one, value] : attributes) {
         if (name_of_one == key) return value;
@@ -60,9 +54,9 @@ void XmlReader::read_attributes(std::size_t at) {
         at = equals + 1;
         over_blanks();
         if (at == text.size()) no_end();
-        if (text[at] != '"' && text[at] != '\'') file_.fail(at, "expected quotation marks after " + quoted(key) + "=");
+        if (text[at] != '"' && text[at] != '\'') file_.fail(at, "expected quotation marks after " + in_quotes(key) + "=");
         const std::size_t end = text.find(text[at], at + 1);
-        if (end == text.npos) file_.fail(at, "the value of " + quoted(key) + " has no end");
+        if (end == text.npos) file_.fail(at, "the value of " + in_quotes(key) + " has no end");
         tag_.attributes.emplace_back(key, text.substr(at + 1, end - at - 1));
         at = end + 1;
     }

@@ -7,17 +7,19 @@ namespace cli {
 
 namespace {
 
-constexpr const char* before_style = "stroke=\"#1f6fd0\" stroke-width=\"1.4\" stroke-dasharray=\"6 4\"";
-constexpr const char* after_style = "stroke=\"#1a1a1a\" stroke-width=\"1.6\"";
-constexpr const char* point_style = "fill=\"none\" stroke=\"#d62828\" stroke-width=\"1.3\"";
-constexpr const char* polygon_style = "stroke=\"#888\" stroke-width=\".9\"";
-constexpr const char* control_style = "fill=\"#1a1a1a\"";
+namespace boundary_style {
+constexpr const char* before = "stroke=\"#1f6fd0\" stroke-width=\"1.4\" stroke-dasharray=\"6 4\"";
+constexpr const char* after = "stroke=\"#1a1a1a\" stroke-width=\"1.6\"";
+constexpr const char* point = "fill=\"none\" stroke=\"#d62828\" stroke-width=\"1.3\"";
+constexpr const char* polygon = "stroke=\"#888\" stroke-width=\".9\"";
+constexpr const char* control = "fill=\"#1a1a1a\"";
+} // namespace boundary_style
 constexpr double radius = 3.2; // of the circles round the mesh's points
 
 void draw_boundary_points(Plot& plot, const hm_basis_info& info, const Field& moved) {
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
-        plot.svg().circle(plot.pixel({moved.x[point], moved.y[point]}), radius, point_style);
+        plot.svg().circle(plot.pixel({moved.x[point], moved.y[point]}), radius, boundary_style::point);
     }
 }
 
@@ -36,19 +38,19 @@ std::string boundary_picture(const Basis& basis, const Morph& morph) {
             "the B-spline's: " + brief(morph.boundary_error));
     Plot& plot = sheet.plot();
     plot.begin_inside();
-    draw_outlines(plot, before, before_style);
-    draw_control_polygons(plot, after, polygon_style);
-    draw_outlines(plot, after, after_style);
-    draw_control_points(plot, after, 2.6, control_style);
+    draw_outlines(plot, before, boundary_style::before);
+    draw_control_polygons(plot, after, boundary_style::polygon);
+    draw_outlines(plot, after, boundary_style::after);
+    draw_control_points(plot, after, 2.6, boundary_style::control);
     draw_boundary_points(plot, basis.info(), morph.moved);
     draw_numbers(plot, after, {13, 12, "fill=\"#111\""});
     plot.end_inside();
     if (after.n_control > 0) {
-        sheet.legend_line(before_style, "before");
-        sheet.legend_line(after_style, "B-spline of the moved control points");
-        sheet.legend_disc(2.6, control_style, "these control points");
+        sheet.legend_line(boundary_style::before, "before");
+        sheet.legend_line(boundary_style::after, "B-spline of the moved control points");
+        sheet.legend_disc(2.6, boundary_style::control, "these control points");
     }
-    sheet.legend_disc(radius, point_style, "points of the mesh, moved by the functions");
+    sheet.legend_disc(radius, boundary_style::point, "points of the mesh, moved by the functions");
     return sheet.document();
 }
 

@@ -9,8 +9,6 @@ namespace cli {
 
 namespace {
 
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
 // In pixels; points that nobody could tell apart are left out.
 std::vector<Point> in_pixels(const Plot& plot, const ContourLine& line) {
     constexpr double visible = .4;

@@ -129,10 +129,10 @@ void draw_control_points(Plot& plot, const hm_curves& curves, double radius, con
     }
 }
 
-void draw_numbers(Plot& plot, const hm_curves& curves, const NumberStyle& style, std::int32_t chosen,
-                  const NumberStyle& chosen_style) {
+void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style, std::int32_t chosen,
+                  const LabelStyle& chosen_style) {
     std::vector<Box> taken;
-    const auto draw = [&](std::int32_t index, const NumberStyle& its) {
+    const auto draw = [&](std::int32_t index, const LabelStyle& its) {
         const Point at = beside(plot, curves, index, its.distance);
         const std::string text = std::to_string(index + 1);
         const double width = width_of_text(text, its.font_size) / 2, height = .4 * its.font_size;

@@ -21,12 +21,12 @@ void draw_control_points(Plot& plot, const hm_curves& curves, double radius, con
 
 // Numbers (from 1) of control points beside them, so many pixels outside the control polygon. A number that would hide
 // another one is left out; `chosen` (-1: none) has its own attributes and comes first.
-struct NumberStyle {
+struct LabelStyle {
     double distance, font_size;
     const char* attributes;
 };
-void draw_numbers(Plot& plot, const hm_curves& curves, const NumberStyle& style, std::int32_t chosen = -1,
-                  const NumberStyle& chosen_style = {0, 0, ""});
+void draw_numbers(Plot& plot, const hm_curves& curves, const LabelStyle& style, std::int32_t chosen = -1,
+                  const LabelStyle& chosen_style = {0, 0, ""});
 
 // Where a control point stands in the polygon of a curve, from 0; -1: not there.
 std::int32_t place_on_curve(const hm_curves& curves, std::int32_t curve, std::int32_t index);

@@ -15,11 +15,13 @@ namespace cli {
 
 namespace {
 
-constexpr const char* wall_style = "stroke=\"#111\" stroke-width=\"1.8\"";
-constexpr const char* curve_style = "stroke=\"#111\" stroke-width=\"1.8\"";
-constexpr const char* polygon_style = "stroke=\"#555\" stroke-width=\".8\"";
-constexpr const char* control_style = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.2\"";
-constexpr const char* chosen_style = "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\""; // a ring hides nothing
+namespace function_style {
+constexpr const char* wall = "stroke=\"#111\" stroke-width=\"1.8\"";
+constexpr const char* curve = "stroke=\"#111\" stroke-width=\"1.8\"";
+constexpr const char* polygon = "stroke=\"#555\" stroke-width=\".8\"";
+constexpr const char* control = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.2\"";
+constexpr const char* chosen = "fill=\"none\" stroke=\"#d6006c\" stroke-width=\"2.6\""; // a ring hides nothing
+} // namespace function_style
 
 struct Range {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -142,11 +144,11 @@ Words words_of(const std::vector<FunctionPanel>& panels) {
 
 void draw_curves(Plot& plot, const FunctionPanel& panel) {
     const hm_curves& curves = panel.basis->curves();
-    draw_outlines(plot, curves, curve_style);
-    draw_control_polygons(plot, curves, polygon_style);
-    draw_control_points(plot, curves, 3, control_style);
+    draw_outlines(plot, curves, function_style::curve);
+    draw_control_polygons(plot, curves, function_style::polygon);
+    draw_control_points(plot, curves, 3, function_style::control);
     if (panel.function < curves.n_control)
-        plot.svg().circle(plot.pixel(control_point(curves, panel.function)), 7, chosen_style);
+        plot.svg().circle(plot.pixel(control_point(curves, panel.function)), 7, function_style::chosen);
     draw_numbers(plot, curves, {13, 11, "fill=\"#111\""}, panel.function,
                  {18, 15, "font-weight=\"bold\" fill=\"#a80055\""});
 }
@@ -186,16 +188,16 @@ std::string function_picture(const Mesh& mesh, std::vector<FunctionPanel> panels
             numbers.push_back(plot.pixel(control_point(panels[k].basis->curves(), i)));
         }
         draw_contours(plot, contour_lines(mesh, panels[k].values, bands.step, plot.window()), bands.step, numbers);
-        draw_boundary(plot, mesh, -1, wall_style);
+        draw_boundary(plot, mesh, -1, function_style::wall);
         draw_curves(plot, panels[k]);
         plot.end_inside();
     }
     draw_colour_bar(sheet, bands, words.quantity);
     sheet.legend_line("stroke=\"#10222e\" stroke-width=\".8\"", "contour lines, every " + brief(bands.step));
     if (curves.n_control > 0) {
-        sheet.legend_line(curve_style, "B-spline");
-        sheet.legend_disc(3, control_style, "control points, numbered as in moves.txt");
-        sheet.legend_disc(7, chosen_style, "control point of the function");
+        sheet.legend_line(function_style::curve, "B-spline");
+        sheet.legend_disc(3, function_style::control, "control points, numbered as in moves.txt");
+        sheet.legend_disc(7, function_style::chosen, "control point of the function");
     }
     sheet.note(note);
     return sheet.document();

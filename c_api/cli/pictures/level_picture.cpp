@@ -3,6 +3,7 @@
 #include "cell_parts.hpp"
 #include "draw_curves.hpp"
 #include "numbers.hpp"
+#include "place.hpp"
 #include "raster.hpp"
 
 #include <algorithm>
@@ -19,8 +20,6 @@ constexpr std::size_t known_shade = shades.size(), side_shade = known_shade + 1;
 constexpr const char* known_colour = "#8d969e";
 constexpr const char* side_colour = "#333";
 constexpr std::size_t most_cells = 40000; // drawn as shapes; above: a raster
-
-std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 // Which merged cell a point belongs to; where the value is known, its own control volume is a cell of the picture.
 std::int32_t owner(const Level& level, std::int32_t point) {

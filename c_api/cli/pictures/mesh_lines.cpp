@@ -2,6 +2,7 @@
 
 #include "edge_chains.hpp"
 #include "numbers.hpp"
+#include "place.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace cli {
 namespace {
 
 constexpr std::size_t most_edges = 80000;
-
-std::size_t place(std::int32_t index) { return static_cast<std::size_t>(index); }
 
 // The first point in each square of so many pixels stands for all in it; two such points are joined where an edge leads
 // from the one's square to the other's.

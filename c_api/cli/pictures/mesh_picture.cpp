@@ -14,9 +14,11 @@ namespace {
 constexpr std::array<const char*, 7> marker_colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                        "#e69f00", "#56b4e9", "#000000"};
 
-constexpr const char* curve_style = "stroke=\"#111\" stroke-width=\"1.2\"";
-constexpr const char* polygon_style = "stroke=\"#666\" stroke-width=\"1\"";
-constexpr const char* control_style = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.3\"";
+namespace mesh_style {
+constexpr const char* curve = "stroke=\"#111\" stroke-width=\"1.2\"";
+constexpr const char* polygon = "stroke=\"#666\" stroke-width=\"1\"";
+constexpr const char* control = "fill=\"white\" stroke=\"#111\" stroke-width=\"1.3\"";
+} // namespace mesh_style
 
 Box box_of(const Mesh& mesh) {
     Box box;
@@ -43,16 +45,16 @@ std::string mesh_picture(const Mesh& mesh, bool boundaries_alone, const hm_curve
         draw_boundary(plot, mesh, marker, style);
         legend.emplace_back(style, mesh.markers[static_cast<std::size_t>(marker)]);
     }
-    draw_outlines(plot, curves, curve_style);
-    draw_control_polygons(plot, curves, polygon_style);
-    draw_control_points(plot, curves, 3.5, control_style);
+    draw_outlines(plot, curves, mesh_style::curve);
+    draw_control_polygons(plot, curves, mesh_style::polygon);
+    draw_control_points(plot, curves, 3.5, mesh_style::control);
     draw_numbers(plot, curves, {14, 12, "fill=\"#111\""});
     plot.end_inside();
     for (const auto& [style, name] : legend) sheet.legend_line(style, name);
     if (curves.n_control > 0) {
-        sheet.legend_line(curve_style, "B-spline");
-        sheet.legend_line(polygon_style, "control polygon");
-        sheet.legend_disc(3.5, control_style, "control points with their numbers");
+        sheet.legend_line(mesh_style::curve, "B-spline");
+        sheet.legend_line(mesh_style::polygon, "control polygon");
+        sheet.legend_disc(3.5, mesh_style::control, "control points with their numbers");
     }
     sheet.note(note);
     return sheet.document();

@@ -10,23 +10,25 @@ namespace cli {
 
 namespace {
 
-constexpr const char* before_style = "stroke=\"#1f6fd0\" stroke-width=\".7\" stroke-opacity=\".75\"";
-constexpr const char* after_style = "stroke=\"#d62828\" stroke-width=\".7\" stroke-opacity=\".75\"";
-constexpr const char* old_curve_style = "stroke=\"#123f7a\" stroke-width=\"1.6\" stroke-dasharray=\"6 4\"";
-constexpr const char* new_curve_style = "stroke=\"#1a1a1a\" stroke-width=\"2.2\"";
-constexpr const char* polygon_style = "stroke=\"#333\" stroke-width=\"1\"";
-constexpr const char* old_point_style = "fill=\"white\" stroke=\"#1f6fd0\" stroke-width=\"1.5\"";
-constexpr const char* new_point_style = "fill=\"#d62828\" stroke=\"white\" stroke-width=\"1\"";
+namespace morph_style {
+constexpr const char* before = "stroke=\"#1f6fd0\" stroke-width=\".7\" stroke-opacity=\".75\"";
+constexpr const char* after = "stroke=\"#d62828\" stroke-width=\".7\" stroke-opacity=\".75\"";
+constexpr const char* old_curve = "stroke=\"#123f7a\" stroke-width=\"1.6\" stroke-dasharray=\"6 4\"";
+constexpr const char* new_curve = "stroke=\"#1a1a1a\" stroke-width=\"2.2\"";
+constexpr const char* polygon = "stroke=\"#333\" stroke-width=\"1\"";
+constexpr const char* old_point = "fill=\"white\" stroke=\"#1f6fd0\" stroke-width=\"1.5\"";
+constexpr const char* new_point = "fill=\"#d62828\" stroke=\"white\" stroke-width=\"1\"";
+} // namespace morph_style
 
 void draw_curves_before(Plot& plot, const hm_curves& curves) {
-    draw_outlines(plot, curves, old_curve_style);
-    draw_control_points(plot, curves, 3.5, old_point_style);
+    draw_outlines(plot, curves, morph_style::old_curve);
+    draw_control_points(plot, curves, 3.5, morph_style::old_point);
 }
 
 void draw_curves_after(Plot& plot, const hm_curves& curves) {
-    draw_outlines(plot, curves, new_curve_style);
-    draw_control_polygons(plot, curves, polygon_style);
-    draw_control_points(plot, curves, 4.5, new_point_style);
+    draw_outlines(plot, curves, morph_style::new_curve);
+    draw_control_polygons(plot, curves, morph_style::polygon);
+    draw_control_points(plot, curves, 4.5, morph_style::new_point);
     draw_numbers(plot, curves, {15, 12, "fill=\"#111\""});
 }
 
@@ -34,10 +36,10 @@ void add_legend(Sheet& sheet, bool has_curves) {
     sheet.legend_line("stroke=\"#1f6fd0\" stroke-width=\"2\"", "mesh before");
     sheet.legend_line("stroke=\"#d62828\" stroke-width=\"2\"", "mesh after");
     if (!has_curves) return;
-    sheet.legend_line(old_curve_style, "B-spline before");
-    sheet.legend_line(new_curve_style, "B-spline after");
-    sheet.legend_disc(3.5, old_point_style, "control points before");
-    sheet.legend_disc(4.5, new_point_style, "after, with their numbers");
+    sheet.legend_line(morph_style::old_curve, "B-spline before");
+    sheet.legend_line(morph_style::new_curve, "B-spline after");
+    sheet.legend_disc(3.5, morph_style::old_point, "control points before");
+    sheet.legend_disc(4.5, morph_style::new_point, "after, with their numbers");
 }
 
 std::string what_moved(const Basis& basis, const Morph& morph) {
@@ -75,8 +77,8 @@ std::string morph_picture(const Mesh& mesh, const Basis& basis, const Morph& mor
     Sheet sheet(wished ? *wished : window, "Mesh and B-spline, morphed together", subtitle(basis, morph));
     Plot& plot = sheet.plot();
     plot.begin_inside();
-    draw_mesh(plot, mesh, mesh.x, mesh.y, before_style);
-    const std::string note = draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, after_style);
+    draw_mesh(plot, mesh, mesh.x, mesh.y, morph_style::before);
+    const std::string note = draw_mesh(plot, mesh, morph.moved.x, morph.moved.y, morph_style::after);
     draw_curves_before(plot, before);
     draw_curves_after(plot, after);
     plot.end_inside();

@@ -10,13 +10,15 @@ namespace cli {
 
 namespace {
 
-constexpr const char* edge_style = "stroke=\"#8494a1\" stroke-width=\"1\"";
-constexpr const char* dual_style = "fill=\"none\" stroke=\"#0072b2\" stroke-width=\"1.2\"";
+namespace volume_style {
+constexpr const char* edge = "stroke=\"#8494a1\" stroke-width=\"1\"";
+constexpr const char* dual = "fill=\"none\" stroke=\"#0072b2\" stroke-width=\"1.2\"";
 constexpr const char* dual_fill = "fill=\"#56b4e9\" fill-opacity=\".55\"";
 constexpr const char* gradient_fill = "fill=\"#e69f00\" fill-opacity=\".4\"";
-constexpr const char* chosen_style = "fill=\"#d55e00\" stroke=\"white\" stroke-width=\"1.5\"";
-constexpr const char* middle_style = "fill=\"#0072b2\"";
-constexpr const char* barycentre_style = "fill=\"white\" stroke=\"#0072b2\" stroke-width=\"1.2\"";
+constexpr const char* chosen = "fill=\"#d55e00\" stroke=\"white\" stroke-width=\"1.5\"";
+constexpr const char* middle = "fill=\"#0072b2\"";
+constexpr const char* barycentre = "fill=\"white\" stroke=\"#0072b2\" stroke-width=\"1.2\"";
+} // namespace volume_style
 
 void append(SvgPath& path, const Plot& plot, const Point* begin, const Point* end) {
     path.move_to(plot.pixel(*begin));
@@ -61,30 +63,30 @@ std::string volume_picture(const Mesh& mesh, const std::vector<std::int32_t>& po
         }
     }
     plot.begin_inside();
-    plot.svg().path(filled, is_dual ? dual_fill : gradient_fill);
-    const std::string note = draw_mesh(plot, mesh, mesh.x, mesh.y, edge_style);
-    plot.svg().path(sides, dual_style);
+    plot.svg().path(filled, is_dual ? volume_style::dual_fill : volume_style::gradient_fill);
+    const std::string note = draw_mesh(plot, mesh, mesh.x, mesh.y, volume_style::edge);
+    plot.svg().path(sides, volume_style::dual);
     draw_boundary(plot, mesh, -1, "stroke=\"#111\" stroke-width=\"2\"");
-    for (const Point& at : middles) plot.svg().circle(plot.pixel(at), 2, middle_style);
-    for (const Point& at : barycentres) plot.svg().circle(plot.pixel(at), 2.6, barycentre_style);
+    for (const Point& at : middles) plot.svg().circle(plot.pixel(at), 2, volume_style::middle);
+    for (const Point& at : barycentres) plot.svg().circle(plot.pixel(at), 2.6, volume_style::barycentre);
     for (const std::int32_t point : points) {
         const Point at = plot.pixel({mesh.x[static_cast<std::size_t>(point)], mesh.y[static_cast<std::size_t>(point)]});
-        plot.svg().circle(at, 5.5, chosen_style);
+        plot.svg().circle(at, 5.5, volume_style::chosen);
         plot.svg().text({at.x + 9, at.y - 8}, std::to_string(point),
                         "font-size=\"15\" font-weight=\"bold\" fill=\"#111\" stroke=\"white\" stroke-width=\"3\" "
                         "paint-order=\"stroke\"");
     }
     plot.end_inside();
-    sheet.legend_line(edge_style, "edges of the mesh");
-    sheet.legend_disc(5.5, chosen_style,
+    sheet.legend_line(volume_style::edge, "edges of the mesh");
+    sheet.legend_disc(5.5, volume_style::chosen,
                       points.size() == 1 ? "the point, numbered as in the file" : "points, numbered as in the file");
     if (is_dual) {
-        sheet.legend_box(dual_fill, points.size() == 1 ? "its control volume" : "their control volumes");
-        sheet.legend_line(dual_style, "sides of all control volumes");
-        sheet.legend_disc(2, middle_style, "middle of an edge");
-        sheet.legend_disc(2.6, barycentre_style, "barycentre of a cell");
+        sheet.legend_box(volume_style::dual_fill, points.size() == 1 ? "its control volume" : "their control volumes");
+        sheet.legend_line(volume_style::dual, "sides of all control volumes");
+        sheet.legend_disc(2, volume_style::middle, "middle of an edge");
+        sheet.legend_disc(2.6, volume_style::barycentre, "barycentre of a cell");
     } else {
-        sheet.legend_box(gradient_fill, points.size() == 1 ? "the cells round it" : "the cells round each of them");
+        sheet.legend_box(volume_style::gradient_fill, points.size() == 1 ? "the cells round it" : "the cells round each of them");
     }
     sheet.note(note);
     return sheet.document();
