@@ -8,7 +8,7 @@
 # are compiled in groups: the headers that they share, which take most of the time, are read once a group. For scripts that
 # link them to something else, BUILD/objects/program.list has the program's objects without main, tests.list those of the tests.
 build=$1
-in_program=12 in_tests=6   # files a group
+in_program=24 in_tests=6   # files a group
 
 # A text takes its place at once, if it is another one: several makes may run beside each other.
 put() { new=$build/$1.$$; cat >"$new"; cmp -s "$new" "$build/$1" || mv -f "$new" "$build/$1"; rm -f "$new"; }
