@@ -928,8 +928,7 @@ HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, co
  * The curve is given (hm_condition.along), or goes through the marker's points where the analysis had them: cubic
  * segments whose tangents are those of circles through three neighbouring points; straight on behind the ends. Of a
  * given curve, eight cubic segments for each face have its places and tangents. A point of a circle with 24 faces stays on the
- * circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same curve;
- * hm_improve holds points that slide along curves.
+ * circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same curve.
  * to [n_points] may be the arrays of from. Points of a cut or a periodic pair move by the same displacements.
  * Refused (HM_BAD_MESH): a coordinate of a sliding point that is not finite or larger than 1e100. */
 HM_API hm_status hm_slide(const hm_analysis *analysis, const hm_points *from, const hm_points_out *to, hm_error *err);
@@ -1372,8 +1371,9 @@ HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *e
  * are put where the wall carries them, at the heights and angles of the reference, as far as no cell inverts, and
  * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
  * below that of `from`, they are held as in `from`. If that does not help, `to` is `from`: the smallest quality, as
- * hm_quality reports it, never falls. Sliding points stay on their straight lines, and stay where they are on curves;
- * points of a cut or of a pair move together, those of HM_ROTATION_PAIR turned.
+ * hm_quality reports it, never falls. Sliding points stay on their straight lines and on their curves;
+ * on a curve (see hm_slide, which comes before) slides what is within 1e-6 of a face of the curve; other points stay where
+ * they are. Points of a cut or of a pair move together, those of HM_ROTATION_PAIR turned.
  * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
  * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */
 HM_API hm_status hm_improve(hm_plan *plan, const hm_points *from, const hm_points_out *to, void *work, size_t bytes,

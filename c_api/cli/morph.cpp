@@ -11,6 +11,11 @@ namespace cli {
 
 namespace {
 
+bool slips(const Task& task) {
+    return std::any_of(task.conditions.begin(), task.conditions.end(),
+                       [](const hm_condition& condition) { return condition.kind == HM_SLIP; });
+}
+
 void move_points(const Basis& basis, const Mesh& mesh, const std::vector<double>& moves, Field& to,
                  const Threads& threads) {
     const hm_points from = mesh.coordinates();
@@ -104,6 +109,7 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     std::size_t bytes = 0;
     call(mesh, hm_improve_size, solver.plan(), &bytes);
     Block work(bytes);
+    if (slips(task)) solver.slide(moved, displacement); // as rounded they may be beside their curves, where they are held
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
     call(mesh, hm_improve, solver.plan(), &from, &to, work.data(), bytes, nullptr, nullptr);
@@ -130,8 +136,7 @@ Curves Morph::moved_curves(const Basis& basis) const {
 // Points that slide along curves are put onto them.
 void Morph::slide(const Basis& basis, const Mesh& mesh, const Threads& threads) {
     const Task task = task_of(basis);
-    const auto slips = [](const hm_condition& condition) { return condition.kind == HM_SLIP; };
-    if (std::none_of(task.conditions.begin(), task.conditions.end(), slips)) return;
+    if (!slips(task)) return;
     Solver solver(mesh, task, threads);
     solver.slide(moved, displacement);
 }

@@ -39,6 +39,7 @@ void Improvement::lay_out(Arena& arena, RegionCounts const& counts) noexcept {
     targets.lay_out(arena, counts.cells);
     arena.take(now, counts.points);
     arena.take(change, counts.points);
+    arena.take(ahead, counts.points);
     arena.take(best, counts.points);
 }
 
@@ -80,6 +81,7 @@ void Improvement::climb(ImproveOptions const& options, Index power, Index most_s
 // From the best points so far on; false if no cell is below `enough`.
 bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
     copy(now, Span<const Vec2>(best));
+    sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
     region.choose([&](Index i) { return targets.quality(i, tangle.shape(i, as_points(now))) < enough; });
     if (region.n_cells == 0) return false;
@@ -89,6 +91,7 @@ bool Improvement::begin_near_poor(Real enough, Index layers) noexcept {
 
 void Improvement::begin(Points points) noexcept {
     for (Index k = 0; k < now.count(); ++k) now[k] = points[k];
+    sliding.turn_lines(as_points(now));
     fill(change, Vec2{});
     region.link(tangle);
     region.grow(tangle, Region::whole);
@@ -127,8 +130,7 @@ void Improvement::assemble(Index power) const noexcept {
     });
 }
 
-// Of the points at now + length change.
-Real Improvement::energy_at(Real length, Index power) const noexcept {
+Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept {
     return reduce_cells<Sum>(region.n_cells, executor, [&](Index k, Sum& sum) {
         Index const cell = region.cell[k];
         CellTriangles const corners(tangle, cell);
@@ -136,9 +138,7 @@ Real Improvement::energy_at(Real length, Index power) const noexcept {
         for (Index corner = 0; corner < corners.n; ++corner) {
             CornerPoints const& point = corners.point[corner];
             if (!region.can_move(point)) continue;
-            Triangle triangle = triangle_of(point, as_points(now));
-            Triangle const way = triangle_of(point, as_points(change));
-            for (Index end = 0; end < 3; ++end) triangle.at[end] = triangle.at[end] + length * way.at[end];
+            Triangle const triangle = triangle_of(point, as_points(points));
             sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
             if (power == 0) continue;
             sum.value += share * QualityEnergy(targets.ideal(cell, point, triangle), power, least * least).energy(triangle);
@@ -146,13 +146,9 @@ Real Improvement::energy_at(Real length, Index power) const noexcept {
     }).value;
 }
 
-// Of the coordinates as they will be stored.
-bool Improvement::is_valid_at(Real length) const noexcept {
+bool Improvement::is_valid(Span<const Vec2> points) const noexcept {
     return reduce_cells<Valid>(region.n_cells, executor, [&](Index k, Valid& valid) {
-        CellShape shape = tangle.shape(region.cell[k], as_points(now));
-        CellShape const way = tangle.shape(region.cell[k], as_points(change));
-        for (Index corner = 0; corner < shape.n; ++corner) shape.at[corner] = shape.at[corner] + length * way.at[corner];
-        if (shape.n == 3) shape.at[3] = shape.at[0];
+        CellShape const shape = tangle.shape(region.cell[k], as_points(points));
         valid.all = valid.all && !is_inverted(shape) && !is_inverted_exactly(shape);
     }).all;
 }
@@ -164,20 +160,34 @@ Real Improvement::descend(Index power, Real before) noexcept {
     Real const most = share_of_admissible * admissible_step(cells, as_points(now), as_points(change), executor).step;
     Real length = smaller(1.0, most), after = infinity;
     auto const falls_enough = [&] {
-        after = energy_at(length, power);
-        return after < before && after <= before + least_slope * length * slope && is_valid_at(length);
+        look_ahead(length);
+        after = energy_of(ahead, power);
+        return after < before && after <= before + least_slope * length * slope && is_valid(ahead);
     };
     for (Index halvings = 0; !falls_enough(); length *= 0.5) {
         if (++halvings > most_halvings) return before;
     }
     for (Index doublings = 0; doublings < most_doublings && 2 * length <= most; ++doublings) {
-        Real const farther = energy_at(2 * length, power);
-        if (!(farther < after) || !is_valid_at(2 * length)) break;
+        look_ahead(2 * length);
+        Real const farther = energy_of(ahead, power);
+        if (!(farther < after) || !is_valid(ahead)) break;
         after = farther;
         length *= 2;
     }
-    for_points([&](Index k, Vec2) { now[k] = now[k] + length * change[k]; });
+    look_ahead(length);
+    copy(now, Span<const Vec2>(ahead));
+    sliding.turn_lines(as_points(now));
     return after;
+}
+
+// All points at now + length change, and on their curves.
+void Improvement::look_ahead(Real length) const noexcept {
+    executor.for_ranges(now.count(), 4096, [&](Index begin, Index end) {
+        for (Index k = begin; k < end; ++k) {
+            bool const moves = region.unknown[k] != none;
+            ahead[k] = moves ? sliding.placed(k, now[k] + length * change[k]) : now[k];
+        }
+    });
 }
 
 // visit(point, step of its unknown)

@@ -40,10 +40,11 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
                           ImproveReport& report) noexcept {
     FaceDistance& walls = plan.equations.wall;
     walls.build(reference);
-    mobility.find(plan);
+    mobility.find(plan, from);
     first_layer.find(plan.mesh, reference, mobility.representative, walls);
     improvement.executor = plan.executor;
     improvement.tangle = mobility.tangle(plan, reference);
+    improvement.sliding = mobility.sliding;
     improvement.targets.find(plan.equations.cells, walls, reference, from, plan.executor);
     auto const smallest = [&](Points points) {
         return measure_quality(plan.equations.cells, points, reference, plan.executor).min_quality;
@@ -57,7 +58,7 @@ void MeshImprovement::run(Plan& plan, ImproveOptions const& options, Points refe
     hold_first_layer(plan, reference);
     improvement.run(options, result, result, report);
     if (smallest(result) < given) {  // what the first layer gained is not worth that
-        mobility.find(plan);
+        mobility.find(plan, from);
         stay();
         hold_first_layer(plan, reference);
         improvement.run(options, result, result, report);
@@ -80,7 +81,7 @@ void MeshImprovement::carry_first_layer(Points reference, Points from) noexcept 
         if (!(square(way) > rounding * rounding * square(edge))) continue;
         Vec2 const here = start[top];
         for (Real part = 1; part > 0.1; part *= 0.5) {
-            if (try_top(top, here + part * way, from)) break;
+            if (try_top(top, mobility.sliding.placed(top, here + part * way), from)) break;
         }
     }
     for (Index k = 0; k < start.count(); ++k) start[k] = position(k, from);

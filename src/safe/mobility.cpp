@@ -8,9 +8,10 @@ void Mobility::lay_out(Arena& arena, Plan const& plan) noexcept {
     arena.take(held, n);
     arena.take(line, plan.equations.matrix.kind == MatrixKind::coupled_xy ? n : 0);
     arena.take(turn, plan.equations.matrix.turns_sides() ? n : 0);
+    arena.take(sliding.slot, plan.equations.slip_curves.count > 0 ? n : 0);
 }
 
-void Mobility::find(Plan const& plan) noexcept {
+void Mobility::find(Plan const& plan, Points now) noexcept {
     Matrix const& matrix = plan.equations.matrix;
     for (Index k = 0; k < plan.mesh.n_points; ++k) {
         Index const place = matrix.row_of[matrix.components() * k];
@@ -21,7 +22,8 @@ void Mobility::find(Plan const& plan) noexcept {
         line[k] = plan.equations.kinds[k] == PointKind::slip ? matrix.frame[representative[k]] : Vec2{};
     }
     if (!turn.empty()) copy(turn, Span<const Vec2>(matrix.frame));
-    plan.equations.slip_curves.for_each([&](Index, Index point) { held[point] = 1; });
+    sliding.line = line;
+    sliding.find(plan.equations.slip_curves, now, representative, held);
     for (Index k = 0; k < plan.mesh.n_points; ++k) held[k] = held[representative[k]];
 }
 

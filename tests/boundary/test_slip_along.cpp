@@ -1,6 +1,7 @@
 // Boundaries that slide along B-splines that are given.
 #include <doctest/doctest.h>
 
+#include <fixtures/circle.hpp>
 #include <fixtures/core.hpp>
 #include <fixtures/safe.hpp>
 
@@ -9,24 +10,6 @@ using namespace fixtures;
 namespace {
 
 double const pi = std::acos(-1.0);
-
-// An arc of a circle in quarters, exactly: rational quadratic segments. degrees: where it begins; backwards: clockwise.
-Spline circle(double radius, double degrees, int quarters = 4, bool backwards = false) {
-    Spline out;
-    out.degree = 2;
-    for (int k = 0; k <= 2 * quarters; ++k) {
-        double const angle = pi * (degrees + (backwards ? -45 : 45) * k) / 180, far = k % 2 == 0 ? 1 : std::sqrt(2.0);
-        if (quarters < 4 || k < 8) {
-            out.control.insert(out.control.end(), {far * radius * std::cos(angle), far * radius * std::sin(angle)});
-            out.weights.push_back(k % 2 == 0 ? 1 : std::sqrt(0.5));
-        }
-        out.indices.push_back(quarters == 4 ? k % 8 : k);
-    }
-    out.knots = {0};
-    for (int k = 0; k <= quarters; ++k) out.knots.insert(out.knots.end(), {1.0 * k, 1.0 * k});
-    out.knots.push_back(quarters);
-    return out;
-}
 
 // A ring of few faces, whose outer circle slides along curves.
 struct Along {

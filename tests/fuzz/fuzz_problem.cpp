@@ -251,6 +251,7 @@ private:
         Numbers small = move_;
         for (double& number : small) number *= 0.05;
         expect(hm_morph(its_.basis, small.data(), &problem_.mesh.points, &moved_to, nullptr, &error_) == HM_OK, "no morph");
+        hm_slide(its_.analysis, &from, &moved_to, &error_);
         hm_improve_options options{};
         options.struct_size = sizeof options;
         options.max_iterations = input_.from(0, 20);

@@ -32,6 +32,7 @@ struct SlipCurves {
     static constexpr Index parts = 8;
 
     Index n_slots() const noexcept { return count == 0 ? 0 : start[count]; }
+    bool is_last(Index slot) const noexcept { return slot + 1 == start[curve_of(slot) + 1]; }  // of its curve
 
     // Counted generously, from the faces; exactly as many as another one has.
     void lay_out(Arena& arena, Size max_faces, bool any_given) noexcept;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "harmorph/safe/newton_system.hpp"
+#include "harmorph/safe/sliding_points.hpp"
 #include "harmorph/safe/targets.hpp"
 
 namespace harmorph {
@@ -28,17 +29,18 @@ struct ImproveReport {
 // cells well above `least` do not feel it, and of cells below it the worst counts most.
 //
 // Newton's method. No step goes farther than a part of the exact admissible step, so that no cell inverts on the way,
-// and the energy falls in each. Walls do not move; points that slide stay on their lines.
+// and the energy falls in each. Walls do not move; points that slide stay on their lines and curves.
 struct Improvement {
     static constexpr Index powers[] = {0, 2, 4, 8}, most_for_power = 20;
     static constexpr Index powers_near_poor[] = {2, 4, 8, 16, 32}, most_near_poor = 60, least_layers = 6, most_layers = 24;
 
     Tangle tangle;      // set by the caller; its reference is that of the targets
     Targets targets;    // found by the caller
+    SlidingPoints sliding;  // set by the caller; along curves, their lines being those of the tangle
     Executor executor;  // set by the caller
     Region region;
     NewtonSystem system;
-    Span<Vec2> now, change, best;  // [n_points]
+    Span<Vec2> now, change, ahead, best;  // [n_points]
 
     void lay_out(Arena& arena, RegionCounts const& counts) noexcept;
 
@@ -50,7 +52,7 @@ struct Improvement {
     // The parts of run(): `now` becomes `points`; then a Newton step that lowers the energy of this power from `before`
     // to what is returned, which is `before` if none does.
     void begin(Points points) noexcept;
-    Real energy(Index power) const noexcept { return energy_at(0, power); }
+    Real energy(Index power) const noexcept { return energy_of(now, power); }
     Real step(ImproveOptions const& options, Index power, Real before, ImproveReport& report) noexcept;
 
 private:
@@ -60,8 +62,9 @@ private:
     void climb(ImproveOptions const& options, Index power, Index most_steps, Score& highest, ImproveReport& report) noexcept;
     bool begin_near_poor(Real enough, Index layers) noexcept;
     void assemble(Index power) const noexcept;
-    Real energy_at(Real length, Index power) const noexcept;
-    bool is_valid_at(Real length) const noexcept;
+    Real energy_of(Span<const Vec2> points, Index power) const noexcept;
+    bool is_valid(Span<const Vec2> points) const noexcept;
+    void look_ahead(Real length) const noexcept;
     Real descend(Index power, Real before) noexcept;
     template <class Visit>
     void for_points(Visit const& visit) const noexcept;

@@ -1,0 +1,142 @@
+// Better cells in meshes whose outer boundary slides along a curve: the points there go along the curve, too.
+#include <doctest/doctest.h>
+
+#include <fixtures/circle.hpp>
+#include <fixtures/executors.hpp>
+#include <fixtures/mangle.hpp>
+#include <fixtures/safe.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// A ring whose outer circle slides along the circle itself, or along the curve through its points; or is fixed.
+enum class Outer { circle, points, fixed };
+
+struct Ring {
+    Case its = ring_case(8, 32, 0.5, 2, Cells::hybrid);
+    CurveSet along;
+    std::vector<double> x, y;   // before, and then after the improvement
+    hm_improve_report report{};
+    hm_error error{};
+
+    explicit Ring(Outer outer) {
+        along.add(circle(2, 11));
+        if (outer != Outer::fixed) its.set_slip(far_field);
+        if (outer == Outer::circle) {
+            its.conditions.back().along = &along.view();
+            its.conditions.back().n_curves = along.view().n_curves;
+        }
+        for (double& number : its.curves.control) number *= 0.5 / 0.445;
+        // Outer points go along the circle by up to a third of a face, inner points anywhere.
+        Mesh scattered = its.mesh;
+        std::mt19937 random(7);
+        for (std::int32_t const point : points_on(its.mesh, far_field)) {
+            auto const k = static_cast<std::size_t>(point);
+            Complex const at = Complex(scattered.x[k], scattered.y[k]) * std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
+            scattered.x[k] = at.real() * (2 / std::abs(at));
+            scattered.y[k] = at.imag() * (2 / std::abs(at));
+        }
+        perturb(scattered, 0.2, 3);
+        x = scattered.x;
+        y = scattered.y;
+    }
+    hm_status improve(hm_executor const* executor = nullptr, std::int32_t operator_kind = HM_CONFORMAL) {
+        hm_options options = options_of(operator_kind);
+        if (executor != nullptr) options.executor = executor;
+        Solved const solved(its, &options);
+        std::size_t bytes = 0;
+        REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
+        Guarded work(bytes);
+        report.struct_size = sizeof report;
+        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, nullptr, &report,
+                                            &error);
+        CHECK(work.guards_intact());
+        return status;
+    }
+    double off_circle() const {
+        double off = 0;
+        for (std::int32_t const point : points_on(its.mesh, far_field)) {
+            auto const k = static_cast<std::size_t>(point);
+            off = std::fmax(off, std::fabs(std::hypot(x[k], y[k]) - 2));
+        }
+        return off;
+    }
+    double smallest_corner() const {
+        Mesh moved = its.mesh;
+        moved.x = x;
+        moved.y = y;
+        return check(moved).min_corner;
+    }
+    int changed(std::vector<double> const& old_x) const {
+        int n = 0;
+        for (std::int32_t const point : points_on(its.mesh, far_field)) {
+            auto const k = static_cast<std::size_t>(point);
+            n += x[k] != old_x[k] ? 1 : 0;
+        }
+        return n;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("outer points go along their curve, and the cells are better than where they are held") {
+    Ring held(Outer::fixed), start(Outer::fixed);
+    std::vector<double> const before = held.x;
+    REQUIRE(held.improve() == HM_OK);
+    start.x = start.its.mesh.x;
+    start.y = start.its.mesh.y;
+    REQUIRE(start.improve() == HM_OK);
+    CHECK(held.changed(before) == 0);
+    for (Outer const outer : {Outer::circle, Outer::points}) {
+        for (std::int32_t const kind : {HM_CONFORMAL, HM_LAPLACE}) {
+            Ring slides(outer);
+            REQUIRE(slides.improve(nullptr, kind) == HM_OK);
+            CHECK(slides.changed(before) == 32);
+            CHECK(slides.smallest_corner() > 0);
+            CHECK(slides.off_circle() < (outer == Outer::circle ? 1e-12 : 2e-8));
+            CHECK(slides.report.min_quality_before == held.report.min_quality_before);
+            CHECK(slides.report.min_quality > 0.98 * start.report.min_quality);
+            CHECK(held.report.min_quality < 0.9 * start.report.min_quality);
+            CHECK(slides.report.mean_quality > 0.99 * start.report.mean_quality);
+            CHECK(slides.report.mean_quality > held.report.mean_quality);
+            CHECK(slides.report.movable == held.report.movable + 32);
+        }
+    }
+}
+
+TEST_CASE("any number of threads improves a sliding mesh to the same bits") {
+    Ring one(Outer::circle);
+    REQUIRE(one.improve() == HM_OK);
+    for (std::int32_t const n_threads : {2, 3}) {
+        Ring several(Outer::circle);
+        Backwards backwards;
+        hm_executor const executor = backwards.executor(n_threads);
+        REQUIRE(several.improve(&executor) == HM_OK);
+        CHECK(same_bits(one.x, several.x));
+        CHECK(same_bits(one.y, several.y));
+    }
+}
+
+TEST_CASE("a point that is not on its curve is held, the others slide") {
+    Ring ring(Outer::circle);
+    auto const off = static_cast<std::size_t>(points_on(ring.its.mesh, far_field)[5]);
+    ring.x[off] *= 1.00001;
+    ring.y[off] *= 1.00001;
+    std::vector<double> const x = ring.x, y = ring.y;
+    REQUIRE(ring.improve() == HM_OK);
+    CHECK(ring.x[off] == x[off]);
+    CHECK(ring.y[off] == y[off]);
+    CHECK(ring.changed(x) == 31);
+    CHECK(ring.smallest_corner() > 0);
+    CHECK(ring.report.min_quality >= ring.report.min_quality_before);
+}
+
+TEST_CASE("the reference itself does not change, though its outer points could slide") {
+    Ring ring(Outer::circle);
+    ring.x = ring.its.mesh.x;
+    ring.y = ring.its.mesh.y;
+    REQUIRE(ring.improve() == HM_OK);
+    CHECK(same_bits(ring.x, ring.its.mesh.x));
+    CHECK(same_bits(ring.y, ring.its.mesh.y));
+}
