@@ -42,8 +42,9 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
     AdmissibleStep of_all = reduce_ranges<AdmissibleStep>(cells.mesh.n_cells, executor, [&](Index begin, Index end, AdmissibleStep& result) {
         AdmissibleStep limit;
         for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, limit.step, nullptr);
-            limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, limit.step, nullptr));
+            CellBounds const bounds = {limit.step};
+            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, bounds, nullptr);
+            limit.add(cells, places, batches, triangles, kernels.quads(batches.quads, places, bounds, nullptr));
         });
         result = limit;
     });

@@ -32,12 +32,13 @@ Assessment assess(OrientedMesh const& cells, Points points, Points displacement,
     return reduce_ranges<Assessment>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Assessment& result) {
         Assessment assessment;
         for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            Real const step = assessment.limit.step;
-            BatchQuality in_triangles, in_quads;
-            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, step, &in_triangles);
-            std::uint64_t const quads = kernels.quads(batches.quads, places, step, &in_quads);
+            Quality& quality = assessment.quality;
+            CellBounds const bounds = {assessment.limit.step, 2 * quality.min_area, quality.min_quality};
+            ListQuality in_triangles, in_quads;
+            std::uint64_t const triangles = kernels.triangles(batches.triangles, places, bounds, &in_triangles);
+            std::uint64_t const quads = kernels.quads(batches.quads, places, bounds, &in_quads);
             assessment.limit.add(cells, places, batches, triangles, quads);
-            assessment.quality.add(batches, in_triangles, in_quads);
+            quality.add(cells, places, batches, in_triangles, in_quads);
         });
         result = assessment;
     });

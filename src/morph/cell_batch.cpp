@@ -6,21 +6,34 @@
 namespace harmorph {
 namespace {
 
-// Adds n cells whose `width` points stand side by side, from the first on; false: a quadrilateral is a triangle.
-template <Index width>
-bool add_list(const Index* points, const std::uint8_t* reversed, Index n, Index index_base, CellBatch& to) noexcept {
-    bool all = true;
-    for (Index i = 0; i < n; ++i) {
-        const Index* const its = points + width * i;
-        bool const back = reversed[i] != 0;
-        Index const first = its[back ? width - 1 : 0], last = its[back ? 0 : width - 1];
-        to.point[0][i] = from_zero(first, index_base);
-        to.point[1][i] = from_zero(width == 3 ? its[1] : its[back ? 2 : 1], index_base);
-        to.point[2][i] = from_zero(width == 3 ? last : its[back ? 1 : 2], index_base);
-        to.point[3][i] = from_zero(width == 3 ? first : last, index_base);
-        if (width == 4) all &= its[2] != its[3];
+// Do the cells of a list, n from `first` on, run the same way? Sets which one.
+bool run_alike(const std::uint8_t* first, Index n, bool& reversed) noexcept {
+    reversed = *first != 0;
+    if (n == CellBatches::most) {
+        constexpr Index words = CellBatches::most / 8;
+        std::uint64_t const alike = reversed ? 0x0101010101010101 : 0;
+        std::uint64_t word[words], differs = 0;
+        std::memcpy(word, first, sizeof word);
+        for (Index k = 0; k < words; ++k) differs |= word[k] ^ alike;
+        return differs == 0;
     }
-    to.n = all ? n : 0;
+    for (Index i = 1; i < n; ++i) {
+        if ((first[i] != 0) != reversed) return false;
+    }
+    return true;
+}
+
+// Does none of n quadrilaterals repeat its last point?
+bool have_four_points(const Index* points, Index n) noexcept {
+    bool all = true;
+    for (Index i = 0; i < n; ++i) all &= points[4 * i + 2] != points[4 * i + 3];
+    return all;
+}
+
+// Have n rows, which begin at start[0], .., `width` points each?
+bool have_width(const Index* start, Index n, Index width) noexcept {
+    bool all = true;
+    for (Index i = 0; i < n; ++i) all &= start[i + 1] - start[i] == width;
     return all;
 }
 
@@ -30,37 +43,53 @@ struct Collector {
     void* user;
     CellBatches batches;
 
-    void begin(Index first) noexcept {
-        batches.first = first;
-        batches.n = batches.triangles.n = batches.quads.n = 0;
-    }
-    void finish() noexcept {
-        if (batches.n == 0) return;
-        batches.triangles.fill_register();
-        batches.quads.fill_register();
-        visit(user, batches);
-        begin(batches.first + batches.n);
-    }
-    void add_one_by_one(Index first, Index end) noexcept {
-        begin(first);
+    void copy_one_by_one(Index first, Index end) noexcept {
+        batches.begin_copies(first);
         cells.mesh.for_each_cell(first, end, [this](Index i, Cell const& cell) {
-            batches.add(cell, cells.reversed[i] != 0);
-            if (batches.n == CellBatch::most) finish();
+            batches.add_copy(cell, cells.reversed[i] != 0);
+            if (batches.n < CellBatches::most) return;
+            visit(user, batches);
+            batches.begin_copies(i + 1);
         });
-        finish();
+        if (batches.n > 0) visit(user, batches);
     }
-    // Cells first .. end-1 of a list of `width` points for each; `points`: those of cell first.
+    // n cells of `width` points each; `points`: those of cell first. As they stand, if they are alike.
     template <Index width>
-    void add_list_of(const Index* points, Index first, Index end) noexcept {
-        for (begin(first); batches.first < end; finish()) {
-            Index const i = batches.first, n = smaller(CellBatch::most, end - i);
-            CellBatch& to = width == 3 ? batches.triangles : batches.quads;
-            if (add_list<width>(points + Offset{width} * (i - first), cells.reversed.data() + i, n,
-                                cells.mesh.index_base, to)) {
-                batches.n = n;
-                continue;
+    void take(const Index* points, Index first, Index n) noexcept {
+        bool reversed = false;
+        if (!run_alike(cells.reversed.data() + first, n, reversed) || (width == 4 && !have_four_points(points, n))) {
+            return copy_one_by_one(first, first + n);
+        }
+        // While the kernels compute, the points of the next cells come from memory; no harm where there are none.
+        for (Index k = 0; k < width * CellBatches::most; k += 16) __builtin_prefetch(points + width * n + k);
+        CellList const list{points, n, cells.mesh.index_base, reversed};
+        batches.first = first;
+        batches.n = n;
+        batches.triangles = width == 3 ? list : CellList();
+        batches.quads = width == 4 ? list : CellList();
+        visit(user, batches);
+    }
+    // Of cells first .. end-1, those that stand in a list of `width` points for each, which begins with cell begin.
+    template <Index width>
+    void take_list(const Index* points, Index begin, Index first, Index end) noexcept {
+        for (Index n = 0; first < end; first += n) {
+            n = smaller(CellBatches::most, end - first);
+            take<width>(points + Offset{width} * (first - begin), first, n);
+        }
+    }
+    void take_rows(Index first, Index end) noexcept {
+        for (Index n = 0; first < end; first += n) {
+            n = smaller(CellBatches::most, end - first);
+            const Index* const start = cells.mesh.cell_start + first;
+            const Index* const points = cells.mesh.cell_points + (Offset{*start} - cells.mesh.index_base);
+            Index const width = start[1] - start[0];
+            if (!have_width(start, n, width)) {
+                copy_one_by_one(first, first + n);
+            } else if (width == 3) {
+                take<3>(points, first, n);
+            } else {
+                take<4>(points, first, n);
             }
-            for (Index k = 0; k < n; ++k) batches.add(cells.mesh.cell(i + k), cells.reversed[i + k] != 0);
         }
     }
 };
@@ -72,19 +101,17 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
     Mesh const& mesh = cells.mesh;
     Collector collector{cells, visit, user, {}};
     if (mesh.layout == CellLayout::quads) {
-        collector.add_list_of<4>(mesh.cell_points + Offset{4} * begin, begin, end);
+        collector.take_list<4>(mesh.cell_points, 0, begin, end);
     } else if (mesh.layout == CellLayout::triangles) {
-        collector.add_list_of<3>(mesh.cell_points + Offset{3} * begin, begin, end);
+        collector.take_list<3>(mesh.cell_points, 0, begin, end);
     } else if (mesh.layout == CellLayout::mixed) {
-        Index const n = mesh.n_triangles(), triangles_end = smaller(end, n), first_quad = larger(begin, n);
-        if (begin < triangles_end) {
-            collector.add_list_of<3>(mesh.cell_points + Offset{3} * begin, begin, triangles_end);
-        }
-        if (first_quad < end) {
-            collector.add_list_of<4>(mesh.quad_points + Offset{4} * (first_quad - n), first_quad, end);
-        }
+        Index const n = mesh.n_triangles();
+        collector.take_list<3>(mesh.cell_points, 0, begin, smaller(end, n));
+        collector.take_list<4>(mesh.quad_points, n, larger(begin, n), end);
+    } else if (mesh.layout == CellLayout::rows) {
+        collector.take_rows(begin, end);
     } else {
-        collector.add_one_by_one(begin, end);
+        collector.copy_one_by_one(begin, end);
     }
 }
 

@@ -7,8 +7,10 @@ namespace {
 
 using Registers = simd::HARMORPH_SET::Registers<Real>;
 using Vector = Registers::Vector;
+using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
+constexpr unsigned all = (1u << lanes) - 1;  // bits
 
 // harmorph::smaller() and larger() in each lane: a where one of the two is NaN.
 HARMORPH_INLINE Vector least_of(Vector a, Vector b) noexcept { return Registers::smaller(b, a); }
@@ -22,26 +24,51 @@ HARMORPH_INLINE Vectors operator-(Vectors a, Vectors b) noexcept { return {a.x -
 HARMORPH_INLINE Vector cross(Vectors a, Vectors b) noexcept { return a.x * b.y - a.y * b.x; }
 HARMORPH_INLINE Vector square(Vectors a) noexcept { return a.x * a.x + a.y * a.y; }
 
-HARMORPH_INLINE Vector gathered(const Real* from, std::ptrdiff_t stride, const Index* point) noexcept {
-    Vector v = {};
-#pragma GCC unroll 8
-    for (Index lane = 0; lane < lanes; ++lane) v[lane] = from[point[lane] * stride];
-    return v;
-}
+// So many cells as a register has lanes: where their points stand in the caller's arrays.
+template <Index n>
+struct Group {
+    const Index* point;  // [lanes x n]
+    Index index_base;
+    bool reversed;
+    bool side_by_side;   // points in a row of a structured mesh: the coordinates of a corner fill a register
 
-// Points in a row of a structured mesh lie side by side.
-HARMORPH_INLINE bool side_by_side(const Index* point) noexcept {
-    bool all = true;
-#pragma GCC unroll 8
-    for (Index lane = 1; lane < lanes; ++lane) all &= point[lane] == point[0] + lane;
-    return all;
-}
-
-HARMORPH_INLINE Vectors points_of(Points points, const Index* point) noexcept {
-    if (points.stride == 1 && side_by_side(point)) {
-        return {Registers::load(points.x + point[0]), Registers::load(points.y + point[0])};
+    HARMORPH_INLINE Group(CellList const& list, const Index* points) noexcept
+        : point(points), index_base(list.index_base), reversed(list.reversed), side_by_side(n == 4 && is_row(points)) {}
+    HARMORPH_INLINE Index at(Index lane, Index corner) const noexcept {
+        return from_zero(point[lane * n + (reversed ? n - 1 - corner : corner)], index_base);
     }
-    return {gathered(points.x, points.stride, point), gathered(points.y, points.stride, point)};
+
+private:
+    // Is every point the one behind that of the cell before? Words are two points of a cell.
+    static HARMORPH_INLINE bool is_row(const Index* points) noexcept {
+        Words const differs = off_step(points) | off_step(points + 2 * (lanes - 2));
+        Vector const zero = {};
+        return Registers::less(zero, differs != 0 ? zero + 1 : zero) == 0;
+    }
+    static HARMORPH_INLINE Words off_step(const Index* points) noexcept {
+        return (words_at(points + 4) - words_at(points)) ^ 0x0000000100000001;
+    }
+    static HARMORPH_INLINE Words words_at(const Index* points) noexcept {
+        Words words;
+        std::memcpy(&words, points, sizeof words);
+        return words;
+    }
+};
+
+// The points of each corner, wherever they are.
+template <Index n>
+__attribute__((noinline)) void gather(Points points, Group<n> const group, Real* x, Real* y) noexcept {
+    for (Index corner = 0; corner < n; ++corner, x += lanes, y += lanes) {
+        Vector all_x = {}, all_y = {};
+#pragma GCC unroll 8
+        for (Index lane = 0; lane < lanes; ++lane) {
+            std::ptrdiff_t const from = group.at(lane, corner) * points.stride;
+            all_x[lane] = points.x[from];
+            all_y[lane] = points.y[from];
+        }
+        Registers::store(x, all_x);
+        Registers::store(y, all_y);
+    }
 }
 
 // As CellShape and CellCorners of `n` corners; a triangle has one area.
@@ -49,9 +76,19 @@ template <Index n>
 struct Shapes {
     Vectors at[n];
 
-    HARMORPH_INLINE Shapes(Points points, CellBatch const& cells, Index i) noexcept {
+    HARMORPH_INLINE Shapes(Points points, Group<n> const& group) noexcept {
+        if (!group.side_by_side || points.stride != 1) {
+            Real x[n * lanes], y[n * lanes];
+            gather(points, group, x, y);
 #pragma GCC unroll 4
-        for (Index k = 0; k < n; ++k) at[k] = points_of(points, cells.point[k] + i);
+            for (Index k = 0; k < n; ++k) at[k] = {Registers::load(x + k * lanes), Registers::load(y + k * lanes)};
+            return;
+        }
+#pragma GCC unroll 4
+        for (Index k = 0; k < n; ++k) {
+            Index const first = group.at(0, k);
+            at[k] = {Registers::load(points.x + first), Registers::load(points.y + first)};
+        }
     }
     HARMORPH_INLINE void move_by(Shapes const& change) noexcept {
 #pragma GCC unroll 4
@@ -90,35 +127,72 @@ struct Corners {
     }
 };
 
-// As skew_quality() and Quality::add(); reference_area 0: skew quality alone. Where a cell is inverted, nothing is divided
-// by its areas: that might raise a floating-point exception.
+// As skew_quality() and CellMeasure::quality(). Roots come first: they go on while other things are computed. Where a cell
+// is inverted, nothing is divided by its areas: that might raise a floating-point exception. reference_area 0: skew
+// quality alone.
 template <Index n>
-HARMORPH_INLINE void set_quality(Corners<n> const& corners, Vector reference_area, Index i,
-                                 BatchQuality& to) noexcept {
-    Vector const zero = {}, one = zero + 1, smallest = corners.smallest();
-    Vector quality;
-    if (n == 3) {
-        Vector const squares = square(corners.side[0]) + square(corners.side[1]) + square(corners.side[2]);
-        quality = 2 * 1.7320508075688772 * corners.twice_area[0] / (smallest > 0 ? squares : one);
-    } else {
-        Vector length[n], sum = zero;
+class Qualities {
+public:
+    HARMORPH_INLINE void begin(Corners<n> const& corners, Vector reference_area) noexcept {
+        Vector const zero = {}, one = zero + 1;
+        Vector size = reference_area < 0 ? -reference_area : reference_area, cell_area = corners.area();
+        size = size != 0 ? size : cell_area;
+        Vector squares[n];
 #pragma GCC unroll 4
-        for (Index k = 0; k < n; ++k) length[k] = Registers::square_root(square(corners.side[k]));
+        for (Index k = 0; k < n; ++k) squares[k] = square(corners.side[k]);
 #pragma GCC unroll 4
-        for (Index k = 0; k < n; ++k) {
-            Vector const area = smallest > 0 ? corners.twice_area[k % corners.n_areas] : one;
-            sum += length[corners.before(k)] * length[k] / area;
+        for (Index k = 0; k < Corners<n>::n_areas; ++k) area_[k] = corners.twice_area[k];
+        Vector const sum = n == 3 ? squares[0] + squares[1] + squares[2]
+                                  : (squares[0] + squares[n / 2]) + (squares[1] + squares[n - 1]);
+        smallest = corners.smallest();
+        Vector const least = least_of(size, smallest), most = most_of(sum, size);  // one is NaN where anything is
+        regular_ = (Registers::less(zero + smallest_of_products, least) &
+                    Registers::less(most, zero + largest_of_products)) == all;
+        if (!regular_) {
+            auto const in_range = (least > smallest_of_products) & (most < largest_of_products);
+#pragma GCC unroll 4
+            for (Index k = 0; k < n; ++k) squares[k] = in_range ? squares[k] : one;
+#pragma GCC unroll 4
+            for (Index k = 0; k < Corners<n>::n_areas; ++k) area_[k] = in_range ? area_[k] : one;
+            size = in_range ? size : one;
+            cell_area = in_range ? cell_area : one;
+            in_range_ = in_range ? one : zero;
         }
-        quality = 4 / (smallest > 0 ? sum : one);
+        larger_ = most_of(cell_area, size);
+        if (n == 3) {
+            sum_ = squares[0] + squares[1] + squares[2];
+        } else {
+            sum_ = squares[1] * squares[n / 2];
+            root_[0] = Registers::square_root(squares[0] * squares[1]);
+            root_[1] = Registers::square_root(sum_);
+            root_[2] = Registers::square_root(squares[n / 2] * squares[n - 1]);
+        }
+        mean_ = Registers::square_root(cell_area * size);
     }
-    quality = smallest > 0 ? quality : zero;
-    Vector const area = corners.area(), size = reference_area < 0 ? -reference_area : reference_area;
-    auto const compared = (quality > 0) & (size != 0);
-    Vector const less = compared ? least_of(area, size) : one, more = compared ? most_of(area, size) : one;
-    quality *= Registers::square_root(less / more);
-    Registers::store(to.twice_smallest + i, smallest);
-    Registers::store(to.quality + i, quality);
-}
+    HARMORPH_INLINE Vector end() const noexcept {
+        constexpr Index c = Corners<n>::n_areas / 2, d = Corners<n>::n_areas - 1, b = c / 2;  // 1, 2, 3 of 4
+        Vector above, under;
+        if (n == 3) {
+            above = 2 * 1.7320508075688772 * area_[0];
+            under = sum_;
+        } else {
+            Vector const first = area_[b] * area_[c], last = area_[d] * area_[0];
+            above = 4 * root_[1] * (first * last);
+            under = (root_[0] * root_[1] * area_[c] + sum_ * area_[b]) * last +
+                    root_[2] * (root_[1] * area_[0] + root_[0] * area_[d]) * first;
+        }
+        Vector const quality = above / under * (mean_ / larger_), zero = {};
+        if (regular_) return quality;
+        return in_range_ > 0 ? quality : smallest > 0 ? zero + ListQuality::not_in_range : zero;
+    }
+
+    Vector smallest = {};  // twice the smallest corner area
+
+private:
+    bool regular_ = true;
+    Vector in_range_ = {}, larger_ = {}, mean_ = {};  // of areas: the larger of the two, the geometric mean
+    Vector sum_ = {}, root_[3] = {}, area_[Corners<n>::n_areas] = {};
+};
 
 // Of c + b s + a s^2: is it positive, and far from a root, for 0 <= s <= step? By its value at `step`, which is at least a
 // millionth of its terms, and at its minimum, if that comes before. 1 in the lanes where that holds, 0 in others. Steps
@@ -138,55 +212,103 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
     return holds ? one : zero;
 }
 
-// First the filter of AdmissibleStep::add(): a corner's area is larger than area + slope s - |curvature| s^2. Then, where
-// that is not enough for a cell, the area itself. Bits of the cells that are left.
+// First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2 with the smallest of
+// each. Then, where that is not enough for a cell, the areas themselves. Bits of the cells that are left.
 template <Index n>
 HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change, Real step) noexcept {
-    Vector const zero = {};
-    Vector least = {}, sum = {}, least_change = {}, slopes[Corners<n>::n_areas];
+    constexpr Index n_areas = Corners<n>::n_areas;
+    Vector const zero = {}, *const area = now.twice_area, *const curvature = change.twice_area;
+    Vector slope[n_areas], least = area[0], falls, bends = curvature[0], sum;
 #pragma GCC unroll 4
-    for (Index k = 0; k < now.n_areas; ++k) {
+    for (Index k = 0; k < n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);
-        Vector const slope = cross(now.side[before], change.side[after]) + cross(change.side[before], now.side[after]);
-        slopes[k] = slope;
-        Vector const area = now.twice_area[k], curvature = change.twice_area[k];
-        Vector const falls = least_of(slope, zero), bends = least_of(curvature, zero);
-        Vector const margin = step < infinity ? area + step * (falls + step * bends) : area;
-        Vector const finite = step < infinity ? margin : area + slope + curvature;
-        least = k == 0 ? margin : least_of(least, margin);
-        least_change = k == 0 ? falls + bends : least_of(least_change, falls + bends);
-        sum = k == 0 ? finite : sum + finite;
+        slope[k] = cross(now.side[before], change.side[after]) + cross(change.side[before], now.side[after]);
+        sum = k == 0 ? area[k] + slope[k] : sum + (area[k] + slope[k]);
+        falls = k == 0 ? slope[k] : least_of(falls, slope[k]);
+        least = least_of(least, area[k]);
+        bends = least_of(bends, curvature[k]);
     }
-    unsigned kept = Registers::less(zero, least) & Registers::less(sum, zero + infinity);  // NaN is less than nothing
-    if (!(step < infinity)) kept &= ~Registers::less(least_change, zero);
-    constexpr unsigned all = (1u << lanes) - 1;
+    falls = least_of(falls, zero);
+    bends = least_of(bends, zero);
+    unsigned kept;
+    if (step < infinity) {
+        kept = Registers::less(sum - sum, least + step * (falls + step * bends));  // nothing is less than NaN
+    } else {
+#pragma GCC unroll 4
+        for (Index k = 0; k < n_areas; ++k) sum += curvature[k];
+        kept = Registers::less(sum - sum, least) & ~Registers::less(falls + bends, zero);
+    }
     if (kept == all || (step >= 1e50 && step < infinity)) return ~kept & all;
     Vector stays = zero + 1;
 #pragma GCC unroll 4
-    for (Index k = 0; k < now.n_areas; ++k) {
-        stays *= stays_positive(change.twice_area[k], slopes[k], now.twice_area[k], step);
-    }
+    for (Index k = 0; k < n_areas; ++k) stays *= stays_positive(curvature[k], slope[k], area[k], step);
     return ~(kept | Registers::less(zero, stays)) & all;
 }
 
+// Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to `sums`.
 template <Index n>
-std::uint64_t look_at(CellBatch const& cells, CellPlaces const& places, Real step, BatchQuality* quality) noexcept {
-    std::uint64_t found = 0;
-    for (Index i = 0; i < cells.n; i += lanes) {
-        Shapes<n> shapes(places.at, cells, i);
-        Vector reference_area = {};
-        if (places.change.given()) {
-            Shapes<n> const change(places.change, cells, i);
-            Corners<n> const now(shapes);
-            found |= limiting<n>(now, Corners<n>(change), step) << i;
-            reference_area = now.area();
-            shapes.move_by(change);
-        } else if (places.reference.given()) {
-            reference_area = Shapes<n>(places.reference, cells, i).area();
-        }
-        if (quality != nullptr) set_quality<n>(Corners<n>(shapes), reference_area, i, *quality);
+HARMORPH_INLINE std::uint64_t look_at_group(Group<n> const& group, Index i, CellPlaces const& places,
+                                            CellBounds const& bounds, ListQuality* quality, Vector& sums) noexcept {
+    Vector const zero = {};
+    bool const moves = places.change.given();
+    Shapes<n> shapes(places.at, group), other = shapes;
+    Corners<n> const now(shapes);
+    Vector reference_area = zero;
+    if (moves) {
+        other = Shapes<n>(places.change, group);
+        shapes.move_by(other);
+        reference_area = now.area();
+    } else if (places.reference.given()) {
+        reference_area = Shapes<n>(places.reference, group).area();
     }
-    return cells.n == CellBatch::most ? found : found & ((std::uint64_t{1} << cells.n) - 1);
+    Qualities<n> qualities;
+    if (quality != nullptr) qualities.begin(Corners<n>(shapes), reference_area);
+    std::uint64_t const found = moves ? limiting<n>(now, Corners<n>(other), bounds.step) : 0;
+    if (quality == nullptr) return found << i;
+    Vector const smallest = qualities.smallest, its = qualities.end();
+    Registers::store(quality->twice_smallest + i, smallest);
+    Registers::store(quality->quality + i, its);
+    sums += its > 0 ? its : zero;
+    std::uint64_t const plain = Registers::less(zero, smallest) & ~Registers::less(smallest, zero + bounds.twice_area) &
+                                ~Registers::less(its, zero + bounds.quality) & Registers::less(its, zero + infinity);
+    quality->notable |= (~plain & all) << i;
+    return found << i;
+}
+
+template <Index n>
+std::uint64_t look_at(CellList const& cells, CellPlaces const& places, CellBounds const& bounds,
+                      ListQuality* quality) noexcept {
+    constexpr Index step = 8, groups = step / lanes;  // 8 cells, and as many sums, in all kernels
+    std::uint64_t found = 0;
+    Vector sums[groups] = {};
+    Real sum[step];
+    for (Index i = 0; i < cells.n; i += step) {
+        const Index* points = cells.point + n * i;
+        Index const left = cells.n - i;
+        Index last[n * step];
+        if (left < step) {  // fills the registers with the last cell
+            for (Index k = 0; k < n * step; ++k) last[k] = points[k < n * left ? k : n * (left - 1) + k % n];
+            points = last;
+            for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
+        }
+#pragma GCC unroll 1
+        for (Index k = 0; k < groups; ++k) {
+            Group<n> const group(cells, points + n * lanes * k);
+            found |= look_at_group<n>(group, i + lanes * k, places, bounds, quality, sums[k]);
+        }
+    }
+    std::uint64_t const given = cells.n == CellBatches::most ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
+    if (quality != nullptr) {
+        if (cells.n % step == 0) {
+            for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
+        } else {
+            Index const last = cells.n - cells.n % step;
+            for (Index i = last; i < cells.n; ++i) sum[i - last] += larger(quality->quality[i], 0.0);
+        }
+        quality->sum = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+        quality->notable &= given;
+    }
+    return found & given;
 }
 
 constexpr CellKernels kernels{look_at<3>, look_at<4>};

@@ -16,10 +16,22 @@ void Quality::merge(Quality const& later) noexcept {
     cells += later.cells;
 }
 
-void Quality::add(CellBatches const& batches, BatchQuality const& triangles, BatchQuality const& quads) noexcept {
-    batches.for_each([&](Index cell, bool is_triangle, Index i) {
-        BatchQuality const& its = is_triangle ? triangles : quads;
-        add(cell, its.twice_smallest[i], its.quality[i]);
+void Quality::add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
+                  ListQuality const& triangles, ListQuality const& quads) noexcept {
+    cells += batches.n;
+    quality_sum += triangles.sum + quads.sum;
+    if ((triangles.notable | quads.notable) == 0) return;
+    batches.for_each([&](Index number, bool is_triangle, Index i) {
+        ListQuality const& its = is_triangle ? triangles : quads;
+        if ((its.notable >> i & 1) == 0) return;
+        if (its.quality[i] != ListQuality::not_in_range) return note(number, its.twice_smallest[i], its.quality[i]);
+        Cell const cell = mesh.cell(number);
+        Real reference_area = 0;
+        if (places.change.given()) reference_area = CellCorners(CellShape(cell, places.at, false)).cell_area(cell.n);
+        else if (places.reference.given()) reference_area = cell_area(cell, places.reference);
+        Real const quality = CellMeasure(cell.n, CellCorners(places.displaced(cell))).quality(reference_area);
+        note(number, its.twice_smallest[i], quality);
+        quality_sum += quality > 0 ? quality : 0;
     });
 }
 
@@ -43,10 +55,11 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
     return reduce_ranges<Quality>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Quality& result) {
         Quality quality;
         for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
-            BatchQuality triangles, quads;
-            kernels.triangles(batches.triangles, places, 0, &triangles);
-            kernels.quads(batches.quads, places, 0, &quads);
-            quality.add(batches, triangles, quads);
+            CellBounds const bounds = {infinity, 2 * quality.min_area, quality.min_quality};
+            ListQuality triangles, quads;
+            kernels.triangles(batches.triangles, places, bounds, &triangles);
+            kernels.quads(batches.quads, places, bounds, &quads);
+            quality.add(cells, places, batches, triangles, quads);
         });
         result = quality;
     });

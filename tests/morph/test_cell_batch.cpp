@@ -1,4 +1,4 @@
-// Cells in batches, kernel by kernel: the bits of looking at one cell after the other.
+// Cells in batches, kernel by kernel: the same as looking at one cell after the other.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -114,6 +114,7 @@ Assessment one_by_one(OrientedMesh const& cells, Add const& add) {
 
 bool same(double a, double b) { return harmorph::bits_of(a) == harmorph::bits_of(b); }
 
+// Of two kernels.
 void check_same(harmorph::Quality const& a, harmorph::Quality const& b) {
     CHECK(a.inverted == b.inverted);
     CHECK(a.first_inverted == b.first_inverted);
@@ -121,6 +122,17 @@ void check_same(harmorph::Quality const& a, harmorph::Quality const& b) {
     CHECK(same(a.min_quality, b.min_quality));
     CHECK(a.min_quality_cell == b.min_quality_cell);
     CHECK(same(a.quality_sum, b.quality_sum));
+    CHECK(a.cells == b.cells);
+}
+
+// Of a kernel and of cells one by one, whose sum is added up in another order.
+void check_equal(harmorph::Quality const& a, harmorph::Quality const& b) {
+    CHECK(a.inverted == b.inverted);
+    CHECK(a.first_inverted == b.first_inverted);
+    CHECK(same(a.min_area, b.min_area));
+    CHECK(same(a.min_quality, b.min_quality));
+    CHECK(a.min_quality_cell == b.min_quality_cell);
+    CHECK(a.quality_sum == doctest::Approx(b.quality_sum).epsilon(1e-14));
     CHECK(a.cells == b.cells);
 }
 
@@ -147,15 +159,31 @@ void check_all(Grid const& grid) {
     Assessment const compared = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
         to.quality.add(i, CellMeasure(cell.n, CellCorners(CellShape(cell, points, false))), cell_area(cell, change));
     });
-    for (harmorph::Kernel const kernel : usable_kernels()) {
+    auto const by_kernel = [&](harmorph::Kernel kernel) {
         harmorph::Executor executor;
         executor.kernel = kernel;
-        Assessment const found = harmorph::assess(cells, points, change, executor);
-        check_same(found.limit, assessed.limit);
-        check_same(found.quality, assessed.quality);
-        check_same(harmorph::admissible_step(cells, points, change, executor), assessed.limit);
-        check_same(harmorph::measure_quality(cells, points, {}, executor), skew.quality);
-        check_same(harmorph::measure_quality(cells, points, change, executor), compared.quality);
+        struct {
+            Assessment assessed;
+            harmorph::AdmissibleStep limit;
+            harmorph::Quality skew, compared;
+        } found{harmorph::assess(cells, points, change, executor),
+                harmorph::admissible_step(cells, points, change, executor),
+                harmorph::measure_quality(cells, points, {}, executor),
+                harmorph::measure_quality(cells, points, change, executor)};
+        return found;
+    };
+    auto const first = by_kernel(harmorph::Kernel::baseline);
+    check_same(first.limit, assessed.limit);
+    check_equal(first.assessed.quality, assessed.quality);
+    check_equal(first.skew, skew.quality);
+    check_equal(first.compared, compared.quality);
+    for (harmorph::Kernel const kernel : usable_kernels()) {
+        auto const found = by_kernel(kernel);
+        check_same(found.assessed.limit, first.limit);
+        check_same(found.limit, first.limit);
+        check_same(found.assessed.quality, first.assessed.quality);
+        check_same(found.skew, first.skew);
+        check_same(found.compared, first.compared);
     }
 }
 
@@ -164,7 +192,7 @@ constexpr CellLayout layouts[] = {CellLayout::rows, CellLayout::triangles, CellL
 
 }  // namespace
 
-TEST_CASE("batches have the bits of single cells, in all layouts, valid and inverted") {
+TEST_CASE("batches find what single cells show, in all layouts, valid and inverted") {
     for (CellLayout const layout : layouts) {
         CAPTURE(static_cast<int>(layout));
         for (double const noise : {0.0, 0.2, 0.9}) {  // the last one inverts cells
@@ -185,7 +213,7 @@ TEST_CASE("where no cell limits the step, none is named") {
     CHECK(limit.cell == harmorph::none);
 }
 
-TEST_CASE("turns and waves, in which areas fall and rise again, have the bits of single cells") {
+TEST_CASE("turns and waves, in which areas fall and rise again, are limited as single cells are") {
     for (CellLayout const layout : layouts) {
         CAPTURE(static_cast<int>(layout));
         for (double const turn : {0.0, 1e-3, 1.0}) {
@@ -213,6 +241,26 @@ TEST_CASE("numbers that are not finite are found as they are in single cells") {
                 check_all(moved);
                 check_all(displaced);
             }
+        }
+    }
+}
+
+TEST_CASE("cells of any size have the quality of the same cells in other units") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        Grid grid(layout, 0.2, 0.02, 5);
+        Assessment const usual = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
+        double length = 1;
+        for (double const unit : {1e-90, 1e-30, 1e-21, 1e24, 1e70}) {  // of areas between 1e-180 and 1e140
+            for (std::vector<double>* const numbers : {&grid.x, &grid.y, &grid.dx, &grid.dy})
+                for (double& number : *numbers) number *= unit / length;
+            length = unit;
+            check_all(grid);
+            Assessment const found = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
+            CHECK(found.limit.step == doctest::Approx(usual.limit.step).epsilon(1e-12));
+            CHECK(found.quality.inverted == 0);
+            CHECK(found.quality.min_quality == doctest::Approx(usual.quality.min_quality).epsilon(1e-12));
+            CHECK(found.quality.quality_sum == doctest::Approx(usual.quality.quality_sum).epsilon(1e-12));
         }
     }
 }

@@ -50,6 +50,9 @@ struct CellCorners {
     Real cell_area(Index n) const noexcept { return 0.5 * (n == 3 ? twice_area[0] : twice_area[0] + twice_area[2]); }
 };
 
+// Of areas and squares of lengths between these, products of six are numbers, with all their digits.
+inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1p150;
+
 // The least height that a cell at these coordinates may have. A movement rounds each coordinate by up to 2^-53 of its size,
 // which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
 inline Real resolved_height(CellShape const& shape) noexcept {

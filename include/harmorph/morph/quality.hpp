@@ -12,14 +12,26 @@ namespace harmorph {
 // P. M. Knupp, Finite Elem. Anal. Des. 39 (2003) 217: f_skew of quads, f_shape of triangles.
 inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
     if (!(corners.smallest() > 0)) return 0;
-    const Vec2* const side = corners.side;
+    const Real* const area = corners.twice_area;
+    Real square_of[4];
+    for (Index k = 0; k < n; ++k) square_of[k] = square(corners.side[k]);
     if (n == 3) {
-        Real const squares = square(side[0]) + square(side[1]) + square(side[2]);  // = 2 (a.a + b.b - a.b)
-        return 2 * 1.7320508075688772 * corners.twice_area[0] / squares;
+        Real const squares = square_of[0] + square_of[1] + square_of[2];  // = 2 (a.a + b.b - a.b)
+        return 2 * 1.7320508075688772 * area[0] / squares;
+    }
+    // 4 / (l0 l1 / A1 + l1 l2 / A2 + l2 l3 / A3 + l3 l0 / A0): over the common denominator, with three roots for the four
+    // products of lengths.
+    Real const squares = (square_of[0] + square_of[2]) + (square_of[1] + square_of[3]);
+    if (corners.smallest() > smallest_of_products && squares < largest_of_products) {
+        Real const opposite = square_of[1] * square_of[2], first = area[1] * area[2], last = area[3] * area[0];
+        Real const a = square_root(square_of[0] * square_of[1]), b = square_root(opposite);
+        Real const c = square_root(square_of[2] * square_of[3]);
+        return 4 * b * (first * last) /
+               ((a * b * area[2] + opposite * area[1]) * last + c * (b * area[0] + a * area[3]) * first);
     }
     Real length[4], sum = 0;
-    for (Index k = 0; k < 4; ++k) length[k] = square_root(square(side[k]));
-    for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / corners.twice_area[k];
+    for (Index k = 0; k < 4; ++k) length[k] = square_root(square_of[k]);
+    for (Index k = 0; k < 4; ++k) sum += length[(k + 3) & 3] * length[k] / area[k];
     return 4 / sum;
 }
 
@@ -34,6 +46,16 @@ struct CellMeasure {
     // shape_of(i): the CellShape of a piece or a guard, counter-clockwise.
     template <class ShapeOf>
     CellMeasure(Mesh const& mesh, Index number, ShapeOf const& shape_of) noexcept;
+
+    // sqrt(f_size) f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784. reference_area:
+    // area of the cell in the mesh to compare with, or 0: skew quality alone. 0 where the cell is inverted.
+    Real quality(Real reference_area) const noexcept {
+        if (!(skew > 0)) return 0;
+        Real const size = absolute(reference_area), less = smaller(area, size), more = larger(area, size);
+        if (size == 0) return skew;
+        bool const in_range = less > smallest_of_products && more < largest_of_products && size == size;
+        return skew * (in_range ? square_root(area * size) / more : square_root(less / more));
+    }
 };
 
 struct Quality {
@@ -45,32 +67,30 @@ struct Quality {
     Index cells = 0;
 
     Real mean_quality() const noexcept { return quality_sum / static_cast<Real>(cells); }
-    // Adds a cell. reference_area: area of the cell in the mesh to compare with, or 0: skew quality alone. sqrt(f_size)
-    // f_skew: A. de Boer, M. S. van der Schoot, H. Bijl, Comput. Struct. 85 (2007) 784.
+    // Adds a cell, compared with reference_area: CellMeasure::quality().
     inline void add(Index cell, CellMeasure const& measure, Real reference_area) noexcept;
-    // Adds a cell of which twice the smallest corner area and the quality are known.
-    inline void add(Index cell, Real twice_smallest, Real value) noexcept;
-    // Adds the cells of some batches.
-    void add(CellBatches const& batches, BatchQuality const& triangles, BatchQuality const& quads) noexcept;
+    // Adds the cells of some batches that kernels have looked at.
+    void add(OrientedMesh const& mesh, CellPlaces const& places, CellBatches const& batches,
+             ListQuality const& triangles, ListQuality const& quads) noexcept;
     // Of cells that come later.
     void merge(Quality const& later) noexcept;
+
+private:
+    // A cell that may have the smallest area or quality, or may be inverted.
+    inline void note(Index cell, Real twice_smallest, Real value) noexcept;
 };
 
 inline void Quality::add(Index cell, CellMeasure const& measure, Real reference_area) noexcept {
-    Real value = measure.skew;
-    if (value > 0 && reference_area != 0) {
-        Real const area = measure.area, size = absolute(reference_area);
-        value *= square_root(smaller(area, size) / larger(area, size));
-    }
-    add(cell, measure.twice_smallest, value);
+    Real const value = measure.quality(reference_area);
+    note(cell, measure.twice_smallest, value);
+    quality_sum += value > 0 ? value : 0;
+    ++cells;
 }
 
-inline void Quality::add(Index cell, Real twice_smallest, Real value) noexcept {
-    ++cells;
+inline void Quality::note(Index cell, Real twice_smallest, Real value) noexcept {
     min_area = smaller(min_area, 0.5 * twice_smallest);
     if (!(twice_smallest > 0) && inverted++ == 0) first_inverted = cell;  // NaN: a coordinate that is not finite
     if (!(value > 0)) value = 0;
-    quality_sum += value;
     if (value < min_quality) {
         min_quality = value;
         min_quality_cell = cell;
