@@ -8,12 +8,12 @@
 #include "failure.hpp"
 #include "target.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -55,11 +55,20 @@ std::size_t run(fuzz::Target const& target, std::vector<unsigned char> const& by
     return bytes.size() - input.rest().size();
 }
 
+// Bits of a counter, stirred: G. Steele, D. Lea, C. Flood, Fast splittable pseudorandom number generators (2014).
+std::uint64_t stirred(std::uint64_t bits) {
+    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9u;
+    bits = (bits ^ bits >> 27) * 0x94D049BB133111EBu;
+    return bits ^ bits >> 31;
+}
+
 std::vector<unsigned char> bytes_of_case(unsigned seed, long number) {
-    std::seed_seq seeds{seed, static_cast<unsigned>(number)};
-    std::mt19937 random(seeds);
+    std::uint64_t counter = stirred(std::uint64_t{seed} << 32 | static_cast<unsigned>(number));
     std::vector<unsigned char> bytes(4096);
-    for (unsigned char& byte : bytes) byte = static_cast<unsigned char>(random());
+    for (std::size_t k = 0; k < bytes.size(); k += 8) {
+        std::uint64_t const bits = stirred(counter += 0x9E3779B97F4A7C15u);
+        for (std::size_t byte = 0; byte < 8; ++byte) bytes[k + byte] = static_cast<unsigned char>(bits >> 8 * byte);
+    }
     return bytes;
 }
 
