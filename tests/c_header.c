@@ -23,7 +23,7 @@ static void check(int holds, const char *what) {
     do { \
         type object = {sizeof object}; \
         PLACE(type, struct_size, 0); \
-        check(sizeof object % 8 == 0 && object.struct_size == sizeof(type), "struct_size of " #type); \
+        check(sizeof object % sizeof(void *) == 0 && object.struct_size == sizeof(type), "struct_size of " #type); \
     } while (0)
 
 static int32_t never_cancel(void *user, int32_t phase, double fraction) {
