@@ -328,6 +328,7 @@ typedef struct hm_fit_options {
     int32_t  degree;               /* 1..5; 0 means 3 */
     int32_t  n_control;            /* distinct control points > degree; at most the number of points; 0 means 20 */
     int32_t  closed;               /* HM_CLOSED_AUTO, ... */
+    int32_t  reserved;             /* 0 */
 } hm_fit_options;
 
 typedef struct hm_fit_report {

@@ -160,6 +160,7 @@ Status view_fit_options(const hm_fit_options* given, FitOptions& options, Fault&
         return fault.refuse(Status::bad_argument, "fit options: closed is #, which is unknown",
                             Counts::from_zero, o.closed);
     }
+    if (o.reserved != 0) return fault.refuse(Status::bad_argument, "fit options: reserved must be 0");
     if (o.degree != 0) options.degree = o.degree;
     if (o.n_control != 0) options.n_control = o.n_control;
     options.closure = static_cast<Closure>(o.closed);

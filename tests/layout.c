@@ -33,7 +33,7 @@ int32_t layout_of(int32_t number, int64_t *numbers) {
         break;
 #undef TYPE
 #define TYPE hm_fit_options
-    case 6: PUT(sizeof(TYPE)); AT(struct_size); AT(degree); AT(n_control); AT(closed); break;
+    case 6: PUT(sizeof(TYPE)); AT(struct_size); AT(degree); AT(n_control); AT(closed); AT(reserved); break;
 #undef TYPE
 #define TYPE hm_fit_report
     case 7:

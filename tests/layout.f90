@@ -62,7 +62,7 @@ program layout
         c_loc(curves%index_base), c_loc(curves%n_control), c_loc(curves%control), c_loc(curves%weights), &
         c_loc(curves%n_curves), c_loc(curves%curve)])
     call compare("hm_fit_options", 6, c_sizeof(fit_options), c_loc(fit_options), [c_loc(fit_options%struct_size), &
-        c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed)])
+        c_loc(fit_options%degree), c_loc(fit_options%n_control), c_loc(fit_options%closed), c_loc(fit_options%reserved)])
     call compare("hm_fit_report", 7, c_sizeof(fit_report), c_loc(fit_report), [c_loc(fit_report%struct_size), &
         c_loc(fit_report%max_error), c_loc(fit_report%rms_error), c_loc(fit_report%max_error_point), &
         c_loc(fit_report%closed), c_loc(fit_report%first_point), c_loc(fit_report%base_points), &

@@ -80,7 +80,7 @@
 
     type, bind(c), public :: hm_c_fit_options
         integer(c_int64_t) :: struct_size = 0
-        integer(c_int32_t) :: degree = 0, n_control = 0, closed = 0
+        integer(c_int32_t) :: degree = 0, n_control = 0, closed = 0, reserved = 0
     end type
 
     type, bind(c), public :: hm_fit_report

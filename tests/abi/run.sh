@@ -20,8 +20,17 @@ same_interface() {
     echo "    sh tests/abi/describe.sh build/libharmorph.a build >tests/abi/interface.txt"
     return 1
 }
+# What the compiler adds at the end of a struct has no value: a field that comes to stand there later would read that.
+ends_with_a_field() {
+    awk '/^struct / { name = $2; size = $3 }
+        /^    [a-z_]+: / { if (name != "") end[name] = ($2 + 0) + $3 }
+        /^struct / { size_of[name] = size }
+        END { for (name in end) if (end[name] != size_of[name]) { print name " has a gap at its end"; bad = 1 }; exit bad }' \
+        tests/abi/interface.txt
+}
 # Sizes and places are those of 64-bit pointers.
 if [ "$(getconf LONG_BIT)" = 64 ]; then check "calls, structs and constants" same_interface; fi
+check "structs without a gap at their end" ends_with_a_field
 
 shared=$build/shared/libharmorph.so.$abi
 exports() { objdump -T "$shared" | awk '$NF ~ /^_?hm_/ { print $(NF - 1), $NF }' | sort; }

@@ -318,7 +318,8 @@ TEST_CASE("fits and finer curves") {
                      {{nullptr, [](F&) {}},
                       {nullptr, [](F& f) { f.closed = HM_PERIODIC; }},
                       {"closed is -1", [](F& f) { f.closed = -1; }},
-                      {"closed is", [](F& f) { f.closed = HM_PERIODIC + 1; }}},
+                      {"closed is", [](F& f) { f.closed = HM_PERIODIC + 1; }},
+                      {"reserved must be 0", [](F& f) { f.reserved = 1; }}},
                      HM_BAD_ARGUMENT, size);
     CurveSet set = ring(3, 8, 1, 1);
     double const u = 0.3;
