@@ -3,6 +3,7 @@
 // walls fold so sharply, stretch so much, or leave gaps so narrow, that no mesh with these cells is good: a bound of the
 // quality is computed from the wall (wall_bound.hpp).
 //   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
+// In the environment: DETAILS (any value) prints every movement; OPERATOR is a value of hm_options.operator_kind.
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
 #include "../../c_api/cli/curve_file.hpp"
@@ -61,9 +62,10 @@ WallBound bound_of(const cli::Mesh& mesh, const cli::Task& task, const cli::Fiel
             at.x, at.y};
 }
 
-Counts count(const std::string& name, const cli::Mesh& mesh, const cli::Task& task, const std::string& folder, int wanted,
+Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, const std::string& folder, int wanted,
              const cli::Threads& threads, const Movement& movement) {
     const std::string path = folder + "/seeded.basis";
+    if (const char* const kind = std::getenv("OPERATOR")) task.options.operator_kind = std::atoi(kind);
     {
         cli::Solver solver(mesh, task, threads);
         solver.run();
