@@ -8,8 +8,7 @@ namespace {
 template <class To>
 void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
                    Residual::Norms& norms) noexcept {
-    residual_kernels<To>(work.kernel).find_balances(matrix, dofs, work.latest, work.next, first, n, value, work.width,
-                                                    norms);
+    residual_kernels<To>(work.kernel).find_balances(work, matrix, dofs, first, n, value, norms);
 }
 
 // Balances where x and y are coupled: two dofs a point.
@@ -226,6 +225,7 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind
     bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
     arena.take(next, waits ? Offset{unknowns} + wall_dofs : 0);
+    arena.take(passed, waits ? Offset{unknowns} + wall_dofs : 0);
 }
 
 Real Residual::Norms::relative(Index k) const noexcept {

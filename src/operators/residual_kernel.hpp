@@ -24,29 +24,26 @@ HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noex
 template <Index planes, class To>
 class Balances {
 public:
-    Balances(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next, Index first,
-             Index n) noexcept
-        : matrix_(matrix), dofs_(dofs), latest_(latest), next_(next), first_(first), n_(n),
-          plane_(dofs.columns(matrix)) {}
+    Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n) noexcept
+        : matrix_(matrix), dofs_(dofs), latest_(work.latest), next_(work.next), passed_(work.passed), first_(first),
+          n_(n), plane_(dofs.columns(matrix)) {}
 
     void run(To* value, Index width, Residual::Norms& norms) noexcept {
         for (Index& row : latest_) row = none;
         Index const walls = matrix_.coupling_start.count() - 1;
         for (Index wall = 0; wall < walls; ++wall) queue(matrix_.n + wall, matrix_.coupling_start[wall]);
-        Index fixed = 0;
         for (Index i = 0; i < matrix_.n; ++i) {
             fetch(i + rows_ahead);
-            begin_row(i, norms.right_hand_side);
-            for (; fixed < matrix_.fixed_row.count() && matrix_.fixed_row[fixed] == i; ++fixed) {
-                take(own_, -matrix_.fixed_value[fixed], -imaginary(matrix_.fixed_imaginary, fixed), rest_);
-            }
-            take_earlier(i, norms.right_hand_side);
+            own_ = at(i);
+            source_ = dofs_.source == nullptr ? nullptr : dofs_.source_at(i) + first_;
+            take_earlier(i, norms);
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
-                add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)});
+                add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)}, norms);
             }
             queue(i, matrix_.start[i]);
-            sum_flows();
-            add_squares(rest_, norms.rest);
+            fixed_ = fixed_end_;
+            while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i) ++fixed_end_;
+            sum_flows(true, norms);
             if (value == nullptr) continue;
             for (Index p = 0; p < planes; ++p, value += width) {
                 for (Index k = 0; k < n_; ++k) value[k] = static_cast<To>(rest_[p][k]);
@@ -80,55 +77,29 @@ private:
         Index const column = columns(row)[entry];
         next_[row] = latest_[column];
         latest_[column] = row;
+        passed_[row] = static_cast<Index>(entry - begin(row));
     }
-    // The first entry of `row` in column i.
-    Offset entry_to(Index i, Index row) const noexcept {
-        Span<Index> const columns_of = columns(row);
-        Offset low = begin(row), high = end(row) - 1;
-        while (low < high) {
-            Offset const middle = low + (high - low) / 2;
-            if (columns_of[middle] < i) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
-    }
-
-    void begin_row(Index i, Real* right_hand_side) noexcept {
-        for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n_; ++k) own_[p][k] = at(i)[p * plane_ + k];
-        }
-        clear(rest_);
-        if (dofs_.source == nullptr) return;
-        for (Index p = 0; p < planes; ++p) {
-            for (Index k = 0; k < n_; ++k) rest_[p][k] = dofs_.source_at(i)[p * plane_ + first_ + k];
-        }
-        add_squares(rest_, right_hand_side);
-    }
-
     // The rows that wait for this one, and those of the wall.
-    void take_earlier(Index i, Real* right_hand_side) noexcept {
+    void take_earlier(Index i, Residual::Norms& norms) noexcept {
         bool beside_wall = false;
         for (Index row = latest_[i]; row != none;) {
             Index const next_waiting = next_[row];
-            Offset e = entry_to(i, row);
+            Offset e = begin(row) + passed_[row];
             if (row < matrix_.n) {
-                add({at(row), matrix_.value[e], -imaginary(matrix_.imaginary, e)});
+                add({at(row), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
                 ++e;
             } else {
                 if (!beside_wall) clear(right_);
                 beside_wall = true;
-                for (; e < end(row) && matrix_.coupling_row[e] == i; ++e) take_known(row - matrix_.n, e);
+                for (; e < end(row) && matrix_.coupling_row[e] == i; ++e) take_known(row - matrix_.n, e, norms);
             }
             queue(row, e);
             row = next_waiting;
         }
-        if (beside_wall) add_squares(right_, right_hand_side);
+        if (beside_wall) add_squares(right_, norms.right_hand_side);
     }
 
-    void take_known(Index wall, Offset coupling) noexcept {
+    void take_known(Index wall, Offset coupling, Residual::Norms& norms) noexcept {
         Real const re = matrix_.coupling_value[coupling], im = imaginary(matrix_.coupling_imaginary, coupling);
         const Real* const known = dofs_.wall(wall) + first_;
         Row numbers;
@@ -136,7 +107,7 @@ private:
             for (Index k = 0; k < n_; ++k) numbers[p][k] = known[p * plane_ + k];
         }
         take(numbers, re, im, right_);
-        add({known, re, im});
+        add({known, re, im}, norms);
     }
 
     void clear(Row& row) const noexcept {
@@ -160,38 +131,63 @@ private:
         }
     }
 
-    void add(Neighbour const& neighbour) noexcept {
-        if (count_ == most_at_once) sum_flows();
+    void add(Neighbour const& neighbour, Residual::Norms& norms) noexcept {
+        if (count_ == most_at_once) sum_flows(false, norms);
         neighbour_[count_++] = neighbour;
     }
 
-    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value)
-    void sum_flows() noexcept {
+    // row -= (re + i im) x
+    static HARMORPH_INLINE void take(Vector const (&x)[planes][vectors], Real re, Real im,
+                                     Vector (&row)[planes][vectors]) noexcept {
+        for (Index v = 0; v < vectors; ++v) {
+            row[0][v] -= x[0][v] * re;
+            if constexpr (planes == 2) {
+                row[0][v] += x[1][v] * im;
+                row[1][v] -= x[1][v] * re + x[0][v] * im;
+            }
+        }
+    }
+    // Adds the squares of columns k .. k+block-1.
+    static HARMORPH_INLINE void add_squares_of(Vector const (&row)[planes][vectors], Real* sums) noexcept {
+        for (Index v = 0; v < vectors; ++v, sums += lanes) {
+            Vector sum = Registers::load(sums);
+            for (Index p = 0; p < planes; ++p) sum += row[p][v] * row[p][v];
+            Registers::store(sums, sum);
+        }
+    }
+
+    // Flows along couplings: rest -= (re + i im) (neighbour's value - own value). ends: with these the row is complete.
+    void sum_flows(bool ends, Residual::Norms& norms) noexcept {
         for (Index k = 0; k < n_; k += block) {
-            Vector own[planes][vectors], rest[planes][vectors];
-            for (Index p = 0; p < planes; ++p) {
-                load(own_[p] + k, block, own[p]);
-                load(rest_[p] + k, block, rest[p]);
+            Vector own[planes][vectors], rest[planes][vectors] = {};
+            for (Index p = 0; p < planes; ++p) load(own_ + p * plane_ + k, n_ - k, own[p]);
+            if (begun_) {
+                for (Index p = 0; p < planes; ++p) load(rest_[p] + k, block, rest[p]);
+            } else if (source_ != nullptr) {
+                for (Index p = 0; p < planes; ++p) load(source_ + p * plane_ + k, n_ - k, rest[p]);
+                add_squares_of(rest, norms.right_hand_side + k);
             }
             for (Index c = 0; c < count_; ++c) {
                 Neighbour const& neighbour = neighbour_[c];
-                Vector other[planes][vectors];
-                for (Index p = 0; p < planes; ++p) load(neighbour.at + p * plane_ + k, n_ - k, other[p]);
-                for (Index v = 0; v < vectors; ++v) {
-                    Vector const rise = other[0][v] - own[0][v];
-                    rest[0][v] -= rise * neighbour.re;
-                    if constexpr (planes == 2) {
-                        Vector const turned = other[1][v] - own[1][v];
-                        rest[0][v] += turned * neighbour.im;
-                        rest[1][v] -= turned * neighbour.re + rise * neighbour.im;
-                    }
+                Vector rise[planes][vectors];
+                for (Index p = 0; p < planes; ++p) {
+                    load(neighbour.at + p * plane_ + k, n_ - k, rise[p]);
+                    for (Index v = 0; v < vectors; ++v) rise[p][v] -= own[p][v];
                 }
+                take(rise, neighbour.re, neighbour.im, rest);
+            }
+            if (ends) {
+                for (Index f = fixed_; f < fixed_end_; ++f) {
+                    take(own, -matrix_.fixed_value[f], -imaginary(matrix_.fixed_imaginary, f), rest);
+                }
+                add_squares_of(rest, norms.rest + k);
             }
             for (Index p = 0; p < planes; ++p) {
                 for (Index v = 0; v < vectors; ++v) Registers::store(rest_[p] + k + v * lanes, rest[p][v]);
             }
         }
         count_ = 0;
+        begun_ = !ends;
     }
 
     void fetch(Index i) const noexcept {
@@ -207,22 +203,24 @@ private:
 
     Matrix const& matrix_;
     DofValues const& dofs_;
-    Span<Index> latest_, next_;
+    Span<Index> latest_, next_, passed_;
     Index first_, n_;
     Offset plane_;
-    Row own_ = {}, rest_ = {}, right_ = {};
+    const Real *own_ = nullptr, *source_ = nullptr;  // of the row: values, part of the right-hand side
+    Index fixed_ = 0, fixed_end_ = 0;                // its entries of Matrix::fixed_row
+    bool begun_ = false;                             // rest_ has a part of its couplings
+    Row rest_ = {}, right_ = {};
     Index count_ = 0;
     Neighbour neighbour_[most_at_once];
 };
 
 template <class To>
-void find_balances(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next, Index first,
-                   Index n,
-                   To* value, Index width, Residual::Norms& norms) noexcept {
+void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
+                   Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
-        Balances<2, To>(matrix, dofs, latest, next, first, n).run(value, width, norms);
+        Balances<2, To>(work, matrix, dofs, first, n).run(value, work.width, norms);
     } else {
-        Balances<1, To>(matrix, dofs, latest, next, first, n).run(value, width, norms);
+        Balances<1, To>(work, matrix, dofs, first, n).run(value, work.width, norms);
     }
 }
 

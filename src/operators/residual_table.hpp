@@ -8,10 +8,9 @@ namespace harmorph {
 // Of numbers in double or in single precision.
 template <class To>
 struct ResidualKernels {
-    // Balances of all rows, into `value` if there is one: columns first .. first+n-1. The rest as in Residual.
-    void (*find_balances)(Matrix const& matrix, DofValues const& dofs, Span<Index> latest, Span<Index> next,
-                          Index first, Index n,
-                          To* value, Index width, Residual::Norms& norms) noexcept;
+    // Balances of all rows, into `value` if there is one: columns first .. first+n-1.
+    void (*find_balances)(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
+                          To* value, Residual::Norms& norms) noexcept;
 };
 
 template <class To>

@@ -35,7 +35,7 @@ Index residual_width(Method const& method, Matrix const& matrix, AnyEngine const
     bool const in_single = residual_precision(method, matrix.kind) == Precision::in_single;
     Offset const n = larger(matrix.n,
                             Index{1}), bytes = static_cast<Offset>(in_single ? sizeof(float) : sizeof(double));
-    Offset const lists = 2 * n * static_cast<Offset>(sizeof(Index));
+    Offset const lists = 3 * n * static_cast<Offset>(sizeof(Index));
     Offset const room = larger(engine.idle_bytes() - lists, Offset{0}) / (n * matrix.planes() * bytes);
     Offset const least = in_single ? 12 : 5;
     Offset const wanted = room >= 16 ? room / 8 * 8 : larger(room, least);  // whole blocks of the kernels

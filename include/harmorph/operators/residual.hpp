@@ -74,6 +74,7 @@ struct Residual {
     Span<float> single;  // residuals are computed in double and rounded last, so that corrections lose no accuracy
     Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last for this one, and
     Span<Index> next;    // [n + dofs on the wall] for each waiting row the one that began before
+    Span<Index> passed;  // [n + dofs on the wall] of each waiting row: its entries before the one that it waits with
 
     void lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind kind, Index n_columns = 6,
                  Precision precision = Precision::in_double) noexcept;
