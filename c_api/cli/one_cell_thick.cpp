@@ -115,7 +115,7 @@ void OneCellThick::find_planes(std::int32_t cell) {
             }
         }
         std::size_t across = 2;
-        for (const std::size_t d : {1, 0}) {
+        for (const std::size_t d : {1u, 0u}) {
             const auto apart = [&](std::size_t axis) { return std::fabs(centre[1][axis] - centre[0][axis]); };
             if (apart(d) > apart(across)) across = d;
         }

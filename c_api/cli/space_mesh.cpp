@@ -75,7 +75,7 @@ void add_axis(Mesh& mesh) {
 
 void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCopy>& copies) {
     std::size_t normal = 3, offender = 0;
-    for (const std::size_t d : {2, 1, 0}) {
+    for (const std::size_t d : {2u, 1u, 0u}) {
         const std::vector<double>& values = points.x[d];
         std::size_t k = 1;
         while (k < values.size() && values[k] == values[0]) ++k;
@@ -92,7 +92,7 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
     mesh.y = points.x[axes[1]];
     mesh.point_offset = points.offset[axes[0]];
     Slots slots(mesh);
-    for (const std::size_t axis : {0, 1}) {
+    for (const std::size_t axis : {0u, 1u}) {
         const Direction direction = {{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0}};
         const std::size_t d = axes[axis];
         for (std::size_t k = 0; k < points.x[d].size(); ++k) {

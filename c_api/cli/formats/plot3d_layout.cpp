@@ -41,7 +41,7 @@ bool plausible(const Plot3dBlock& block, std::int64_t most) {
 
 class TextLayouts {
 public:
-    explicit TextLayouts(const TextFile& file) : file_(file) {
+    explicit TextLayouts(const TextFile& file) {
         NumberReader numbers(file);
         std::int64_t value = 0;
         // As many numbers as could be sizes; the rest is counted.
@@ -90,7 +90,6 @@ public:
     }
 
 private:
-    const TextFile& file_;
     std::vector<std::int64_t> whole_;
     std::vector<std::size_t> end_of_whole_;
     std::int64_t total_ = 0;
