@@ -3,6 +3,7 @@
 
 #include <fixtures/c_mesh.hpp>
 #include <fixtures/core.hpp>
+#include <fixtures/traps.hpp>
 #include <harmorph/mesh/locate.hpp>
 
 using namespace fixtures;
@@ -126,6 +127,14 @@ TEST_CASE("weights add up to 1, are not negative inside, and reproduce linear fi
         }
         CHECK(outside > 5);
     }
+}
+
+TEST_CASE("a point without a number is in no cell, and nothing is read of any") {
+    Finder const finder(hybrid_mesh(naca4({}, 20)));
+    Untrapped const untrapped;
+    Location const nowhere = finder.locate({std::nan(""), 0});
+    CHECK(nowhere.cell == harmorph::none);
+    CHECK(nowhere.weights.n == 0);
 }
 
 TEST_CASE("outside, the distance is that from the boundary") {
