@@ -80,9 +80,12 @@ tests_there() {
     check "unit tests: link" $cxx $flags -static -o "$here/tests$suffix" "$here"/objects/*.o "$archive"
     check "unit tests" $emulator "$here/tests$suffix"
 }
+program_sources() {   # in the groups of `make`
+    ls c_api/cli/main.cpp c_api/cli/formats/cgns*.cpp "$build/page_text.cpp"
+    for object in $(cat "$build/objects/program.list"); do ls "${object%.o}.cpp" 2>/dev/null; done | grep _and_
+}
 demo_there() {
-    ls c_api/cli/*.cpp c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp "$build/page_text.cpp" |
-        check "program: compilation" compile -pthread -Ic_api -Ic_api/cli
+    program_sources | check "program: compilation" compile -pthread -I. -Ic_api -Ic_api/cli
     check "program: link" $cxx $flags -static -pthread -o "$here/harmorph$suffix" "$here"/objects/*.o "$archive"
     check "demo" $emulator "$here/harmorph$suffix" demo "$here/demo" --mesh tests/meshes/naca0012.su2
     check "the demo's mesh" $emulator "$here/harmorph$suffix" check "$here/demo/morphed.su2"
