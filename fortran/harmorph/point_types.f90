@@ -47,7 +47,7 @@ contains
             quads = reshape(arrays%cells%at, [merge(3, 4, arrays%layout == hm_cells_triangles), n_cells_of(arrays)]) + &
                 int(1 - arrays%first, c_int32_t)
         case default
-            start = arrays%cell_start%at + int(1 - arrays%first, c_int32_t)
+            allocate (start, source=arrays%cell_start%at + int(1 - arrays%first, c_int32_t))
             associate (corners => start(2:) - start(:size(start) - 1))
                 call done%refuse_if(any(corners < 3) .or. (arrays%layout == hm_cells_rows .and. any(corners > 4)), &
                     "a cell has not 3 or 4 points")
