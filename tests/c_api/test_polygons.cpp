@@ -270,6 +270,21 @@ TEST_CASE("polygons: a convex corner may not become reflex though all triangles 
     double const bent = (std::cos(pi / 6) - 0.5 * std::tan(pi / 8)) / std::cos(pi / 6);
     CHECK(quality_with(1, bent + 1e-9).inverted == 0);
     CHECK(quality_with(1, bent - 1e-9).inverted == 1);
+
+    // The same as a movement, also where all points go far along: those differences are without rounding.
+    double const tick = std::ldexp(1, -20), inwards_x = 0.75, inwards_y = tick * std::round(std::sqrt(0.1875) / tick);
+    auto const step_with = [&](double together) {
+        std::vector<double> dx(its.mesh.x.size(), together), dy(dx);
+        dx[1] -= inwards_x;
+        dy[1] -= inwards_y;
+        hm_step_report step{};
+        step.struct_size = sizeof step;
+        REQUIRE(hm_admissible_step(solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) == HM_OK);
+        CHECK(step.cell == 0);
+        return step.admissible;
+    };
+    CHECK(step_with(0) == doctest::Approx(1 - bent).epsilon(1e-5));
+    CHECK(step_with(std::ldexp(1, 30)) == doctest::Approx(step_with(0)).epsilon(1e-14));
 }
 
 TEST_CASE("polygons: the safe morph and the improvement leave sound cells and say so") {

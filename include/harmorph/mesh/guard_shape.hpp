@@ -30,4 +30,14 @@ inline CellShape shape_of(OrientedMesh const& cells, Index i, Points points) noe
     return shape;
 }
 
+// A guard from its corner: where points are far away, or move far together, the turned side keeps the digits of the
+// difference of its two points.
+inline CellShape shape_from_corner(OrientedMesh const& cells, Index guard, Points points) noexcept {
+    CellShape shape(cells.cell(guard), points, false);
+    Vec2 const corner = shape.at[1];
+    for (Vec2& at : shape.at) at = at - corner;
+    shape.at[0] = shape.at[3] = turned_start(shape.at[0], shape.at[1], turn_of(cells.mesh, guard));
+    return shape;
+}
+
 }  // namespace harmorph
