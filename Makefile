@@ -95,22 +95,11 @@ WITH_RULES = -s -j $(JOBS) -f Makefile -f $(BUILD)/rules.mk
 all: rules
 	@$(MAKE) $(WITH_RULES) $(LIBRARY) $(PROGRAM)
 
-# What is generated is written under a name of this shell, and takes its place at once if it is another text: several makes
-# may run beside each other.
-REPLACE = new=$$$$; replace() { cmp -s $(BUILD)/$$1.$$new $(BUILD)/$$1 || mv -f $(BUILD)/$$1.$$new $(BUILD)/$$1; rm -f $(BUILD)/$$1.$$new; };
-
-# What is generated from sources, and the rules of all objects and programs: c_api/rules.sh.
+# What is joined or generated from sources, and the rules of all objects and programs.
 rules:
 	@mkdir -p $(BUILD)/objects/core $(BUILD)/objects/cli $(BUILD)/objects/unit $(BUILD)/objects/fuzz
-	@$(REPLACE) for file in harmorph harmorph77 harmorph_mpi; do \
-	    sh fortran/join.sh $$file >$(BUILD)/$$file.f90.$$new || exit 1; replace $$file.f90; done
-	@$(REPLACE) for part in mpi petsc; do \
-	    sh c_api/join.sh $$part >$(BUILD)/harmorph_$$part.c.$$new || exit 1; replace harmorph_$$part.c; done
-	@$(REPLACE) sh c_api/cli/page/embed.sh >$(BUILD)/page_text.cpp.$$new; replace page_text.cpp
-	@$(REPLACE) echo '$(CXX) $(LEVEL) $(LEVEL_OF_LOOPS) $(LOOPS) $(LEVEL_OF_CALLS) $(CALLS) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' \
-	    >$(BUILD)/flags.$$new; replace flags
 	@LEVEL='$(LEVEL)' LEVEL_OF_LOOPS='$(LEVEL_OF_LOOPS)' LOOPS='$(LOOPS)' LEVEL_OF_CALLS='$(LEVEL_OF_CALLS)' CALLS='$(CALLS)' \
-	    UNITS='$(UNITS)' sh c_api/rules.sh $(BUILD)
+	    UNITS='$(UNITS)' FLAGS='$(CXX) $(CXXFLAGS) $(CORE) $(CLI) $(UNIT)' sh c_api/rules.sh $(BUILD)
 
 # The drivers of `make deform`; the tests build and run them, too.
 deform-driver: all
@@ -167,7 +156,7 @@ abi: all
 	@MAKE='$(MAKE)' CXX='$(CXX)' CC='$(CC)' RELEASE='$(RELEASE)' BASE='$(BASE)' sh tests/abi/run.sh $(BUILD)
 
 manual: all
-	@$(REPLACE) sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $(BUILD)/harmorph.1.$$new; replace harmorph.1
+	@new=$(BUILD)/harmorph.1.$$$$; sh c_api/cli/manual.sh $(PROGRAM) $(VERSION) $$new && mv -f $$new $(BUILD)/harmorph.1
 
 dist:
 	@mkdir -p $(BUILD)

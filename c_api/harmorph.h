@@ -535,12 +535,12 @@ typedef struct hm_condition {
                                       curve that is nearest to all of its points; a point that is not on the curve keeps
                                       its offset. Corners, where a point is fixed, are the points nearest to the ends of
                                       open curves and to the corner of closed ones, and where another marker begins that
-                                      slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a point farther from the curve than
-                                      5 % of the length of its piece of the boundary, and a corner in the middle of a
-                                      curve. Read by hm_analysis_size and hm_analysis_init, not needed afterwards. A
-                                      basis does not keep these curves: hm_basis_conditions gives n_curves and NULL,
-                                      which is refused as a condition until `along` is set again. Not for meshes in
-                                      parts (HM_UNSUPPORTED) */
+                                      slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a
+                                      point farther from the curve than 5 % of the length of its piece of the boundary,
+                                      and a corner in the middle of a curve. Read by hm_analysis_size and
+                                      hm_analysis_init, not needed afterwards. A basis does not keep these curves:
+                                      hm_basis_conditions gives n_curves and NULL, which is refused as a condition until
+                                      `along` is set again. Not for meshes in parts (HM_UNSUPPORTED) */
 } hm_condition;
 /* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
  * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a piece
@@ -1372,8 +1372,8 @@ HM_API hm_status hm_improve_size(const hm_plan *plan, size_t *bytes, hm_error *e
  * are put where the wall carries them, at the heights and angles of the reference, as far as no cell inverts, and
  * stay there unless a cell there has less than half of the quality that it had; if the smallest quality would end
  * below that of `from`, they are held as in `from`. If that does not help, `to` is `from`: the smallest quality, as
- * hm_quality reports it, never falls. Sliding points stay on their straight lines and on their curves;
- * on a curve (see hm_slide, which comes before) slides what is within 1e-6 of a face of the curve; other points stay where
+ * hm_quality reports it, never falls. Sliding points stay on their straight lines and on their curves. On a curve
+ * (see hm_slide, which comes before) those points slide that are within 1e-6 of a face of the curve; others stay where
  * they are. Points of a cut or of a pair move together, those of HM_ROTATION_PAIR turned.
  * options and report may be NULL. Refused (HM_BAD_MESH): an inverted cell, a coordinate that is not finite or larger
  * than 1e100. After a refused call `to` is unchanged. The threads are those of the plan. */

@@ -1,22 +1,35 @@
 #!/bin/sh
-# usage: rules.sh BUILD   (called by `make rules`, which exports LEVEL, LOOPS, CALLS, UNITS and so on)
-# Writes BUILD/rules.mk, the rules of all objects and programs: POSIX make has no rules that lead from one directory to
-# another, and new files shall need no edit. Objects depend on all headers of their part, and on a file that changes when
-# compiler or flags do.
+# usage: rules.sh BUILD   (called by `make rules`, with LEVEL, LOOPS, CALLS, UNITS, FLAGS and so on in the environment)
+# Writes what is joined from sources, and BUILD/rules.mk, the rules of all objects and programs: POSIX make has no rules
+# that lead from one directory to another, and new files shall need no edit. Objects depend on all headers of their part,
+# and on a file that changes when compiler or flags do.
 #
-# Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of the tests
-# are compiled in groups: the headers that they share, which take most of the time, are read once a group. For scripts that
-# link them to something else, BUILD/objects/program.list has the program's objects without main, tests.list those of the tests.
+# Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
+# the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.
+# BUILD/objects/program.list and tests.list, for scripts that link objects to something else, have those of the program
+# without main, and those of the tests.
+set -e
 build=$1
 in_program=24 in_tests=6   # files a group
 
-# A text takes its place at once, if it is another one: several makes may run beside each other.
-put() { new=$build/$1.$$; cat >"$new"; cmp -s "$new" "$build/$1" || mv -f "$new" "$build/$1"; rm -f "$new"; }
+# put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run beside
+# each other.
+put() (
+    file=$build/$1; shift
+    ("$@") >"$file.$$" || { rm -f "$file.$$"; exit 1; }
+    cmp -s "$file.$$" "$file" || mv -f "$file.$$" "$file"
+    rm -f "$file.$$"
+)
+for module in harmorph harmorph77 harmorph_mpi; do put $module.f90 sh fortran/join.sh $module; done
+for part in mpi petsc; do put harmorph_$part.c sh c_api/join.sh $part; done
+put page_text.cpp sh c_api/cli/page/embed.sh
+put flags echo "$LEVEL $LEVEL_OF_LOOPS $LOOPS $LEVEL_OF_CALLS $CALLS $FLAGS"
+
 some() { echo $(ls "$@" 2>/dev/null); }
 
 loops=" $(echo $LOOPS) " calls=" $(echo $CALLS) "   # the files that these patterns name
 
-# object PART DEPENDENCIES SOURCE: its rule; adds the object to $list. The name of src/mesh/edges.cpp's is src-mesh-edges.o.
+# object PART DEPENDENCIES SOURCE: its rule; adds the object, src-mesh-edges.o of src/mesh/edges.cpp, to $list.
 object() {
     level=$LEVEL
     case $loops in *" $3 "*) level=$LEVEL_OF_LOOPS ;; esac
@@ -36,13 +49,13 @@ groups() {
     while [ $# -gt 0 ]; do
         members= number=0 first=$(basename $1 .cpp)
         while [ $# -gt 0 ] && [ $number -lt $size ]; do members="$members $1" number=$((number + 1)); shift; done
-        $how $members | put objects/$part/${first}_and_$((number - 1)).cpp
+        put objects/$part/${first}_and_$((number - 1)).cpp $how $members
         object $part "$needs$members" $build/objects/$part/${first}_and_$((number - 1)).cpp
     done
 }
 in_turn() { for file do echo "#include \"$file\""; done; }
-# Each in a namespace of its own, as tests use the same names for different things; what they include stands before. Macros
-# know no namespaces: files that define some are compiled alone.
+# Each in a namespace of its own, as tests use the same names for different things; what they include stands before.
+# Macros know no namespaces: files that define some are compiled alone.
 apart() {
     grep -h '^#include' "$@" | sort -u
     for file do printf 'namespace %s {\n#include "%s"\n}\n' $(echo ${file%.cpp} | tr / _) $file; done
@@ -56,7 +69,7 @@ program() {
 core=$(some include/harmorph/*/*.hpp src/*/*.hpp c_api/*.h c_api/*.hpp)
 cli=$(some c_api/*.h c_api/cli/*.hpp c_api/cli/*/*.hpp)
 unit="$core $(some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp)"
-{
+all_rules() {
     flags='$(CORE)' list=
     objects core "$core" src/*/*.cpp c_api/*.cpp
     printf '%s/libharmorph.a:%s\n\techo $(AR) $@\n\trm -f $@\n\t$(AR) rcs $@%s\n' $build "$list" "$list"
@@ -65,7 +78,7 @@ unit="$core $(some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp)"
     objects unit "$unit" tests/main.cpp $(grep -l '^#define' $UNITS)
     groups unit "$unit" $in_tests apart $(grep -L '^#define' $UNITS)
     program tests
-    echo $list | put objects/tests.list
+    put objects/tests.list echo $list
 
     flags='$(CLI)' list=
     objects cli "$cli" $build/page_text.cpp
@@ -75,7 +88,7 @@ unit="$core $(some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp)"
     groups cli "$cli" $in_program in_turn $(ls c_api/cli/formats/*.cpp | grep -v /cgns)
     groups cli "$cli" $in_program in_turn c_api/cli/pictures/*.cpp
     parts=$list
-    echo $parts | put objects/program.list
+    put objects/program.list echo $parts
     objects cli "$cli" c_api/cli/main.cpp
     program harmorph
     list=$parts
@@ -88,4 +101,5 @@ unit="$core $(some tests/*.hpp tests/fixtures/*.hpp tests/deform/*.hpp)"
     flags='$(UNIT) -Ic_api/cli' list=$parts
     objects fuzz "$core $cli $(some tests/fuzz/*.hpp)" tests/fuzz/*.cpp
     program fuzzer
-} | put rules.mk
+}
+put rules.mk all_rules

@@ -117,7 +117,8 @@ double Arguments::real(const std::string& option, double fallback, double low, d
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " + in_quotes(text(option)));
+        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " +
+               in_quotes(text(option)));
     }
     return value;
 }

@@ -47,8 +47,8 @@ hm_basis_info info_of(const hm_basis* basis, const std::string& path) {
     return info;
 }
 
-constexpr const char *title_of_names = "harmorph markers ", *slip_title = "harmorph slip ", *of_conditions = "conditions ",
-                     *end_of_curves = "end";
+constexpr const char *title_of_names = "harmorph markers ", *title_of_slip = "harmorph slip ",
+                     *title_of_conditions = "conditions ", *end_of_curves = "end";
 
 // The text behind the first `bytes` of the file.
 class BehindBlock {
@@ -76,10 +76,10 @@ public:
         std::vector<std::shared_ptr<const CurveSet>> sets;
         std::int32_t n = 0;
         if (!next_line()) return sets;
-        if (!begins_with(slip_title) || !parse(rest_behind(slip_title), n)) refuse_slip_curves();
+        if (!begins_with(title_of_slip) || !parse(rest_behind(title_of_slip), n)) refuse_slip_curves();
         for (std::int32_t set = 0; set < n; ++set) {
-            if (!next_line() || !begins_with(of_conditions)) refuse_slip_curves();
-            std::istringstream numbers{std::string(rest_behind(of_conditions))};
+            if (!next_line() || !begins_with(title_of_conditions)) refuse_slip_curves();
+            std::istringstream numbers{std::string(rest_behind(title_of_conditions))};
             sets.push_back(std::make_shared<const CurveSet>(read_curves(path_, lines_of_curves())));
             const hm_curves* const along = sets.back()->view.get();
             for (std::size_t number = 0; numbers >> number;) {
@@ -133,7 +133,8 @@ Basis::Basis(const std::string& path, const Mesh& mesh)
     call(path_, hm_basis_curves, basis_, &curves_, curve_.data(), info_.curves);
     std::int32_t n = 0;
     hm_basis_conditions(basis_, nullptr, 0, &n, nullptr);
-    conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>()); // at least one, whose size tells that of all
+    // At least one, whose size tells that of all.
+    conditions_.assign(static_cast<std::size_t>(n) + 1, sized<hm_condition>());
     call(path_, hm_basis_conditions, basis_, conditions_.data(), n + 1, &n);
     conditions_.resize(static_cast<std::size_t>(n));
     slip_curves_ = text.slip_curves(conditions_);
@@ -156,9 +157,9 @@ void write_basis(std::ostream& out, const hm_basis* basis, const Mesh& mesh,
         const bool is_known = std::find(sets.begin(), sets.end(), condition.along) != sets.end();
         if (condition.along != nullptr && !is_known) sets.push_back(condition.along);
     }
-    if (!sets.empty()) out << slip_title << sets.size() << '\n';
+    if (!sets.empty()) out << title_of_slip << sets.size() << '\n';
     for (const hm_curves* const set : sets) {
-        out << of_conditions;
+        out << title_of_conditions;
         for (std::size_t i = 0; i < conditions.size(); ++i) {
             if (conditions[i].along == set) out << i << ' ';
         }

@@ -54,7 +54,9 @@ std::vector<std::string> parameters_of(const Curves& curves, const Curve& curve)
     }
     for (const std::int32_t index : curve.indices) {
         const auto point = 2 * static_cast<std::size_t>(index);
-        for (const double coordinate : {curves.control[point], curves.control[point + 1], 0.0}) out.push_back(scientific(coordinate));
+        for (const double coordinate : {curves.control[point], curves.control[point + 1], 0.0}) {
+            out.push_back(scientific(coordinate));
+        }
     }
     const auto degree = static_cast<std::size_t>(curve.degree);
     for (const double end : {curve.knots[degree], curve.knots[n]}) out.push_back(scientific(end));
@@ -70,7 +72,8 @@ std::vector<std::string> globals_of(const Curves& curves) {
     for (const double coordinate : curves.control) largest = std::max({largest, coordinate, -coordinate});
     const std::string date = text_parameter("20000101.000000"), name = text_parameter("harmorph");
     return {"1H,", "1H;", name, text_parameter("curve.igs"), name, name, "32", "38", "6", "308", "15", name,
-            "1.0", "6", "1HM", "1", "0.01", date, scientific(1e-9 * largest), scientific(largest), name, name, "11", "0", date};
+            "1.0", "6", "1HM", "1", "0.01", date, scientific(1e-9 * largest), scientific(largest), name, name, "11",
+            "0", date};
 }
 
 } // namespace

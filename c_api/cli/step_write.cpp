@@ -56,8 +56,8 @@ std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve
     const std::string spans = list_of(knots.times, [](int times) { return std::to_string(times); }) + "," +
                               list_of(knots.value, scientific) + ",.UNSPECIFIED.";
     if (curves.weights.empty()) return step.put("B_SPLINE_CURVE_WITH_KNOTS(''," + shape + "," + spans + ")");
-    const std::string weights =
-        list_of(curve.indices, [&](std::int32_t index) { return scientific(curves.weights[static_cast<std::size_t>(index)]); });
+    const std::string weights = list_of(
+        curve.indices, [&](std::int32_t index) { return scientific(curves.weights[static_cast<std::size_t>(index)]); });
     return step.put("(BOUNDED_CURVE()B_SPLINE_CURVE(" + shape + ")B_SPLINE_CURVE_WITH_KNOTS(" + spans +
                     ")CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(" + weights + ")REPRESENTATION_ITEM(''))");
 }

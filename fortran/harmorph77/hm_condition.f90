@@ -103,14 +103,16 @@ subroutine hmalng(w, ncp, p, wt, ideg, nidx, idx, u, ierr, msg)
     if (this%ok()) then
         associate (kept => this%kept)
             n = kept%n_conditions
-            kept%along_curve(n) = hm_c_curve(int(c_sizeof(kept%along_curve(n)), c_int64_t), ideg, nidx, c_loc(idx), c_loc(u))
-            kept%along(n) = hm_c_curves(int(c_sizeof(kept%along(n)), c_int64_t), 1_c_int32_t, ncp, c_loc(p), c_loc(wt), &
-                1_c_int32_t, c_loc(kept%along_curve(n)))
+            kept%along_curve(n) = hm_c_curve(int(c_sizeof(kept%along_curve(n)), c_int64_t), &
+                ideg, nidx, c_loc(idx), c_loc(u))
+            kept%along(n) = hm_c_curves(int(c_sizeof(kept%along(n)), c_int64_t), &
+                1_c_int32_t, ncp, c_loc(p), c_loc(wt), 1_c_int32_t, c_loc(kept%along_curve(n)))
             call this%told(hm_c_curves_check(kept%along(n), this%e))
             if (this%ok()) then
                 first = 1
                 do while (first < n)
-                    if (c_associated(kept%condition(first)%along) .and. c_associated(kept%along(first)%control, c_loc(p))) exit
+                    if (c_associated(kept%condition(first)%along) .and. &
+                        c_associated(kept%along(first)%control, c_loc(p))) exit
                     first = first + 1
                 end do
                 kept%condition(n)%along = c_loc(kept%along(first))

@@ -25,7 +25,8 @@ module harmorph77
         type(hm_c_section) :: section
         type(hm_c_condition) :: condition(most_conditions)
         integer(c_int32_t) :: n_conditions = 0
-        type(hm_c_curves) :: along(most_conditions)         ! of HMALNG: the curve of each condition, in the caller's arrays
+        ! Of HMALNG: the curve of each condition, in the caller's arrays.
+        type(hm_c_curves) :: along(most_conditions)
         type(hm_c_curve) :: along_curve(most_conditions)
         type(hm_c_options) :: options
         type(c_ptr) :: basis = c_null_ptr

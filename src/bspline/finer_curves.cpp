@@ -173,9 +173,9 @@ Real FinerCurves::coefficients(Curve const& old, Index span, const Real* argumen
     return largest;
 }
 
-// The row of the control point at a position, appended to the matrix: from the span of all it acts on, and of a periodic
-// curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of a polar form,
-// large numbers cancel.
+// The row of the control point at a position, appended to the matrix: from the span of all it acts on, and of a
+// periodic curve of all that it acts on a period later, where the least is lost by rounding. Far from the arguments of a
+// polar form, large numbers cancel.
 void FinerCurves::put_row(Curve const& old, Index position) noexcept {
     Real sum[max_order] = {}, least = 0;
     Index span = none;

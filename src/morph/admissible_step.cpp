@@ -50,8 +50,8 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
     });
     of_all.merge(reduce_cells<AdmissibleStep>(cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
         Index const i = cells.mesh.n_cells + guard;
-        CellShape const now = shape_from_corner(cells, i, points);
-        result.add(i, now, shape_from_corner(cells, i, displacement), CellCorners(now));
+        CellShape const now = shape_of(cells, i, points);
+        result.add(i, now, shape_of(cells, i, displacement), CellCorners(now));
     }));
     return of_all;
 }

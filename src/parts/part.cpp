@@ -110,7 +110,8 @@ Status Part::take_cells(Fault& fault) noexcept {
         note_points(cell.point, cell.n, ghost);
         if (ghost) return false;
         if (cell_area(cell, mesh.points) < 0) cell.reverse();
-        if (!is_whole(CellShape(cell, mesh.points, false))) return true;
+        CellShape const shape(cell, mesh.points, false);
+        if (!is_whole(shape, resolved_height(shape))) return true;
         Index* const its = cell_points.data() + 4 * Offset{n};
         for (Index k = 0; k < 4; ++k) its[k] = cell.point[k < cell.n ? k : 2] + mesh.index_base;
         if (!given_cell.empty()) given_cell[n] = i;
@@ -164,7 +165,8 @@ Status Part::take_polygons(Fault& fault) noexcept {
         for (Index k = pieces.guard_start[i]; k < pieces.guard_start[i + 1]; ++k) turn(pieces.point.data() + 4 * Offset{k});
     }
     for (Index k = 0; k < topology.mesh.n_checked(); ++k) {
-        if (is_whole(shape_of(topology, k, mesh.points))) continue;
+        Real const resolved = resolved_height(CellShape(topology.cell(k), mesh.points, false));
+        if (is_whole(shape_of(topology, k, mesh.points), resolved)) continue;
         Index const cell = topology.mesh.number(k);
         return refuse_shape(given_cell.empty() ? cell : given_cell[cell], fault);
     }
@@ -172,11 +174,11 @@ Status Part::take_polygons(Fault& fault) noexcept {
 }
 
 // Neither inverted nor too thin for the digits of its coordinates.
-bool Part::is_whole(CellShape const& shape) noexcept {
+bool Part::is_whole(CellShape const& shape, Real resolved) noexcept {
     CellCorners const corners(shape);
     inverted_ = !(corners.smallest() > 0);
     height_ = inverted_ ? 0.5 * corners.smallest() : corners.smallest_height(shape.n);
-    return !inverted_ && height_ >= resolved_height(shape);
+    return !inverted_ && height_ >= resolved;
 }
 
 Status Part::refuse_shape(Index cell, Fault& fault) const noexcept {

@@ -139,7 +139,7 @@ Status Analysis::check_heights(Fault& fault) const noexcept {
     auto const is_too_thin = [&](Index i, Cell const&) {
         CellShape const shape = shape_of(topology, i, problem.mesh.points);
         height = CellCorners(shape).smallest_height(shape.n);
-        return !(height >= resolved_height(shape));
+        return !(height >= resolved_height(CellShape(topology.cell(i), problem.mesh.points, false)));
     };
     Index const cell = problem.mesh.find_cell(0, problem.mesh.n_checked(), is_too_thin);
     if (cell == none) return Status::ok;

@@ -141,7 +141,8 @@ Real Improvement::energy_of(Span<const Vec2> points, Index power) const noexcept
             Triangle const triangle = triangle_of(point, as_points(points));
             sum.value += share * QualityEnergy(targets.of(cell, point, triangle)).energy(triangle);
             if (power == 0) continue;
-            sum.value += share * QualityEnergy(targets.ideal(cell, point, triangle), power, least * least).energy(triangle);
+            QualityEnergy const absolute(targets.ideal(cell, point, triangle), power, least * least);
+            sum.value += share * absolute.energy(triangle);
         }
     }).value;
 }

@@ -95,8 +95,8 @@ bool MeshImprovement::try_top(Index top, Vec2 at, Points from) noexcept {
         Cell const cell = improvement.tangle.cell(i);
         Vec2 corner[4];
         for (Index k = 0; k < cell.n; ++k) corner[k] = position(cell.point[k], from);
-        corner[0] = turned_start(corner[0], corner[1], turn_of(improvement.tangle.mesh, i));
-        CellShape const shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
+        CellShape shape(Cell{cell.n, {0, 1, 2, 3}}, {&corner->x, &corner->y, 2}, false);
+        if (i >= improvement.tangle.mesh.n_cells) turn_guard(shape, turn_of(improvement.tangle.mesh, i));
         if (!is_inverted(shape) && !is_inverted_exactly(shape)) continue;
         start[top] = here;
         return false;

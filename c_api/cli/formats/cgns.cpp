@@ -30,6 +30,7 @@ void read_cgns(Mesh& mesh, const ReadOptions&) {
 
 } // namespace
 
-const Format cgns_format = {"cgns", ".cgns", "CGNS, 2D or one cell thick (programs made with CGNS=1)", probe_cgns, read_cgns, nullptr};
+const Format cgns_format = {"cgns", ".cgns", "CGNS, 2D or one cell thick (programs made with CGNS=1)",
+                            probe_cgns, read_cgns, nullptr};
 
 } // namespace cli

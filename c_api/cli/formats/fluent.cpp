@@ -87,11 +87,13 @@ void FluentReader::read_section() {
     case old_name_section:
     case name_section: return read_name();
     case cell_tree_section:
-    case face_tree_section: mesh_.file.fail(section_.begin, "the mesh has hanging nodes (from refinement), which are not read");
+    case face_tree_section:
+        mesh_.file.fail(section_.begin, "the mesh has hanging nodes (from refinement), which are not read");
     default: break;
     }
     const std::int64_t meaning = section_.number % 1000;
-    if (section_.number >= first_binary_section && (meaning == node_section || meaning == cell_section || meaning == face_section)) {
+    const bool is_read = meaning == node_section || meaning == cell_section || meaning == face_section;
+    if (section_.number >= first_binary_section && is_read) {
         mesh_.file.fail(section_.begin,
                         "the section " + std::to_string(section_.number) + " is binary: save the mesh as text");
     }

@@ -238,6 +238,7 @@ void read_openfoam(Mesh& mesh, const ReadOptions&) { PolyMesh(mesh).read(); }
 } // namespace
 
 const Format openfoam_format = {
-    "openfoam", "points", "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair", probe_openfoam, read_openfoam, nullptr};
+    "openfoam", "points", "OpenFOAM polyMesh, one cell thick: empty planes or a wedge pair", probe_openfoam,
+    read_openfoam, nullptr};
 
 } // namespace cli

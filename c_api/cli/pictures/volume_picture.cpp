@@ -86,7 +86,8 @@ std::string volume_picture(const Mesh& mesh, const std::vector<std::int32_t>& po
         sheet.legend_disc(2, volume_style::middle, "middle of an edge");
         sheet.legend_disc(2.6, volume_style::barycentre, "barycentre of a cell");
     } else {
-        sheet.legend_box(volume_style::gradient_fill, points.size() == 1 ? "the cells round it" : "the cells round each of them");
+        sheet.legend_box(volume_style::gradient_fill,
+                         points.size() == 1 ? "the cells round it" : "the cells round each of them");
     }
     sheet.note(note);
     return sheet.document();

@@ -22,21 +22,18 @@ constexpr Vec2 turned_start(Vec2 start, Vec2 corner, Vec2 turn) noexcept {
     return turn.x == 1 ? start : corner - product(conjugate(turn), corner - start);
 }
 
+// A guard seen from its corner: where points are far away, or move far together, the turned side keeps the digits of the
+// difference of its two points.
+constexpr void turn_guard(CellShape& shape, Vec2 turn) noexcept {
+    Vec2 const corner = shape.at[1];
+    for (Vec2& at : shape.at) at = at - corner;
+    shape.at[0] = shape.at[3] = turned_start(shape.at[0], shape.at[1], turn);
+}
+
 // Of cell or guard i, counter-clockwise; of positions, or of displacements.
 inline CellShape shape_of(OrientedMesh const& cells, Index i, Points points) noexcept {
     CellShape shape(cells.cell(i), points, false);
-    if (i < cells.mesh.n_cells) return shape;
-    shape.at[0] = shape.at[3] = turned_start(shape.at[0], shape.at[1], turn_of(cells.mesh, i));
-    return shape;
-}
-
-// A guard from its corner: where points are far away, or move far together, the turned side keeps the digits of the
-// difference of its two points.
-inline CellShape shape_from_corner(OrientedMesh const& cells, Index guard, Points points) noexcept {
-    CellShape shape(cells.cell(guard), points, false);
-    Vec2 const corner = shape.at[1];
-    for (Vec2& at : shape.at) at = at - corner;
-    shape.at[0] = shape.at[3] = turned_start(shape.at[0], shape.at[1], turn_of(cells.mesh, guard));
+    if (i >= cells.mesh.n_cells) turn_guard(shape, turn_of(cells.mesh, i));
     return shape;
 }
 

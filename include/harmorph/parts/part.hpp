@@ -63,7 +63,7 @@ struct Part {
 private:
     Status take_cells(Fault& fault) noexcept;
     Status take_polygons(Fault& fault) noexcept;
-    bool is_whole(CellShape const& shape) noexcept;
+    bool is_whole(CellShape const& shape, Real resolved) noexcept;
     Status refuse_shape(Index cell, Fault& fault) const noexcept;
     void note_points(const Index* points, Index n, bool ghost) noexcept;
     Status sort_numbers(Fault& fault) noexcept;

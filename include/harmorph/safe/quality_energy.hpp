@@ -20,8 +20,8 @@ public:
 
     // Infinite where the corner has no positive area, or is so far from its target that a derivative would overflow.
     Real energy(Triangle const& now) const noexcept;
-    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is finite. Curvatures below `least` times
-    // 4 power energy, that of growing at the target, are raised to it.
+    // Derivatives by the three points, see CornerMap, of `weight` times the energy, which is finite. Curvatures below
+    // `least` times 4 power energy, that of growing at the target, are raised to it.
     void differentiate(Triangle const& now, Real weight, Real least, Vec2 (&gradient)[3],
                        CornerMode (&mode)[4]) const noexcept;
 
