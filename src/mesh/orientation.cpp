@@ -44,12 +44,19 @@ void OrientationWork::lay_out(Arena& arena, Mesh const& mesh) noexcept {
     arena.take(balance, mesh.n_cells);
 }
 
-Sense common_sense(Mesh const& mesh) noexcept {
+Sense common_sense(Mesh const& mesh, Real& least_height) noexcept {
+    constexpr Real rounding = 1e-9;  // of the few operations below, generously
     bool const clockwise = cell_area(mesh.cell(0), mesh.points) < 0;
-    if (mesh.find_cell([&](Index, Cell const& cell) { return is_inverted({cell, mesh.points, clockwise}); }) != none) {
-        return Sense::mixed;
-    }
-    return clockwise ? Sense::clockwise : Sense::counter_clockwise;
+    Real least = infinity;  // square of a corner's smallest height
+    Index const inverted = mesh.find_cell([&](Index, Cell const& cell) {
+        CellCorners const corners({cell, mesh.points, clockwise});
+        Real const area = corners.smallest();
+        if (!(area > 0)) return true;
+        least = smaller(least, area / corners.longest_square(cell.n) * area);
+        return false;
+    });
+    least_height = inverted == none ? (1 - rounding) * square_root(least) : 0;
+    return inverted != none ? Sense::mixed : clockwise ? Sense::clockwise : Sense::counter_clockwise;
 }
 
 Status orient(Topology& topology, Sense sense, OrientationWork const& work, Index& inverted, Fault& fault) noexcept {

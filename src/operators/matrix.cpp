@@ -6,6 +6,30 @@
 namespace harmorph {
 namespace {
 
+// Exchanges two numbers that are not in order, without a branch that could be mispredicted.
+inline void put_in_order(Index& a, Index& b) noexcept {
+    Index const low = smaller(a, b), high = larger(a, b);
+    a = low;
+    b = high;
+}
+
+// Sorts a row of at most short_row columns, with room for short_row behind its beginning, by a sorting network; returns
+// whether any column is repeated. What is behind the row is overwritten.
+bool sort_short_row(Index* row, Index length) noexcept {
+    static_assert(Matrix::short_row == 8, "a network of 19 exchanges");
+    auto const at = [&](Index k) { return k < length ? row[k] : INT32_MAX - k; };  // behind: larger ones, none repeated
+    Index a = at(0), b = at(1), c = at(2), d = at(3), e = at(4), f = at(5), g = at(6), h = at(7);
+    put_in_order(a, c), put_in_order(b, d), put_in_order(e, g), put_in_order(f, h);
+    put_in_order(a, e), put_in_order(b, f), put_in_order(c, g), put_in_order(d, h);
+    put_in_order(a, b), put_in_order(c, d), put_in_order(e, f), put_in_order(g, h);
+    put_in_order(c, e), put_in_order(d, f);
+    put_in_order(b, e), put_in_order(d, g);
+    put_in_order(b, c), put_in_order(d, e), put_in_order(f, g);
+    Index const sorted[] = {a, b, c, d, e, f, g, h};
+    for (Index k = 0; k < Matrix::short_row; ++k) row[k] = sorted[k];
+    return (a == b) | (b == c) | (c == d) | (d == e) | (e == f) | (f == g) | (g == h);
+}
+
 void sort_row(Span<Index> row) noexcept {
     if (row.size() > 24) return sort(row, [](Index a, Index b) { return a < b; });
     for (Size i = 1; i < row.size(); ++i) {
@@ -103,14 +127,19 @@ void Matrix::build(Span<const Index> representative, Graph const& graph, Span<co
     Span<Index> const columns = column;
     for (Index row = 0; row < n; ++row) {
         Offset const begin = filled;
+        graph.expect(order, row, n);
         for (Index const neighbour : graph.of(order[row])) {
             Index const later = position[neighbour];
             columns[filled] = later;
             filled += later > row ? 1 : 0;
         }
         Span<Index> const row_columns = columns.from(begin, filled - begin);
-        sort_row(row_columns);
         start[row] = begin;
+        if (row_columns.count() <= short_row) {
+            if (!sort_short_row(row_columns.data(), row_columns.count())) continue;
+        } else {
+            sort_row(row_columns);
+        }
         filled = begin + drop_repeats(row_columns);
     }
     start[n] = filled;

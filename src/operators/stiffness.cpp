@@ -20,20 +20,19 @@ inline CellConductances triangle_conductances(CellShape const& shape, CellCorner
 // The two splits of a quad have four triangles: the one round corner k is made of k and both neighbouring corners.
 inline CellConductances quad_conductances(CellShape const& shape, CellCorners const& corners,
                                           Real conductivity) noexcept {
-    Real quarter[4];
+    Real quarter[4];  // times the product of two sides of a triangle round a corner: a quarter of the angle's cotangent
     for (Index k = 0; k < 4; ++k) quarter[k] = 0.25 * conductivity / corners.twice_area[k];
-    // A quarter of the cotangent of the angle at `apex` between a and b, in the triangle round corner `round`.
-    auto const quarter_cotangent = [&](Index apex, Index a, Index b, Index round) {
-        return quarter[round] * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
-    };
+    Vec2 const (&side)[4] = corners.side;
+    Vec2 const across[4] = {shape.at[2] - shape.at[0], shape.at[3] - shape.at[1], shape.at[0] - shape.at[2],
+                            shape.at[1] - shape.at[3]};
     CellConductances conductance;
     for (Index a = 0; a < 4; ++a) {  // each split has one angle opposite to a side: at c and at d
-        Index const b = (a + 1) & 3, c = (a + 2) & 3, d = (a + 3) & 3;
-        conductance.side[a] = quarter_cotangent(c, a, b, b) + quarter_cotangent(d, a, b, a);
+        Index const b = (a + 1) & 3, d = (a + 3) & 3;
+        conductance.side[a] = quarter[b] * dot(across[a], side[b]) - quarter[a] * dot(across[b], side[d]);
     }
     for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only; the angles opposite to it are at b and d
         Index const b = a + 1, c = a + 2, d = (a + 3) & 3;
-        conductance.across[a] = quarter_cotangent(b, a, c, b) + quarter_cotangent(d, a, c, d);
+        conductance.across[a] = -(quarter[b] * dot(side[a], side[b]) + quarter[d] * dot(side[c], side[d]));
     }
     return conductance;
 }
@@ -62,8 +61,9 @@ Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> condu
                 Matrix const& shared_matrix, RowRange rows) noexcept {
     Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries does not change it
     Span<const std::uint8_t> const reversed = cells.reversed;
+    bool const all_rows = rows.begin == 0 && rows.end == matrix.n;
     return cells.mesh.find_cell([&](Index i, Cell cell) {
-        if (!matrix.concerns(rows, cell)) return false;
+        if (!all_rows && !matrix.concerns(rows, cell)) return false;
         if (reversed[i] != 0) cell.reverse();
         CellShape const shape(cell, points, false);
         CellCorners const corners(shape);

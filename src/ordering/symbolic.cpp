@@ -47,24 +47,34 @@ private:
     }
 };
 
+// visit(position, node) for every position of nodes that have children: the positions of the others are in no border.
+template <class Visit>
+void for_each_above_leaves(AssemblyTree const& tree, Index first, PositionRange range, Visit visit) noexcept {
+    for (Index t = first; t < tree.count && tree.nodes[t].begin < range.end; ++t) {
+        AssemblyTree::Node const node = tree.nodes[t];
+        for (Index position = node.begin; node.child != none && position < node.end; ++position) visit(position, t);
+    }
+}
+
 // visit(node, position) for every node whose border holds the position: the nodes on the tree's paths from the
 // position's earlier neighbours up to its own node (J. W. H. Liu's row subtrees, ACM Trans. Math. Softw. 12 (1986)
 // 127), and then visit(none, position). To each node positions come in increasing order, so each border is filled in
 // order.
 template <class Visit>
-void walk(Graph const& graph, Span<const Index> order, BorderWork const& work, PositionRange range, Visit visit) noexcept {
+void walk(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
+          PositionRange range, Visit visit) noexcept {
     Span<const Index> const node_of = work.node;
     Span<BorderWork::Step> const step = work.step;
-    for (Index position = range.begin; position < range.end; ++position) {
-        Index const u = order[position], own = node_of[u];
-        for (Index const neighbour : graph.of(u)) {
+    for_each_above_leaves(tree, node_of[order[range.begin]], range, [&](Index position, Index own) {
+        graph.expect(order, position, range.end);
+        for (Index const neighbour : graph.of(order[position])) {
             for (Index node = node_of[neighbour]; node < own && step[node].seen != position; node = step[node].parent) {
                 step[node].seen = position;
                 visit(node, position);
             }
         }
         visit(none, position);
-    }
+    });
 }
 
 void restart(AssemblyTree const& tree, BorderWork const& work) noexcept {
@@ -119,7 +129,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
     Ranges const ranges(tree, graph.n, executor);
     ranges.for_each(executor, [&](PositionRange range) {
         Track track(work, range);
-        walk(graph, order, work, range, [&](Index node, Index) {
+        walk(graph, order, tree, work, range, [&](Index node, Index) {
             track.add(node);
             if (node != none) ++work.step[node].filled;
         });
@@ -147,10 +157,10 @@ void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree cons
     };
     ranges.for_each({}, [&](PositionRange range) {
         Track track(work, range);
-        if (!track.is_whole()) return walk(graph, order, work, range, enter);
-        for (Index position = range.begin; position < range.end; ++position) {
+        if (!track.is_whole()) return walk(graph, order, tree, work, range, enter);
+        for_each_above_leaves(tree, work.node[order[range.begin]], range, [&](Index position, Index) {
             for (Index node = track.next(); node != none; node = track.next()) enter(node, position);
-        }
+        });
     });
 }
 

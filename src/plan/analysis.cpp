@@ -67,7 +67,7 @@ Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Sense sense = Sense::mixed;
     problem.executor.for_each(3, [&](Index part) {  // none needs another
         if (part == 0) edges.build(mesh, {}, fault);
-        if (part == 1) sense = common_sense(mesh);
+        if (part == 1) sense = common_sense(mesh, least_height);
         if (part == 2 && has_conditions()) mesh_fingerprint = fingerprint_of(given);
     });
     HARMORPH_TRY(fault.status);
@@ -135,6 +135,9 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
 
 // Cells so thin that rounding of moved coordinates decides whether they are inverted.
 Status Analysis::check_heights(Fault& fault) const noexcept {
+    Real size = 0;
+    for (Index k = 0; k < problem.mesh.n_points; ++k) size = larger(size, largest_of(problem.mesh.points[k]));
+    if (problem.mesh.n_guards == 0 && least_height >= resolved_height(size)) return Status::ok;
     Real height = 0;
     auto const is_too_thin = [&](Index i, Cell const&) {
         CellShape const shape = shape_of(topology, i, problem.mesh.points);

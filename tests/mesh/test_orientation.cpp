@@ -2,6 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
+#include <fixtures/perturb.hpp>
+#include <fixtures/square.hpp>
+
+#include <harmorph/mesh/cell_shape.hpp>
 
 using namespace fixtures;
 using harmorph::Index;
@@ -53,6 +57,34 @@ TEST_CASE("counter-clockwise, clockwise and mixed meshes") {
         }
         CHECK(turned > mesh.n_cells() / 4);
         CHECK(turned < 3 * mesh.n_cells() / 4);
+    }
+}
+
+TEST_CASE("no corner is lower than the least height: the smallest corner area over the longest side of a cell") {
+    for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid}) {
+        for (bool const clockwise : {false, true}) {
+            Mesh mesh = square(9, kind);
+            perturb(mesh, 0.2, 3);
+            if (clockwise) reverse_all(mesh);
+            harmorph::Mesh const view = core_mesh(mesh);
+            double lowest = 1e300, bound = 1e300, found = -1;
+            view.for_each_cell([&](Index, harmorph::Cell const& cell) {
+                harmorph::CellShape const shape(cell, view.points, clockwise);
+                harmorph::CellCorners const corners(shape);
+                double longest = 0;
+                for (Index k = 0; k < cell.n; ++k) longest = std::fmax(longest, length(corners.side[k]));
+                lowest = std::fmin(lowest, corners.smallest_height(cell.n));
+                bound = std::fmin(bound, corners.smallest() / longest);
+            });
+            harmorph::Sense const sense = common_sense(view, found);
+            CHECK(sense == (clockwise ? harmorph::Sense::clockwise : harmorph::Sense::counter_clockwise));
+            CHECK(found <= lowest);
+            CHECK(found <= bound);
+            CHECK(found > (1 - 1e-8) * bound);
+            reverse_some(mesh, 4);
+            CHECK(common_sense(core_mesh(mesh), found) == harmorph::Sense::mixed);
+            CHECK(found == 0);
+        }
     }
 }
 

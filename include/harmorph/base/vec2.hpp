@@ -23,6 +23,7 @@ constexpr Vec2 conjugate(Vec2 a) noexcept { return {a.x, -a.y}; }
 constexpr Vec2 product(Vec2 a, Vec2 b) noexcept { return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x}; }
 constexpr Vec2 quotient(Vec2 a, Vec2 b) noexcept { return (1 / square(b)) * product(a, conjugate(b)); }
 
+constexpr Real largest_of(Vec2 a) noexcept { return larger(absolute(a.x), absolute(a.y)); }
 inline Real length(Vec2 a) noexcept { return square_root(square(a)); }
 
 // Coordinates that the arithmetic carries: third powers of them and of the smallest height of a cell are neither infinite

@@ -37,6 +37,11 @@ struct CellCorners {
         Real const sum = (twice_area[0] + twice_area[1]) + (twice_area[2] + twice_area[3]);
         return sum == sum ? smaller(smaller(twice_area[0], twice_area[1]), smaller(twice_area[2], twice_area[3])) : sum;
     }
+    // Of the sides: the square of the longest one.
+    Real longest_square(Index n) const noexcept {
+        Real const three = larger(larger(square(side[0]), square(side[1])), square(side[2]));
+        return n == 3 ? three : larger(three, square(side[3]));
+    }
     // Of the corners: twice the area divided by the longer of the two sides. Corners have to be positive.
     Real smallest_height(Index n) const noexcept {
         Real least = infinity;
@@ -53,12 +58,13 @@ struct CellCorners {
 // Of areas and squares of lengths between these, products of six are numbers, with all their digits.
 inline constexpr Real smallest_of_products = 0x1p-150, largest_of_products = 0x1p150;
 
-// The least height that a cell at these coordinates may have. A movement rounds each coordinate by up to 2^-53 of its size,
-// which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
+// The least height that a cell at coordinates of this size may have. A movement rounds each coordinate by up to 2^-53 of
+// its size, which changes a height by no more than 2^-50 of that: 16 such changes do not turn a corner over.
+inline Real resolved_height(Real size) noexcept { return larger(0x1p-46 * size, smallest_height); }
 inline Real resolved_height(CellShape const& shape) noexcept {
     Real size = 0;
-    for (Index k = 0; k < shape.n; ++k) size = larger(size, larger(absolute(shape.at[k].x), absolute(shape.at[k].y)));
-    return larger(0x1p-46 * size, smallest_height);
+    for (Index k = 0; k < shape.n; ++k) size = larger(size, largest_of(shape.at[k]));
+    return resolved_height(size);
 }
 
 // A corner has no positive area, or a coordinate is no number.

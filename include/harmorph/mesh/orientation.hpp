@@ -14,7 +14,8 @@ struct OrientationWork {
 
 // Of all cells, none of them inverted, or mixed.
 enum class Sense : std::int32_t { mixed, counter_clockwise, clockwise };
-Sense common_sense(Mesh const& mesh) noexcept;
+// least_height: out, no corner of any cell is lower; 0 where the sense is mixed.
+Sense common_sense(Mesh const& mesh, Real& least_height) noexcept;
 
 // Sets topology.reversed. sense: the cells' common one. In each connected part the sense with the larger total area is
 // the right one, so that few inverted cells do not turn the others. inverted: the first cell that has a corner of no

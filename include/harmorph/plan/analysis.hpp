@@ -39,6 +39,7 @@ struct Analysis {
     Span<Condition> conditions;   // set by the caller before run(); none: the analysis stops after the mesh
     Topology topology;            // of problem.mesh
     Index inverted = none;        // the first inverted cell
+    Real least_height = 0;        // no corner of a cell is lower; guards of polygons apart
     Boundary boundary;
     Triangulation triangulation;  // bounded scheme only
     MeshFingerprint mesh_fingerprint;
