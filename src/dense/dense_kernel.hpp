@@ -141,8 +141,8 @@ void finish_columns(Panel<Number> const& panel, Slabs<Number> const& columns, In
                     Index to,
                     Number* sums, Number* column_sums) noexcept {
     Slabs<Number> const own = panel.own();
-    for (Index c = from; c < to; c += tile_columns<Number>) {
-        Range const tile{c, smaller(to, c + tile_columns<Number>)};
+    for (Index c = from; c < to; c += tile_columns<planes, Number>) {
+        Range const tile{c, smaller(to, c + tile_columns<planes, Number>)};
         for (Index k = first; k < end; k += slab) {
             Index const n = smaller(slab, end - k);
             if constexpr (planes == 1 && tile_rows<planes> == slab) {  // all of it in registers

@@ -16,6 +16,7 @@ static_assert(Residual::widest % block == 0, "numbers of a row are kept in whole
 
 // The first n numbers of `from`, n <= block; 0 behind them.
 HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noexcept {
+#pragma GCC unroll 4
     for (Index v = 0; v < vectors; ++v, from += lanes, n -= lanes) {
         to[v] = n >= lanes ? Registers::load(from) : Registers::load_part(from, n > 0 ? n : 0);
     }
@@ -139,6 +140,7 @@ private:
     // row -= (re + i im) x
     static HARMORPH_INLINE void take(Vector const (&x)[planes][vectors], Real re, Real im,
                                      Vector (&row)[planes][vectors]) noexcept {
+#pragma GCC unroll 4
         for (Index v = 0; v < vectors; ++v) {
             row[0][v] -= x[0][v] * re;
             if constexpr (planes == 2) {
@@ -149,8 +151,10 @@ private:
     }
     // Adds the squares of columns k .. k+block-1.
     static HARMORPH_INLINE void add_squares_of(Vector const (&row)[planes][vectors], Real* sums) noexcept {
+#pragma GCC unroll 4
         for (Index v = 0; v < vectors; ++v, sums += lanes) {
             Vector sum = Registers::load(sums);
+#pragma GCC unroll 2
             for (Index p = 0; p < planes; ++p) sum += row[p][v] * row[p][v];
             Registers::store(sums, sum);
         }
@@ -160,18 +164,23 @@ private:
     void sum_flows(bool ends, Residual::Norms& norms) noexcept {
         for (Index k = 0; k < n_; k += block) {
             Vector own[planes][vectors], rest[planes][vectors] = {};
+#pragma GCC unroll 2
             for (Index p = 0; p < planes; ++p) load(own_ + p * plane_ + k, n_ - k, own[p]);
             if (begun_) {
+#pragma GCC unroll 2
                 for (Index p = 0; p < planes; ++p) load(rest_[p] + k, block, rest[p]);
             } else if (source_ != nullptr) {
+#pragma GCC unroll 2
                 for (Index p = 0; p < planes; ++p) load(source_ + p * plane_ + k, n_ - k, rest[p]);
                 add_squares_of(rest, norms.right_hand_side + k);
             }
             for (Index c = 0; c < count_; ++c) {
                 Neighbour const& neighbour = neighbour_[c];
                 Vector rise[planes][vectors];
+#pragma GCC unroll 2
                 for (Index p = 0; p < planes; ++p) {
                     load(neighbour.at + p * plane_ + k, n_ - k, rise[p]);
+#pragma GCC unroll 4
                     for (Index v = 0; v < vectors; ++v) rise[p][v] -= own[p][v];
                 }
                 take(rise, neighbour.re, neighbour.im, rest);
@@ -182,7 +191,9 @@ private:
                 }
                 add_squares_of(rest, norms.rest + k);
             }
+#pragma GCC unroll 2
             for (Index p = 0; p < planes; ++p) {
+#pragma GCC unroll 4
                 for (Index v = 0; v < vectors; ++v) Registers::store(rest_[p] + k + v * lanes, rest[p][v]);
             }
         }

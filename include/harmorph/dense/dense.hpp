@@ -1,9 +1,9 @@
 // dense: partial Cholesky factorisation of the dense fronts of the direct engine, and substitution with the factor.
 //
 // In: panels and update matrices (below), right-hand sides. Out: the panel factored, the update matrix for the parent
-// front, solutions. dense.cpp divides the work among threads; src/dense/dense_tiles (products), dense_sums (row sums),
-// dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather, scatter) are compiled for each
-// instruction set.
+// front, solutions. dense.cpp divides the work among threads; src/dense/dense_tile (sums in registers), dense_tiles
+// (products), dense_sums (row sums), dense_kernel (factorisation, substitution) and dense_moves (extend-add, gather,
+// scatter) are compiled for each instruction set.
 //
 // Matrices are stored in slabs: eight columns side by side, row after row, so that kernels read memory aligned and in
 // order, and nothing has to be packed. A slab that meets the diagonal ends below the diagonal block. The last slab is

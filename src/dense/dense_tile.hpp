@@ -1,0 +1,256 @@
+// A tile of a product of dense blocks in the registers of one instruction set, and where its operands are in memory;
+// compiled for each set by dense_table.cpp.
+
+namespace harmorph::dense::HARMORPH_SET {
+namespace {
+
+// Not those of base/scalar.hpp: the linker might take the copy compiled here for all other code.
+HARMORPH_INLINE constexpr Index smaller(Index a, Index b) noexcept { return b < a ? b : a; }
+HARMORPH_INLINE Index larger(Index a, Index b) noexcept { return a < b ? b : a; }
+
+template <class Number>
+using Registers = simd::HARMORPH_SET::Registers<Number>;
+template <class Number>
+using Vector = typename Registers<Number>::Vector;
+template <class Number>
+constexpr Index lanes = Registers<Number>::lanes;
+
+// Whether products of complex numbers are computed by three real ones; see ThreeProductsTile.
+constexpr bool three_products = Registers<double>::count >= 32;
+// The sums of a tile take three quarters of the processor's registers.
+constexpr Index most_vectors = 3;
+template <Index planes>
+constexpr Index tile_vectors = planes == 2 && three_products ? 2 : most_vectors;
+template <Index planes>
+constexpr Index tile_rows = Registers<double>::count / 4 / planes;
+template <Index planes, class Number>
+constexpr Index tile_columns = tile_vectors<planes> * lanes<Number>;
+static_assert(slab % lanes<double> == 0 && slab % lanes<float> == 0, "a slab is a whole number of vectors");
+static_assert(slab % tile_rows<1> == 0 && strip % slab == 0 && chunk % (6 * slab) == 0, "whole tiles, whole blocks");
+
+template <class Number>
+HARMORPH_INLINE Vector<Number> load(const Number* from) noexcept { return Registers<Number>::load(from); }
+template <class Number>
+HARMORPH_INLINE void store(Number* to, Vector<Number> v) noexcept { Registers<Number>::store(to, v); }
+template <class Number>
+HARMORPH_INLINE Vector<Number> all(Number x) noexcept { return Registers<Number>::all(x); }
+
+// From one row of a slab to the next.
+template <Index planes>
+constexpr Offset step = planes * slab;
+
+// Up to most_vectors vectors side by side; `row` numbers further on, the vectors of the next row. Filled and read
+// number by number, never copied as a whole: a wide load waits for narrow stores that went just before.
+template <class Number>
+struct Vectors {
+    Number* at[most_vectors];
+    Offset row, plane;
+
+    HARMORPH_INLINE void move_down(Offset rows) noexcept {
+        for (Number*& vector : at) vector += rows * row;
+    }
+};
+
+// Where the vectors of a tile are in memory: in a matrix in slabs, or in right-hand sides, from an entry on. first(n):
+// n vectors; the others repeat the first one.
+template <class Number, Index planes>
+struct InSlabs {
+    Slabs<Number> const& slabs;
+    Index row, column;
+
+    HARMORPH_INLINE InSlabs at(Index down, Index right) const noexcept { return {slabs, row + down, column + right}; }
+    HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
+        for (Index v = 0; v < most_vectors; ++v) out.at[v] = slabs.at(row, v < n ? column + v * lanes<Number> : column);
+        out.row = step<planes>;
+        out.plane = slab;
+    }
+};
+template <class Number, Index planes>
+struct InRows {
+    Number* entry;
+    Offset width;
+
+    HARMORPH_INLINE InRows at(Index row, Index column) const noexcept {
+        return {entry + planes * width * row + column, width};
+    }
+    HARMORPH_INLINE void first(Index n, Vectors<Number>& out) const noexcept {
+        for (Index v = 0; v < most_vectors; ++v) out.at[v] = v < n ? entry + v * lanes<Number> : entry;
+        out.row = planes * width;
+        out.plane = width;
+    }
+};
+
+// op(A) of an A in slabs, element (r, k): its conjugate transpose, A (k, r), or A as it stands, A (r, k) within one
+// slab.
+enum class Op { conjugate_transposed, plain };
+enum class Store { subtract, set };
+
+// Sums of products in registers. Vectors are copies: the compiler knows that no store changes them. Loops are short and
+// unrolled, whatever the compiler's level, so that the sums stay in registers.
+template <Index planes, Index rows, Index vectors, class Number>
+struct Tile {
+    Vector<Number> sum[planes][rows][vectors] = {};
+
+    // sum += op(a) b, `depth` rows of b from `first` on.
+    template <Op op>
+    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth, Offset first = 0) noexcept {
+        constexpr Offset next = op == Op::plain ? 1 : step<planes>;
+        for (Index k = 0; k < depth; ++k) {
+            add_plane<op, 0>(a + k * next, b, (first + k) * b.row);
+            if constexpr (planes == 2) {
+                asm volatile("" ::: "memory");  // no numbers of A stay in registers: the sums need these
+                add_plane<op, 1>(a + k * next, b, (first + k) * b.row + b.plane);
+            }
+        }
+    }
+
+    template <Op, Store how>
+    HARMORPH_INLINE void leave(Vectors<Number> d) const noexcept {
+#pragma GCC unroll 2
+        for (Index plane = 0; plane < planes; ++plane) {
+#pragma GCC unroll 8
+            for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+                for (Index v = 0; v < vectors; ++v) {
+                    Number* const to = d.at[v] + r * d.row + plane * d.plane;
+                    store(to, how == Store::subtract ? load(to) - sum[plane][r][v] : sum[plane][r][v]);
+                }
+            }
+        }
+    }
+
+    // Finishes the rows of a diagonal block: d = inverse (d - sums), and column_sums -= y^T d.
+    HARMORPH_INLINE void finish(const Number* inverse, Vectors<Number> d, const Number* y,
+                                Number* column_sums) const noexcept {
+        static_assert(planes == 1, "real blocks fit into the registers");
+        Vector<Number> row[rows][vectors], taken[vectors] = {};
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) row[r][v] = load(d.at[v] + r * d.row) - sum[0][r][v];
+        }
+#pragma GCC unroll 8
+        for (Index r = rows - 1; r >= 0; --r) {  // needs no later row
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) row[r][v] *= inverse[r * slab + r];
+#pragma GCC unroll 8
+            for (Index k = 0; k < r; ++k) {
+                Vector<Number> const factor = all(inverse[r * slab + k]);
+#pragma GCC unroll 8
+                for (Index v = 0; v < vectors; ++v) row[r][v] = Registers<Number>::multiply_add(factor, row[k][v],
+                                                                                                row[r][v]);
+            }
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                store(d.at[v] + r * d.row, row[r][v]);
+                taken[v] = Registers<Number>::multiply_add(all(y[r]), row[r][v], taken[v]);
+            }
+        }
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) {
+            Number* const to = column_sums + v * lanes<Number>;
+            store(to, load(to) - taken[v]);
+        }
+    }
+
+private:
+    // For one plane of b.
+    template <Op op, Index plane>
+    HARMORPH_INLINE void add_plane(const Number* a, Vectors<Number> const& b, Offset at) noexcept {
+        constexpr Offset next_row = op == Op::plain ? step<planes> : 1;
+        Vector<Number> factor[vectors];
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) factor[v] = load(b.at[v] + at);
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+            Vector<Number> const real = all(a[r * next_row]);
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                sum[plane][r][v] = Registers<Number>::multiply_add(real, factor[v], sum[plane][r][v]);
+            }
+            if constexpr (planes == 2) {
+                // i * i = -1, and the conjugate changes the sign once more.
+                constexpr bool adds = (op == Op::conjugate_transposed) == (plane == 1);
+                Vector<Number> const imaginary = all(a[r * next_row + slab]);
+#pragma GCC unroll 8
+                for (Index v = 0; v < vectors; ++v) {
+                    if (adds) sum[1 - plane][r][v] = Registers<Number>::multiply_add(imaginary, factor[v],
+                                                                                     sum[1 - plane][r][v]);
+                    else sum[1 - plane][r][v] = Registers<Number>::multiply_subtract(imaginary, factor[v],
+                                                                                     sum[1 - plane][r][v]);
+                }
+            }
+        }
+    }
+};
+
+// The same for complex numbers, with three real products in place of four. With p = a1 b2, q = a2 b1 and
+// r = (a1 - a2) (b1 - b2), of real parts 1 and imaginary parts 2, conj(a) b = (r + p + q) + i (p - q); and with
+// r = (a1 + a2) (b1 - b2), a b = (r + p - q) + i (p + q). The tile sums p, q and r. Of the ways to save a product, this
+// one computes the imaginary part as accurately as four products do: where cells are thin, imaginary parts are much
+// smaller than real ones. Three sums for each number leave room for a worthwhile tile only with 32 registers.
+template <Index rows, Index vectors, class Number>
+struct ThreeProductsTile {
+    Vector<Number> sum[3][rows][vectors] = {};
+
+    template <Op op>
+    HARMORPH_INLINE void add(const Number* a, Vectors<Number> b, Index depth, Offset first = 0) noexcept {
+        constexpr Offset next = op == Op::plain ? 1 : step<2>;
+        for (Index k = 0; k < depth; ++k) add_row<op>(a + k * next, b, (first + k) * b.row);
+    }
+
+    template <Op op, Store how>
+    HARMORPH_INLINE void leave(Vectors<Number> d) const noexcept {
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+#pragma GCC unroll 8
+            for (Index v = 0; v < vectors; ++v) {
+                Vector<Number> const p = sum[0][r][v], q = sum[1][r][v];
+                Number* const to = d.at[v] + r * d.row;
+                put<how>(sum[2][r][v] + (op == Op::plain ? p - q : p + q), to);
+                put<how>(op == Op::plain ? p + q : p - q, to + d.plane);
+            }
+        }
+    }
+
+private:
+    template <Store how>
+    static HARMORPH_INLINE void put(Vector<Number> v, Number* to) noexcept {
+        store(to, how == Store::subtract ? load(to) - v : v);
+    }
+
+    template <Op op>
+    HARMORPH_INLINE void add_row(const Number* a, Vectors<Number> const& b, Offset at) noexcept {
+        constexpr Offset next_row = op == Op::plain ? step<2> : 1;
+        Vector<Number> real[vectors], imaginary[vectors], difference[vectors];
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) {
+            real[v] = load(b.at[v] + at);
+            imaginary[v] = load(b.at[v] + at + b.plane);
+            difference[v] = real[v] - imaginary[v];
+        }
+#pragma GCC unroll 8
+        for (Index r = 0; r < rows; ++r) {
+            Vector<Number> const a_real = all(a[r * next_row]), a_imaginary = all(a[r * next_row + slab]);
+            add_products<0>(r, a_real, imaginary);
+            add_products<1>(r, a_imaginary, real);
+            add_products<2>(r, op == Op::plain ? a_real + a_imaginary : a_real - a_imaginary, difference);
+        }
+    }
+
+    template <Index number>
+    HARMORPH_INLINE void add_products(Index r, Vector<Number> a, const Vector<Number> (&b)[vectors]) noexcept {
+#pragma GCC unroll 8
+        for (Index v = 0; v < vectors; ++v) {
+            sum[number][r][v] = Registers<Number>::multiply_add(a, b[v], sum[number][r][v]);
+        }
+    }
+};
+
+// The faster one.
+template <Index planes, Index rows, Index vectors, class Number>
+using TileOf = std::conditional_t<planes == 2 && three_products, ThreeProductsTile<rows, vectors, Number>,
+                                 Tile<planes, rows, vectors, Number>>;
+
+}  // namespace
+}  // namespace harmorph::dense::HARMORPH_SET
