@@ -212,6 +212,13 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
     return holds ? one : zero;
 }
 
+// Of triangles: has the product of these two sides the digits of the area? In needles it may not; those are left.
+template <Index n>
+HARMORPH_INLINE unsigned keeps_digits(Corners<n> const& corners) noexcept {
+    Vector const product = corners.side[0].x * corners.side[1].y;
+    return Registers::less(1e-9 * (product < 0 ? -product : product), corners.twice_area[0]);
+}
+
 // First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2 with the smallest of
 // each. Then, where that is not enough for a cell, the areas themselves. Bits of the cells that are left.
 template <Index n>
@@ -230,6 +237,7 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
     }
     falls = least_of(falls, zero);
     bends = least_of(bends, zero);
+    unsigned const clear = n == 3 ? keeps_digits(now) : all;
     unsigned kept;
     if (step < infinity) {
         kept = Registers::less(sum - sum, least + step * (falls + step * bends));  // nothing is less than NaN
@@ -238,11 +246,12 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
         for (Index k = 0; k < n_areas; ++k) sum += curvature[k];
         kept = Registers::less(sum - sum, least) & ~Registers::less(falls + bends, zero);
     }
+    kept &= clear;
     if (kept == all || (step >= 1e50 && step < infinity)) return ~kept & all;
     Vector stays = zero + 1;
 #pragma GCC unroll 4
     for (Index k = 0; k < n_areas; ++k) stays *= stays_positive(curvature[k], slope[k], area[k], step);
-    return ~(kept | Registers::less(zero, stays)) & all;
+    return ~(kept | (Registers::less(zero, stays) & clear)) & all;
 }
 
 // Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to `sums`.

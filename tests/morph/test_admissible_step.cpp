@@ -105,6 +105,56 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
     CHECK(limited > 50);
 }
 
+// Needles: two sides of length 1 and one of 1e-10, at any angle and with the short side anywhere in the order of the
+// points. The product of the long sides would have lost six digits of the area. Alone, and behind 64 cells that limit the
+// step to a little more.
+TEST_CASE("the step of a needle has the digits of its short side") {
+    std::mt19937 random(8);
+    int limited = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        double const angle = 6.3 * uniform(random), size = 1e-10;
+        auto const any = [&] { return size * (2 * uniform(random) - 1); };
+        double const turned = angle + 0.3 + 2.5 * uniform(random);   // of the short side against the long ones
+        Point const corner[] = {{0, 0}, {std::cos(angle), std::sin(angle)}, {size * std::cos(turned), size * std::sin(turned)}};
+        Mesh mesh;
+        for (int k = 0; k < 3; ++k) mesh.add_point(corner[(k + trial) % 3]);
+        mesh.add_cell({0, 1, 2});
+        Displaced alone(mesh);
+        for (std::size_t k = 0; k < 3; ++k) alone.dx[k] = any(), alone.dy[k] = any();
+
+        auto const side = [&](std::vector<double> const& of, int to) {
+            std::size_t const from = static_cast<std::size_t>(3 - trial % 3) % 3;   // the point at the origin
+            return static_cast<long double>(of[(from + static_cast<std::size_t>(to)) % 3]) - of[from];
+        };
+        long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2), by = side(mesh.y, 2);
+        long double const ux = side(alone.dx, 1), uy = side(alone.dy, 1), vx = side(alone.dx, 2), vy = side(alone.dy, 2);
+        long double const c = ax * by - ay * bx, b = ax * vy - ay * vx + ux * by - uy * bx, a = ux * vy - uy * vx;
+        long double const root = b * b - 4 * a * c;
+        if (b >= 0 || root < 0.01L * b * b) continue;
+        ++limited;
+        double const expected = static_cast<double>(2 * c / (std::sqrt(root) - b));
+        CHECK(alone.step().step == doctest::Approx(expected).epsilon(1e-12));
+
+        Displaced last(Mesh{});
+        for (int cell = 0; cell < 64; ++cell) {
+            std::int32_t const first = static_cast<std::int32_t>(last.mesh.x.size());
+            last.mesh.add_point({0, 0}), last.mesh.add_point({1, 0}), last.mesh.add_point({0, 1});
+            last.mesh.add_cell({first, first + 1, first + 2});
+            last.dx.insert(last.dx.end(), {0, -1 / (expected * (1 + 1e-7)), 0});
+            last.dy.insert(last.dy.end(), {0, 0, 0});
+        }
+        std::int32_t const first = static_cast<std::int32_t>(last.mesh.x.size());
+        for (std::size_t k = 0; k < 3; ++k) last.mesh.add_point({mesh.x[k], mesh.y[k]});
+        last.mesh.add_cell({first, first + 1, first + 2});
+        last.dx.insert(last.dx.end(), alone.dx.begin(), alone.dx.end());
+        last.dy.insert(last.dy.end(), alone.dy.begin(), alone.dy.end());
+        last.reversed.assign(65, 0);
+        CHECK(last.step().cell == 64);
+        CHECK(last.step().step == alone.step().step);
+    }
+    CHECK(limited > 50);
+}
+
 TEST_CASE("a double root: the area touches 0 and grows again; that is a limit") {
     Displaced its = one_triangle();
     its.dx[1] = -1;

@@ -24,17 +24,26 @@ struct AdmissibleStep {
 // Smallest s > 0 with c + b s + a s^2 = 0, where c > 0; infinite if there is none.
 Real smallest_positive_root(Real a, Real b, Real c) noexcept;
 
+// Of a triangle. In a needle, the area as a product of its two long sides would have lost the digits of the short one.
+inline Index corner_between_shorter_sides(CellCorners const& corners) noexcept {
+    Real const length[] = {square(corners.side[0]), square(corners.side[1]), square(corners.side[2])};
+    if (length[0] >= length[1] && length[0] >= length[2]) return 2;
+    return length[1] >= length[2] ? 0 : 1;
+}
+
 inline void AdmissibleStep::add(Index number, CellShape const& now, CellShape const& change,
                                 CellCorners const& corners) noexcept {
     CellCorners const moving(change);
-    Index const n_areas = now.n == 3 ? 1 : 4;
-    for (Index k = 0; k < n_areas; ++k) {
-        Index const before = now.n == 3 ? 0 : (k + 3) & 3, after = now.n == 3 ? 1 : k;  // the sides of this area
-        Real const slope = cross(corners.side[before], moving.side[after]) + cross(moving.side[before], corners.side[after]);
-        Real const area = corners.twice_area[k];
+    Index const first = now.n == 3 ? corner_between_shorter_sides(corners) : 0, n_areas = now.n == 3 ? 1 : 4;
+    for (Index k = first; k < first + n_areas; ++k) {
+        Index const before = k == 0 ? now.n - 1 : k - 1;
+        Vec2 const in = corners.side[before], in_moves = moving.side[before];
+        Vec2 const out = corners.side[k], out_moves = moving.side[k];
+        Real const area = cross(in, out), slope = cross(in, out_moves) + cross(in_moves, out);
+        Real const curvature = cross(in_moves, out_moves);
         // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
-        Real const curvature = moving.twice_area[k];
-        if (area > 0 && is_finite(area) && step < infinity && area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
+        if (area > 0 && is_finite(area) && step < infinity &&
+            area + step * (smaller(slope, 0.0) + step * smaller(curvature, 0.0)) > 0) continue;
         Real const its = area > 0 ? smallest_positive_root(curvature, slope, area) : 0;
         if (its < step) *this = {its, number, k};
     }
