@@ -131,7 +131,7 @@ coverage:
 	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' sh tests/coverage.sh
 
 mutate:
-	@MAKE='$(MAKE)' BUILD='$(BUILD)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
+	@MAKE='$(MAKE)' BUILD='$(BUILD)' JOBS='$(JOBS)' CXX='$(CXX)' MUTANTS='$(MUTANTS)' SEED='$(SEED)' FILES='$(FILES)' \
 	    LIMIT='$(LIMIT)' sh tests/mutate.sh
 
 sanitize:

@@ -2,13 +2,14 @@
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
 # in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a mutant
 # that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in the tests
-# of its file, of its room, in random problems, or in the tests of rooms that may use it. Processor time is limited to five times what the
-# library itself takes; a mutant that needs more is mostly an endless loop, and is counted apart. Those that survive are
-# listed with the reason that tests/mutants.txt gives for the line; the last line counts. At least 95 % of the mutants
-# that end must be caught or have a reason. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no
-# further mutant is begun; the next run goes on from there, as build/mutants remembers what became of each mutant of an
-# unchanged file (of those that survive, as long as the tests are the same, too).
-: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}"
+# of its file, of its room, in random problems, in the tests of rooms that may use it, and last in the test cases that take
+# long. Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless
+# loop, and is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the
+# last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a
+# time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run
+# goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as
+# long as the tests are the same, too).
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
 dir=$BUILD/mutants
 known=tests/mutants.txt
 mkdir -p "$dir"
@@ -55,126 +56,135 @@ candidates | LC_ALL=C awk -F'\t' -v seed="$SEED" '
     }' | sort -n | head -n "$MUTANTS" | cut -f 2-6 >"$list"
 
 # The tests and the random problems themselves, and the flags of the core, as make has them.
-$MAKE -s BUILD="$BUILD" JOBS="${JOBS:-2}" all fuzzer tests-only || exit 1
+$MAKE -s BUILD="$BUILD" JOBS="$JOBS" all fuzzer tests-only || exit 1
 flags="-O1 -std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -ffp-contract=off -fno-threadsafe-statics -fPIC"
 flags="$flags -w -Iinclude -Isrc -Ic_api"
-compile() {   # source: what stands in `mutant.cpp`, so that names in objects are equal
-    $CXX $flags -I"$(dirname "$1")" -c -o "$dir/mutant.o" "$dir/mutant.cpp" 2>/dev/null
+link="$CXX -pthread"
+if echo 'int main() {}' | $link -fuse-ld=lld -x c++ -o "$dir/linked" - 2>/dev/null; then link="$link -fuse-ld=lld"; fi
+
+compile() {   # source, folder: what stands in `mutant.cpp` there, so that names in objects are equal
+    $CXX $flags -I"$(dirname "$1")" -c -o "$2/mutant.o" "$2/mutant.cpp" 2>/dev/null
 }
-link_tests() {   # object of the mutant, or nothing
-    $CXX -pthread -o "$dir/tests" $(cat "$BUILD/objects/tests.list") $1 "$BUILD/libharmorph.a"
-}
+link_tests() { $link -o "$1/tests" $(cat "$BUILD/objects/tests.list") "$1/mutant.o" "$BUILD/libharmorph.a"; }
 link_fuzzer() {
-    $CXX -pthread -o "$dir/fuzzer" "$BUILD"/objects/fuzz/*.o $1 \
-        $(cat "$BUILD/objects/program.list") "$BUILD/libharmorph.a"
+    $link -o "$1/fuzzer" "$BUILD"/objects/fuzz/*.o "$1/mutant.o" $(cat "$BUILD/objects/program.list") "$BUILD/libharmorph.a"
 }
-# What may find a mutant, the likeliest first. Of other rooms, those below in the table of src/README.md: the rest cannot
-# know of the file, but through the C interface, whose tests are among them.
+
+# All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are done.
+"$BUILD/tests" -d=1 >"$dir/out" || { cat "$dir/out"; echo "the tests fail without a mutant"; exit 1; }
+LC_ALL=C awk '
+    /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
+    /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/out" >"$dir/cases"
+slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
+
+# What may find a mutant, the likeliest and quickest first. Of other rooms, those below in the table of src/README.md: the
+# rest cannot know of the file, but through the C interface, whose tests are among them.
 rooms="$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md) c_api"
-rooms_below() {   # room: of the C interface, all
+from_room() {   # room: names of this and the rooms below; of the C interface, all
     seen=no
     for below in $rooms; do
-        if [ "$1" = c_api ] && [ $below != c_api ] || [ "$seen" = yes ]; then echo $below; fi
-        if [ $below = "$1" ]; then seen=yes; fi
+        if [ "$1" = c_api ] || [ $below = "$1" ]; then seen=yes; fi
+        if [ $seen = yes ]; then echo $below; fi
     done
 }
+files_of() { for below in $(from_room "$1"); do printf '*tests/%s/*,' $below; done; }
+until_failure() { timeout 1800 "$@" -aa=1; }   # what waits for ever uses no processor time
 step() {   # which, folder of the programs, room, file
     case $1 in
-    file) timeout 7200 "$2/tests" -aa=1 -sf="*tests/$3/test_$4.cpp" ;;
-    room) timeout 7200 "$2/tests" -aa=1 -sf="*tests/$3/*" ;;
-    others)
-        filter=$(rooms_below "$3" | sed 's,.*,*tests/&/*,' | tr '\n' ',')
-        if [ -n "$filter" ]; then timeout 7200 "$2/tests" -aa=1 -sf="$filter"; fi ;;
+    file) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/test_${4#harmorph_}.cpp" ;;
+    room) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/*" ;;
+    others) until_failure "$2/tests" -tce="$slow" -sf="$(files_of "$3")" -sfe="*tests/$3/*" ;;
+    slow) until_failure "$2/tests" -tc="$slow" -sf="$(files_of "$3")" ;;
     random)
-        for run in "problem 1000" "basis 1000" "sequence 1000" "polygons 600" "given 600" "parts 400" "plane 400" \
+        for run in "plane 400" "given 600" "parts 400" "basis 1000" "polygons 600" "sequence 1000" "problem 1000" \
             "shape 600"; do
-            timeout 7200 "$2/fuzzer" $run 1 || return
+            timeout 1800 "$2/fuzzer" $run 1 || return
         done ;;
     esac
 }
-# Seconds of processor time that a step may take: five times what it takes without a mutant, where nothing may fail. The
-# tests of a file may take as long as those of the room.
+(step random "$BUILD" && times) >"$dir/out" 2>&1 || { cat "$dir/out"; echo "random problems fail without a mutant"; exit 1; }
+seconds_of_random=$(tail -n 1 "$dir/out" | LC_ALL=C awk -F'[ms ]+' '{ print int(60 * $1 + $2) }')
+
+# Seconds of processor time that a step may take: twice what it takes without a mutant, and three.
 limit() {   # which, room
     case $1 in
-    file) limit room "$2" ;;
-    others)
-        sum=0
-        for below in $(rooms_below "$2"); do sum=$((sum + $(limit room $below))) || exit 1; done
-        echo $sum ;;
-    *)
-        limits=$dir/limit.$1
-        if [ "$1" = room ]; then limits=$limits.$2; fi
-        if [ -z "$(find "$limits" -newer "$BUILD/tests" -newer "$BUILD/fuzzer" 2>/dev/null)" ]; then
-            (step "$1" "$BUILD" "$2" >"$dir/out" 2>&1 && times) >"$dir/times" ||
-                { echo "the tests fail without a mutant: $1 $2" >&2; cat "$dir/out" >&2; exit 1; }
-            awk -F'[ms ]+' 'NR == 2 { print 5 + int(5 * (60 * $1 + $2 + 60 * $3 + $4)) }' "$dir/times" >"$limits"
-        fi
-        cat "$limits" ;;
+    random) echo $((3 + 2 * seconds_of_random)) ;;
+    *) from_room "$2" | LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
+        NR == FNR { below[$1] = $1 != room; next }
+        which == "slow" ? $1 in below && $2 > 0.5 : which == "others" ? below[$1] && $2 <= 0.5 : $1 == room && $2 <= 0.5 {
+            sum += $2 }
+        END { print 3 + int(2 * sum) }' - "$dir/cases" ;;
     esac
 }
-# What becomes of the mutant in a step: "caught", "out of time", or nothing. What waits for ever without using the
-# processor is out of time after two hours by the clock.
-outcome() {   # which, room, file
-    seconds=$(limit "$1" "$2") || exit 1
+# What becomes of the mutant in a step: "caught", "out of time", or nothing.
+outcome() {   # which, folder of the programs, room, file
     (
         ulimit -v 8000000
-        ulimit -t "$seconds"
-        step "$1" "$dir" "$2" "$3"
-    ) >"$dir/out" 2>&1
+        ulimit -t $(limit "$1" "$3")
+        step "$@"
+    ) >"$2/out" 2>&1
     case $? in
     0) ;;
     124 | 137 | 152) echo "out of time" ;;   # timeout's own code, SIGKILL, SIGXCPU
     *) echo caught ;;
     esac
 }
-fate() {   # file line column from to steps otherwise: what becomes of the mutant
-    original=$dir/$(echo "$1" | tr / -).$(cksum <"$1" | tr ' ' -).o
+fate() {   # folder, file, line, column, from, to, steps, otherwise: what becomes of the mutant
+    original=$1/$(echo "$2" | tr / -).$(cksum <"$2" | tr ' ' -).o
     if [ ! -e "$original" ]; then
-        cp "$1" "$dir/mutant.cpp"
-        compile "$1" && mv "$dir/mutant.o" "$original" || exit 1
+        cp "$2" "$1/mutant.cpp"
+        compile "$2" "$1" && mv "$1/mutant.o" "$original" || exit 1
     fi
-    awk -v line="$2" -v column="$3" -v from="$4" -v to="$5" '
-        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$1" >"$dir/mutant.cpp"
-    compile "$1" || { echo "no C++"; return; }
-    if cmp -s "$dir/mutant.o" "$original"; then echo "the same instructions"; return; fi
-    room=$(basename "$(dirname "$1")") file=$(basename "$1" .cpp)
-    found=
-    for which in $6; do
+    awk -v line="$3" -v column="$4" -v from="$5" -v to="$6" '
+        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$2" >"$1/mutant.cpp"
+    compile "$2" "$1" || { echo "no C++"; return; }
+    if cmp -s "$1/mutant.o" "$original"; then echo "the same instructions"; return; fi
+    room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
+    for which in $7; do
         case $which in
-        file | others) link_tests "$dir/mutant.o" || exit 1 ;;
-        random) link_fuzzer "$dir/mutant.o" || exit 1 ;;
+        file | others) link_tests "$1" || exit 1 ;;
+        random) link_fuzzer "$1" || exit 1 ;;
         esac
-        if [ $which = file ] && ! [ -e "tests/$room/test_$file.cpp" ]; then continue; fi
-        found=$(outcome $which "$room" "$file") || exit 1
-        if [ -n "$found" ]; then break; fi
+        found=$(outcome $which "$1" "$room" "$file")
+        if [ -n "$found" ]; then echo "$found"; return; fi
     done
-    echo "${found:-$7}"
+    echo "$8"
 }
 
 remembered=$dir/fates
 touch "$remembered"
 begun=$(date +%s)
 tests=$(cat tests/*/test_*.cpp tests/fixtures/*.hpp tests/fuzz/*.cpp | cksum | tr ' ' -)
-caught=0 endless=0 explained=0 survived=0 built=0 left=0
 remember() {   # what became of $mutant, if that is known; of survivors, with these tests
     known_fate=$(awk -F'\t' -v mutant="$mutant" -v tests="$tests" '
         index($0, mutant "\t") == 1 && ($(NF - 1) !~ /survives|hidden/ || $NF == tests) { fate = $(NF - 1) }
         END { print fate }' "$remembered")
 }
 # In two rounds, as other rooms take long: who is hidden after the first is judged by them in the second.
-for round in "file room random:hidden" "others:survives"; do
-    while IFS='	' read -r file line column from to; do
-        mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
-        remember
-        case "$round $known_fate" in
-        "file room random:hidden " | "others:survives hidden") ;;
-        *) continue ;;
-        esac
-        if [ $(($(date +%s) - begun)) -ge "$LIMIT" ]; then continue; fi
-        known_fate=$(fate "$file" "$line" "$column" "$from" "$to" "${round%:*}" "${round#*:}") || exit 1
-        printf '%s\t%s\t%s\n' "$mutant" "$known_fate" "$tests" >>"$remembered"
-    done <"$list"
-done
+judge() {   # share of the list, from 0
+    share=$dir/share.$1
+    mkdir -p "$share"
+    for round in "file room random:hidden" "others slow:survives"; do
+        number=0
+        while IFS='	' read -r file line column from to; do
+            number=$((number + 1))
+            if [ $((number % JOBS)) != "$1" ] || [ $(($(date +%s) - begun)) -ge "$LIMIT" ]; then continue; fi
+            mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
+            remember
+            case "$round $known_fate" in
+            "file room random:hidden " | "others slow:survives hidden") ;;
+            *) continue ;;
+            esac
+            known_fate=$(fate "$share" "$file" "$line" "$column" "$from" "$to" "${round%:*}" "${round#*:}") || exit 1
+            printf '%s\t%s\t%s\n' "$mutant" "$known_fate" "$tests" >>"$remembered"
+        done <"$list"
+    done
+}
+share=0
+while [ $share -lt "$JOBS" ]; do judge $share & share=$((share + 1)); done
+wait
+
+caught=0 endless=0 explained=0 survived=0 built=0 left=0
 while IFS='	' read -r file line column from to; do
     mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
     remember
