@@ -17,16 +17,24 @@ check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.
     -o "$tmp/conformal.basis"
 printf '1 .1 .02\n14 -.05 .1\n' >"$tmp/moves.txt"
 
-# Every picture says what it shows, is whole, and gives its scale along both axes.
+# Every picture says what it shows, is whole, gives its scale along both axes, and holds its longest texts: a character is
+# half as wide as high.
 is_picture() { # is_picture FILE TITLE PANELS
     awk -v title="$2" -v panels="$3" '
         /<title>/ { titles += index($0, "<title>" title) > 0 }
         /<desc>..*<\/desc>/ { ++descriptions }
         { open += gsub(/<g[ >]/, "&"); closed += gsub(/<\/g>/, "&"); frames += gsub(/<clipPath/, "&") }
         /font-style="italic".*>x</ { ++x } /font-style="italic".*>y</ { ++y }
+        /^<svg/ { match($0, /width="[0-9]*/); width = 0 + substr($0, RSTART + 7, RLENGTH - 7) }
+        /^<text x="62"/ {
+            match($0, /font-size="[0-9]*/); size = substr($0, RSTART + 11, RLENGTH - 11)
+            text = $0; gsub(/<[^>]*>/, "", text)
+            if (62 + 0.5 * size * length(text) > width) { print "too long: " text; long = 1 }
+        }
         { last = $0 }
         END {
             print titles, descriptions, open, closed, frames, x, y, last
+            if (long || !width) exit 1
             exit !(titles == 1 && descriptions == 1 && open == closed && frames == panels && x > 0 && y > 0 && last == "</svg>")
         }' "$1"
 }
@@ -45,6 +53,8 @@ refuses "a volume of no point" "--dual-volumes expects whole numbers between 0 a
 check "export: one function" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 12 --svg "$tmp/one.svg" --csv "$tmp/values.csv" \
     --contour-csv "$tmp/contours.csv" --window -1,-1,5,4
 check "a function is a picture" is_picture "$tmp/one.svg" "Function of control point 12 (point 1 of curve 2)" 1
+check "export: a complex function" "$harmorph" export "$bodies" "$tmp/conformal.basis" --function 12 --svg "$tmp/complex.svg"
+check "a complex function is a picture" is_picture "$tmp/complex.svg" "Function of control point 12" 1
 check "export: four functions" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 1,5,12,16 --svg "$tmp/four.svg"
 check "four functions are a picture of four panels" is_picture "$tmp/four.svg" "Functions of 4 control points" 4
 check "panels are numbered by curve" grep -q '>Control point 16 (point 5 of curve 2): 0 to' "$tmp/four.svg"

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace cli {
 
 namespace {
 
-constexpr double left = 62, right_margin = 20, above = 70, axis_space = 36;
+constexpr double left = 62, right_margin = 20, above = 50, axis_space = 36;
+constexpr double line_height = 20;             // of the subtitle
 constexpr double heading_space = 26, gap = 18; // between panels
 constexpr double row_height = 24;              // of legend and notes
 
@@ -22,6 +24,22 @@ std::size_t columns_for(std::size_t panels) { return panels <= 3 ? panels : pane
 Box fill(const Box& frame, double scale, Point centre) {
     const double x = frame.width() / scale / 2, y = frame.height() / scale / 2;
     return {{centre.x - x, centre.y - y}, {centre.x + x, centre.y + y}};
+}
+
+// A text in lines of words that fit into a width.
+std::vector<std::string> broken(const std::string& text, double font_size, double width) {
+    std::vector<std::string> lines(1);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        std::string& line = lines.back();
+        const std::string longer = line.empty() ? word : line + " " + word;
+        if (line.empty() || width_of_text(longer, font_size) <= width) {
+            line = longer;
+        } else {
+            lines.push_back(word);
+        }
+    }
+    return lines;
 }
 
 } // namespace
@@ -97,16 +115,20 @@ Sheet::Sheet(const Box& window, const std::string& title, const std::string& sub
     const double frame_width = (width_ - left - right_margin - layout.right - gap * (n - 1)) / n;
     const double shape = window.height() / window.width();
     const double height = std::clamp(frame_width * shape, lowest[is_single ? 0 : 1], highest[is_single ? 0 : 1]);
+    svg_.text({left, 32}, title, "font-size=\"20\" font-weight=\"bold\" fill=\"#111\"");
+    double top = above;
+    for (const std::string& line : broken(subtitle, 15, width_ - left - right_margin)) {
+        svg_.text({left, top + 6}, line, "font-size=\"15\" fill=\"#444\"");
+        top += line_height;
+    }
     for (std::size_t k = 0; k < layout.panels; ++k) {
         const std::size_t row = k / columns, column = k % columns;
         const double x = left + (frame_width + gap) * static_cast<double>(column);
         const double heading = is_single ? 0 : heading_space;
-        const double y = above + heading + (height + heading + gap) * static_cast<double>(row);
+        const double y = top + heading + (height + heading + gap) * static_cast<double>(row);
         plots_.emplace_back(svg_, Box{{x, y}, {x + frame_width, y + height}}, window);
         plots_.back().draw_scale(k + columns >= layout.panels, column == 0);
     }
-    svg_.text({left, 32}, title, "font-size=\"20\" font-weight=\"bold\" fill=\"#111\"");
-    svg_.text({left, 56}, subtitle, "font-size=\"15\" fill=\"#444\"");
     bottom_ = frames().high.y + axis_space;
 }
 
@@ -152,9 +174,11 @@ void Sheet::legend_box(const std::string& attributes, const std::string& text) {
 
 void Sheet::note(const std::string& text) {
     if (text.empty()) return;
-    bottom_ += row_height;
     legend_x_ = 0;
-    svg_.text({left, bottom_ - 7}, text, "font-size=\"13\" fill=\"#666\"");
+    for (const std::string& line : broken(text, 13, width_ - left - right_margin)) {
+        bottom_ += row_height;
+        svg_.text({left, bottom_ - 7}, line, "font-size=\"13\" fill=\"#666\"");
+    }
 }
 
 std::string Sheet::document() const { return svg_.document(bottom_ + 8); }

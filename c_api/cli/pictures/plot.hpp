@@ -56,7 +56,7 @@ public:
     void legend_line(const std::string& attributes, const std::string& text);
     void legend_disc(double radius, const std::string& attributes, const std::string& text);
     void legend_box(const std::string& attributes, const std::string& text);
-    void note(const std::string& text); // a line of its own below; "" adds none
+    void note(const std::string& text); // lines of their own below; "" adds none
     std::string document() const;
 
 private:
