@@ -95,22 +95,23 @@ Index Dissector::set_sides(Cut const& cut, Index begin, Index end, Index& n_left
         return part.count();
     }
     Span<const CutPosition> const position = work_.coordinates.of;
-    Index n_near = 0;
+    Index const direction = cut.direction;
+    float const level = cut.level;
+    Index n_near = 0, left = 0;  // in a register: what is written below could change the caller's count
     for (Index k = 0; k < part.count(); ++k) {
         if (k + prefetch_ahead < part.count()) __builtin_prefetch(&position[part[k + prefetch_ahead]]);
         Index const u = part[k];
-        float const distance = position[u].at[cut.direction] - cut.level, reach = position[u].reach[cut.direction];
-        Index const is_near = (distance <= reach) & (-distance <= reach), is_left = distance < 0;
-        part[n_left] = u;
-        moved[n_right] = u;
+        float const distance = position[u].at[direction] - level, reach = position[u].reach[direction];
+        Index const is_near = larger(distance, -distance) <= reach, is_left = distance < 0;
+        moved[k - left - n_near] = u;
+        part[left] = u;
         near[n_near] = u;
         n_near += is_near;
-        n_left += is_left & ~is_near;
-        n_right += ~is_left & ~is_near & 1;
+        left += is_left & ~is_near;
     }
-    for (Index const u : near.first(n_near)) {
-        side[u] = position[u].at[cut.direction] < cut.level ? Side::left : Side::right;
-    }
+    for (Index const u : near.first(n_near)) side[u] = position[u].at[direction] < level ? Side::left : Side::right;
+    n_left = left;
+    n_right = part.count() - left - n_near;
     return n_near;
 }
 

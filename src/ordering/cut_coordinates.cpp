@@ -73,6 +73,18 @@ void CutCoordinates::find_reach(Graph const& graph, Index u) const noexcept {
     of[u].reach[level_direction] = 1;
 }
 
+// Takes the steps over in the order of memory, which the search does not follow.
+void CutCoordinates::keep_across(Graph const& graph) const noexcept {
+    for (Index u = 0; u < graph.n; ++u) {
+        float const here = step[u];
+        float farthest = here != 0 ? 1.0f : 0.0f;
+        for (Index const v : graph.of(u)) farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
+        of[u].at[across_direction] = here;
+        of[u].reach[across_direction] = farthest;
+    }
+    fill(step.first(graph.n), 0.0f);
+}
+
 // Coordinates relative to the first point: single precision would lose those of a small mesh far from the origin.
 void CutCoordinates::find(Graph const& graph, Points points, Executor const& executor) const noexcept {
     constexpr Index least = 4096;  // unknowns that are worth a task

@@ -54,6 +54,7 @@ private:
     void find_layers(Graph const& graph) const noexcept;
     Index spread(Graph const& graph, Span<Index> search_queue, Index read, Index filled) const noexcept;
     void find_reach(Graph const& graph, Index u) const noexcept;
+    void keep_across(Graph const& graph) const noexcept;
 };
 
 template <class IsPiece, class IsAhead>
@@ -76,18 +77,10 @@ void CutCoordinates::find_across(Graph const& graph, Index start, IsPiece is_pie
     }
     for (Index read = 0; read < filled; ++read) {
         graph.expect(queue, read, filled);
-        if (read + 16 < filled) __builtin_prefetch(&of[queue[read + 16]]);
-        Index const u = queue[read];
-        float const here = step[u], next = here + (here > 0 ? 1.0f : -1.0f);
-        float farthest = 1;
-        for (Index const v : graph.of(u)) {
-            reach(v, next);
-            farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
-        }
-        of[u].at[across_direction] = here;
-        of[u].reach[across_direction] = farthest;
+        float const here = step[queue[read]], next = here + (here > 0 ? 1.0f : -1.0f);
+        for (Index const v : graph.of(queue[read])) reach(v, next);
     }
-    fill(step.first(graph.n), 0.0f);
+    keep_across(graph);
 }
 
 }  // namespace harmorph
