@@ -1,7 +1,7 @@
-// What a cell adds to the matrix, in a header so that the compiler can inline it: it is the inner loop of the assembly.
+// What cells add to the matrix, in a header so that the compiler can inline it: it is the inner loop of the assembly.
 #pragma once
 
-#include "harmorph/operators/matrix.hpp"
+#include "cell_group.hpp"
 
 namespace harmorph {
 
@@ -19,12 +19,18 @@ I find_in_order(Span<const Index> columns, I begin, I end, Index column) noexcep
 typedef Index FourIndices __attribute__((vector_size(16), aligned(4), may_alias));
 typedef std::int64_t TwoPairs __attribute__((vector_size(16)));
 
+// The same of a long row; not inlined, as this is rare.
+__attribute__((noinline)) inline Offset find_in_long_row(Span<const Index> columns, Offset begin, Offset end,
+                                                         Index column) noexcept {
+    return find_in_order(columns, begin, end, column);
+}
+
 // Nearly all rows are short: here smaller columns are counted without branches, which would often be mispredicted.
 // Reads `short_row` columns from the row's first one on, beyond the end of the row if that is shorter.
 inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> columns, Offset begin, Offset end,
                                                          Index column) noexcept {
     static_assert(Matrix::short_row == 8, "two vectors");
-    if (end - begin > Matrix::short_row) return find_in_order(columns, begin, end, column);
+    if (end - begin > Matrix::short_row) return find_in_long_row(columns, begin, end, column);
     const FourIndices* const row = reinterpret_cast<const FourIndices*>(columns.data() + begin);
     Index const length = static_cast<Index>(end - begin);
     FourIndices const number = {0, 1, 2, 3};
@@ -44,50 +50,62 @@ inline __attribute__((always_inline)) bool Matrix::is_turned(Cell const& cell) c
 // The numbers added to a row do not depend on which other rows are in range: results are the same for any number of
 // threads.
 template <bool with_circulation, Index corners>
-inline __attribute__((always_inline)) void Matrix::add_corners(RowRange rows, Cell const& cell,
-                                                               CellConductances conductance,
-                                                               Real circulation) const noexcept {
-    Index at[corners];
-    bool is_inside = true;  // all corners of the cell are unknowns in range, and no two are the same
-    for (Index k = 0; k < corners; ++k) at[k] = row_of[cell.point[k]];
-    constexpr Index n_across = corners == 4 ? 2 : 0;
-    for (Index k = 0; k < corners; ++k) is_inside = is_inside && rows.contain(at[k]) && at[k] != at[(k + 1) % corners];
-    for (Index k = 0; k < n_across; ++k) is_inside = is_inside && at[k] != at[k + 2];
-    if (!is_inside) {
-        for (Index k = 0; k < corners; ++k) {
-            conductance.side[k] = at[k] == at[(k + 1) % corners] ? 0 : conductance.side[k];
-        }
-        for (Index k = 0; k < n_across; ++k) conductance.across[k] = at[k] == at[k + 2] ? 0 : conductance.across[k];
+void Matrix::add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end,
+                         Real half) const noexcept {
+    using Group = CellGroup<corners>;
+    Index row[Group::most][corners];
+    Offset place[Group::most][Group::n_pairs];
+    bool is_inside[Group::most];  // all corners of the cell are unknowns in range, and no two are the same
+    for (Index c = begin; c < end; ++c) {
+        Index at[corners];
+        for (Index k = 0; k < corners; ++k) row[c][k] = at[k] = row_of[cells.point[c][k]];
+        bool inside = true;
+        for (Index k = 0; k < corners; ++k) inside = inside & rows.contain(at[k]) & (at[k] != at[(k + 1) % corners]);
+        for (Index k = 0; k < Group::n_across; ++k) inside = inside & (at[k] != at[k + 2]);
+        is_inside[c] = inside;
+        if (!inside) continue;
+        auto const place_of = [&](Index a, Index b) {
+            Index const first = smaller(a, b);
+            return find_in_row(column, start[first], start[first + 1], larger(a, b));
+        };
+        for (Index k = 0; k < corners; ++k) place[c][k] = place_of(at[k], at[(k + 1) % corners]);
+        for (Index k = 0; k < Group::n_across; ++k) place[c][corners + k] = place_of(at[k], at[k + 2]);
     }
-    Real sum[corners];
+    for (Index c = begin; c < end; ++c) {
+        Index const(&at)[corners] = row[c];
+        CellConductances const conductance = cells.conductances(c);
+        Real const circulation = half * cells.conductivity[c];
+        if (!is_inside[c]) {
+            add_beside_known<with_circulation, corners>(rows, at, conductance, circulation);
+            continue;
+        }
+        for (Index k = 0; k < corners; ++k) diagonal[at[k]] += conductance.sum_at<corners>(k);
+        for (Index k = 0; k < corners; ++k) {
+            value[place[c][k]] -= conductance.side[k];
+            if (with_circulation) imaginary[place[c][k]] += at[(k + 1) % corners] < at[k] ? -circulation : circulation;
+        }
+        for (Index k = 0; k < Group::n_across; ++k) value[place[c][corners + k]] -= conductance.across[k];
+    }
+}
+
+template <bool with_circulation, Index corners>
+__attribute__((noinline)) void Matrix::add_beside_known(RowRange rows, Index const (&at)[corners],
+                                                        CellConductances conductance,
+                                                        Real circulation) const noexcept {
+    constexpr Index n_across = CellGroup<corners>::n_across;
     for (Index k = 0; k < corners; ++k) {
-        Real const sides = conductance.side[(k + corners - 1) % corners] + conductance.side[k];
-        sum[k] = corners == 4 ? sides + conductance.across[k & 1] : sides;
+        conductance.side[k] = at[k] == at[(k + 1) % corners] ? 0 : conductance.side[k];
     }
-    if (!is_inside) {
-        for (Index k = 0; k < corners; ++k) {
-            if (rows.contain(at[k])) diagonal[at[k]] += sum[k];
-        }
-        for (Index k = 0; k < corners; ++k) {
-            add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], conductance.side[k], circulation);
-        }
-        for (Index k = 0; k < n_across; ++k) {
-            add_off_diagonal<with_circulation>(rows, at[k], at[k + 2], conductance.across[k], 0);
-        }
-        return;
-    }
-    for (Index k = 0; k < corners; ++k) diagonal[at[k]] += sum[k];
-    auto const entry = [&](Index a, Index b) {
-        Index const row = smaller(a, b);
-        return find_in_row(column, start[row], start[row + 1], larger(a, b));
-    };
+    for (Index k = 0; k < n_across; ++k) conductance.across[k] = at[k] == at[k + 2] ? 0 : conductance.across[k];
     for (Index k = 0; k < corners; ++k) {
-        Index const a = at[k], b = at[(k + 1) % corners];
-        Offset const of_side = entry(a, b);
-        value[of_side] -= conductance.side[k];
-        if (with_circulation) imaginary[of_side] += b < a ? -circulation : circulation;
+        if (rows.contain(at[k])) diagonal[at[k]] += conductance.sum_at<corners>(k);
     }
-    for (Index k = 0; k < n_across; ++k) value[entry(at[k], at[k + 2])] -= conductance.across[k];
+    for (Index k = 0; k < corners; ++k) {
+        add_off_diagonal<with_circulation>(rows, at[k], at[(k + 1) % corners], conductance.side[k], circulation);
+    }
+    for (Index k = 0; k < n_across; ++k) {
+        add_off_diagonal<with_circulation>(rows, at[k], at[k + 2], conductance.across[k], 0);
+    }
 }
 
 }  // namespace harmorph

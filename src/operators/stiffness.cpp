@@ -1,58 +1,115 @@
 #include "harmorph/operators/stiffness.hpp"
 
-#include "harmorph/mesh/cell_shape.hpp"
 #include "matrix_cells.hpp"
 
 namespace harmorph {
 namespace {
 
-// The conductance of the side opposite to a corner is half the cotangent of the angle there.
-inline CellConductances triangle_conductances(CellShape const& shape, CellCorners const& corners, Real k) noexcept {
-    Real const half = 0.5 * k / corners.twice_area[0];
-    CellConductances conductance;
-    for (Index apex = 0; apex < 3; ++apex) {
-        Index const a = (apex + 1) % 3, b = (apex + 2) % 3;
-        conductance.side[a] = half * dot(shape.at[a] - shape.at[apex], shape.at[b] - shape.at[apex]);
+typedef Real TwoReals __attribute__((vector_size(16), aligned(8), may_alias));
+typedef std::int64_t TwoTruths __attribute__((vector_size(16)));
+
+// By value: through references clang assumes that the vectors are aligned to 16 bytes.
+inline TwoReals two(const Real* numbers) noexcept { return *reinterpret_cast<const TwoReals*>(numbers); }
+inline void set_two(Real* numbers, TwoReals to) noexcept { *reinterpret_cast<TwoReals*>(numbers) = to; }
+
+// Vectors in the plane, of two cells.
+struct TwoVectors {
+    TwoReals x, y;
+    friend TwoVectors operator-(TwoVectors a, TwoVectors b) noexcept { return {a.x - b.x, a.y - b.y}; }
+    friend TwoReals dot(TwoVectors a, TwoVectors b) noexcept { return a.x * b.x + a.y * b.y; }
+    friend TwoReals cross(TwoVectors a, TwoVectors b) noexcept { return a.x * b.y - a.y * b.x; }
+};
+
+// Where an area is positive, `factor` divided by the area; `positive` is cleared where it is not.
+inline TwoReals divided_by_area(TwoReals factor, TwoReals area, TwoTruths& positive) noexcept {
+    TwoTruths const is = area > 0;
+    positive &= is;
+    return factor / (is ? area : TwoReals{1, 1});
+}
+
+// The conductances of two cells of a group from their corners; returns where all areas are positive.
+// A triangle: the conductance of the side opposite to a corner is half the cotangent of the angle there.
+inline TwoTruths find_conductances(CellGroup<3>& cells, Index first, TwoVectors const (&side)[3],
+                                   TwoVectors const (&)[3]) noexcept {
+    TwoTruths positive = {-1, -1};
+    TwoReals const half = divided_by_area(0.5 * two(cells.conductivity + first), cross(side[0], side[1]), positive);
+    for (Index a = 0; a < 3; ++a) {
+        Index const b = (a + 1) % 3, apex = (a + 2) % 3;
+        set_two(cells.side[a] + first, -half * dot(side[apex], side[b]));
     }
-    return conductance;
+    return positive;
 }
 
 // The two splits of a quad have four triangles: the one round corner k is made of k and both neighbouring corners.
-inline CellConductances quad_conductances(CellShape const& shape, CellCorners const& corners,
-                                          Real conductivity) noexcept {
-    Real quarter[4];  // times the product of two sides of a triangle round a corner: a quarter of the angle's cotangent
-    for (Index k = 0; k < 4; ++k) quarter[k] = 0.25 * conductivity / corners.twice_area[k];
-    Vec2 const (&side)[4] = corners.side;
-    Vec2 const across[4] = {shape.at[2] - shape.at[0], shape.at[3] - shape.at[1], shape.at[0] - shape.at[2],
-                            shape.at[1] - shape.at[3]};
-    CellConductances conductance;
-    for (Index a = 0; a < 4; ++a) {  // each split has one angle opposite to a side: at c and at d
-        Index const b = (a + 1) & 3, d = (a + 3) & 3;
-        conductance.side[a] = quarter[b] * dot(across[a], side[b]) - quarter[a] * dot(across[b], side[d]);
-    }
+inline TwoTruths find_conductances(CellGroup<4>& cells, Index first, TwoVectors const (&side)[4],
+                                   TwoVectors const (&at)[4]) noexcept {
+    TwoTruths positive = {-1, -1};
+    TwoReals const k = 0.25 * two(cells.conductivity + first);
+    TwoReals quarter[4];  // times the product of two sides of the triangle: a quarter of the cotangent between them
+    for (Index a = 0; a < 4; ++a) quarter[a] = divided_by_area(k, cross(side[(a + 3) & 3], side[a]), positive);
+    // Each split has one angle opposite to a side: at the corners behind.
+    TwoVectors const across[2] = {at[2] - at[0], at[3] - at[1]};
+    set_two(cells.side[0] + first, quarter[1] * dot(across[0], side[1]) - quarter[0] * dot(across[1], side[3]));
+    set_two(cells.side[1] + first, quarter[2] * dot(across[1], side[2]) + quarter[1] * dot(across[0], side[0]));
+    set_two(cells.side[2] + first, quarter[2] * dot(across[1], side[1]) - quarter[3] * dot(across[0], side[3]));
+    set_two(cells.side[3] + first, -quarter[3] * dot(across[0], side[2]) - quarter[0] * dot(across[1], side[0]));
     for (Index a = 0; a < 2; ++a) {  // a diagonal belongs to one split only; the angles opposite to it are at b and d
         Index const b = a + 1, c = a + 2, d = (a + 3) & 3;
-        conductance.across[a] = -(quarter[b] * dot(side[a], side[b]) + quarter[d] * dot(side[c], side[d]));
+        set_two(cells.across[a] + first, -quarter[b] * dot(side[a], side[b]) - quarter[d] * dot(side[c], side[d]));
     }
-    return conductance;
+    return positive;
+}
+
+// Returns the first cell of the group without positive area, or none. Not inlined for each kind of matrix.
+template <Index corners>
+__attribute__((noinline)) Index measure_cells(CellGroup<corners>& cells) noexcept {
+    static_assert(CellGroup<corners>::most % 2 == 0, "two cells at a time");
+    cells.fill_up();
+    for (Index first = 0; first < cells.count; first += 2) {
+        TwoVectors at[corners], side[corners];
+        for (Index k = 0; k < corners; ++k) at[k] = {two(cells.x[k] + first), two(cells.y[k] + first)};
+        for (Index k = 0; k < corners; ++k) side[k] = at[(k + 1) % corners] - at[k];
+        TwoTruths const positive = find_conductances(cells, first, side, at);
+        if (positive[0] == 0) return cells.number[first];
+        if (positive[1] == 0) return cells.number[first + 1];
+    }
+    return none;
 }
 
 template <MatrixKind kind, Index corners>
-void add_cell(Matrix const& matrix, RowRange rows, Cell const& cell, CellConductances const& conductance,
-              Real circulation) noexcept {
+void add_conductances(Matrix const& matrix, RowRange rows, CellGroup<corners> const& cells, Real half) noexcept {
     if constexpr (kind == MatrixKind::coupled_xy) {
-        for (Index k = 0; k < corners; ++k) {
-            matrix.add_coupled(rows, cell.point[k], cell.point[(k + 1) % corners], conductance.side[k], circulation);
-        }
-        for (Index k = 0; corners == 4 && k < 2; ++k) {
-            matrix.add_coupled(rows, cell.point[k], cell.point[k + 2], conductance.across[k], 0);
+        for (Index c = 0; c < cells.count; ++c) {
+            Index const(&point)[corners] = cells.point[c];
+            for (Index k = 0; k < corners; ++k) {
+                matrix.add_coupled(rows, point[k], point[(k + 1) % corners], cells.side[k][c],
+                                   half * cells.conductivity[c]);
+            }
+            for (Index k = 0; k < cells.n_across; ++k) {
+                matrix.add_coupled(rows, point[k], point[k + 2], cells.across[k][c], 0);
+            }
         }
     } else {
-        matrix.add_corners<kind == MatrixKind::complex, corners>(rows, cell, conductance, circulation);
-        if constexpr (kind == MatrixKind::complex) {
-            if (matrix.turns_sides() && matrix.is_turned(cell)) matrix.add_turns(rows, cell, conductance, circulation);
+        constexpr bool is_complex = kind == MatrixKind::complex;
+        if (!matrix.turns_sides()) return matrix.add_corners<is_complex>(rows, cells, 0, cells.count, half);
+        for (Index c = 0; c < cells.count; ++c) {
+            matrix.add_corners<is_complex>(rows, cells, c, c + 1, half);
+            Cell const cell = cells.cell(c);
+            if (!matrix.is_turned(cell)) continue;
+            matrix.add_turns(rows, cell, cells.conductances(c), half * cells.conductivity[c]);
         }
     }
+}
+
+// Adds the cells of the group, which is empty then; returns the first of them without positive area, or none.
+template <MatrixKind kind, Index corners>
+Index add_group(Matrix const& matrix, RowRange rows, CellGroup<corners>& cells, Real half) noexcept {
+    if (cells.count == 0) return none;
+    Index const bad = measure_cells(cells);
+    if (bad != none) return bad;
+    add_conductances<kind>(matrix, rows, cells, half);
+    cells.count = 0;
+    return none;
 }
 
 // Adds all cells that concern these rows; returns the first of them without positive area, or none.
@@ -62,20 +119,31 @@ Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> condu
     Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries does not change it
     Span<const std::uint8_t> const reversed = cells.reversed;
     bool const all_rows = rows.begin == 0 && rows.end == matrix.n;
-    return cells.mesh.find_cell([&](Index i, Cell cell) {
+    CellGroup<3> triangles;
+    CellGroup<4> quads;
+    Index bad = none;
+    auto const add_groups = [&] {  // one of them is empty, so that cells are added in their order
+        bad = add_group<kind>(matrix, rows, triangles, half);
+        if (bad == none) bad = add_group<kind>(matrix, rows, quads, half);
+        return bad != none;
+    };
+    cells.mesh.find_cell([&](Index i, Cell cell) {
         if (!all_rows && !matrix.concerns(rows, cell)) return false;
         if (reversed[i] != 0) cell.reverse();
-        CellShape const shape(cell, points, false);
-        CellCorners const corners(shape);
-        if (!(corners.smallest() > 0)) return true;
+        bool const is_triangle = cell.n == 3;
+        bool const is_due = is_triangle ? triangles.is_full() || quads.count > 0
+                                        : quads.is_full() || triangles.count > 0;
+        if (is_due && add_groups()) return true;
         Real const k = conductivity.empty() ? 1 : conductivity[i];
-        if (cell.n == 3) {
-            add_cell<kind, 3>(matrix, rows, cell, triangle_conductances(shape, corners, k), half * k);
+        if (is_triangle) {
+            triangles.add(i, cell, points, k);
         } else {
-            add_cell<kind, 4>(matrix, rows, cell, quad_conductances(shape, corners, k), half * k);
+            quads.add(i, cell, points, k);
         }
         return false;
     });
+    if (bad == none) add_groups();
+    return bad;
 }
 
 }  // namespace

@@ -19,7 +19,16 @@ enum class MatrixKind : std::int32_t { real, complex, coupled_xy };
 struct CellConductances {
     Real side[4] = {};
     Real across[2] = {};
+
+    // Of all that end at a corner.
+    template <Index corners>
+    Real sum_at(Index k) const noexcept {
+        Real const sides = side[(k + corners - 1) % corners] + side[k];
+        return corners == 4 ? sides + across[k & 1] : sides;
+    }
 };
+template <Index corners>
+struct CellGroup;
 
 // Rows begin .. end-1: those that one of several threads may write to.
 struct RowRange {
@@ -99,12 +108,12 @@ struct Matrix {
     // values. Two points with one common unknown, as across a periodic pair one cell apart, add nothing. Real matrices
     // only.
     void add(Index point, Index other, Real conductance) const noexcept;
-    // Adds the conductances between a cell's corners, and a circulation along each side: + i circulation in the row of
-    // the side's first corner, - i in that of the next corner; no circulation in a real matrix. Writes only to the rows
-    // in range: threads with other ranges may go through the same cells, and every row is added to in the order of the
-    // cells.
+    // Adds the conductances between the corners of cells begin .. end-1 of a group, and a circulation,
+    // `half` times the conductivity, along each side: + i circulation in the row of the side's first corner, - i in that
+    // of the next corner; no circulation in a real matrix. Writes only to the rows in range: threads with other ranges may
+    // go through the same cells, and every row is added to in the order of the cells.
     template <bool with_circulation, Index corners>
-    void add_corners(RowRange rows, Cell const& cell, CellConductances conductance, Real circulation) const noexcept;
+    void add_corners(RowRange rows, CellGroup<corners> const& cells, Index begin, Index end, Real half) const noexcept;
     bool is_turned(Cell const& cell) const noexcept;
     // What add_corners() leaves out where corners of the cell are turned differently; complex matrices only.
     void add_turns(RowRange rows, Cell const& cell, CellConductances const& conductance, Real circulation) const noexcept;
@@ -149,6 +158,10 @@ private:
     // Is the point an unknown, and the other one fixed, or slipping along another line?
     bool is_beside_fixed(Index point, Index other) const noexcept;
     bool stands_for_fixed(Index dof, Index other_dof) const noexcept;
+    // The same for a cell of which some corners are no unknowns in range, or two are the same.
+    template <bool with_circulation, Index corners>
+    void add_beside_known(RowRange rows, Index const (&at)[corners], CellConductances conductance,
+                          Real circulation) const noexcept;
     void add_turn(RowRange rows, Index point, Index other, Vec2 entry) const noexcept;
     void couple_to_fixed(RowRange rows, Index point, Real conductance, Real circulation) const noexcept;
 };
