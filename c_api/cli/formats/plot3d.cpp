@@ -11,6 +11,7 @@
 #include "formats/bytes.hpp"
 #include "formats/nmf.hpp"
 #include "formats/number_reader.hpp"
+#include "formats/places.hpp"
 #include "formats/plot3d_layout.hpp"
 #include "formats/repeats.hpp"
 #include "formats/tidy.hpp"
@@ -21,7 +22,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <unordered_map>
 
 namespace cli {
 
@@ -36,17 +36,9 @@ public:
 
 private:
     using Index3 = std::array<std::int64_t, 3>;
-    using Cube = std::array<std::int64_t, 3>; // of a fine grid, in which points of sides are looked up
-    struct CubeHash {
-        std::size_t operator()(const Cube& cube) const {
-            const auto mixed = [](std::int64_t value) { return static_cast<std::size_t>(value) * 0x9E3779B97F4A7C15u; };
-            return mixed(cube[0]) ^ mixed(cube[1]) >> 7 ^ mixed(cube[2]) >> 13;
-        }
-    };
 
     void read_points();
     void join_points();
-    std::int32_t point_at(const std::array<double, 3>& place);
     int across(const Plot3dBlock& block) const;
     bool is_on_side(const Plot3dBlock& block, const Index3& index) const;
     std::int32_t point(std::size_t block, const Index3& index) const {
@@ -67,8 +59,6 @@ private:
     std::vector<std::int32_t> point_of_;    // in points_, of those of the file
     std::unique_ptr<OneCellThick> solid_;   // none: one plane
     std::vector<NmfPatch> patches_;
-    std::unordered_multimap<Cube, std::int32_t, CubeHash> on_sides_;
-    double same_place_ = 0; // coordinates that differ by no more are equal
     std::int64_t blanked_ = 0;
 };
 
@@ -159,7 +149,7 @@ void Plot3dReader::join_points() {
     for (const auto& values : in_file_.x) {
         for (const double value : values) largest = std::max(largest, std::fabs(value));
     }
-    same_place_ = rounding_of_cuts * largest;
+    Places on_sides(rounding_of_cuts * largest);
     point_of_.reserve(in_file_.x[0].size());
     for (std::size_t d = 0; d < 3; ++d) {
         points_.x[d].reserve(in_file_.x[0].size());
@@ -176,7 +166,7 @@ void Plot3dReader::join_points() {
                         its.x[d] = in_file_.x[d][k];
                         its.offset[d] = in_file_.offset[d][k];
                     }
-                    if (is_on_side(block, index)) its.of = point_at(its.x);
+                    if (is_on_side(block, index)) its.of = on_sides.find_or_add(its.x, its.of);
                     point_of_.push_back(its.of);
                     if (its.of < points_.points()) {
                         copies_.push_back(its);
@@ -191,31 +181,6 @@ void Plot3dReader::join_points() {
         }
     }
     in_file_ = {};
-}
-
-// The point at this place; if there is none, the number that it is going to have.
-std::int32_t Plot3dReader::point_at(const std::array<double, 3>& place) {
-    const double size = 4 * same_place_; // of a cube: a point has neighbours in its own and at most seven more
-    const auto cube = [size](double at) { return size > 0 ? static_cast<std::int64_t>(std::floor(at / size)) : 0; };
-    const auto first = [&](std::size_t d) { return cube(place[d] - same_place_); };
-    const auto last = [&](std::size_t d) { return cube(place[d] + same_place_); };
-    for (std::int64_t i = first(0); i <= last(0); ++i) {
-        for (std::int64_t j = first(1); j <= last(1); ++j) {
-            for (std::int64_t k = first(2); k <= last(2); ++k) {
-                const auto range = on_sides_.equal_range({i, j, k});
-                for (auto other = range.first; other != range.second; ++other) {
-                    bool is_same = true;
-                    for (std::size_t d = 0; d < 3; ++d) {
-                        const double its = points_.x[d][static_cast<std::size_t>(other->second)];
-                        is_same = is_same && std::fabs(its - place[d]) <= same_place_;
-                    }
-                    if (is_same) return other->second;
-                }
-            }
-        }
-    }
-    on_sides_.emplace(Cube{cube(place[0]), cube(place[1]), cube(place[2])}, points_.points());
-    return points_.points();
 }
 
 // Of a box of one cell, or of one of its sides: the points round it in the plane across `direction`, without those that
