@@ -1,0 +1,295 @@
+// Bounds of the fields that belong to curves, sections and design variables: the last value inside is accepted, the
+// first one outside is refused by the field's name.
+#include <doctest/doctest.h>
+
+#include <fixtures/changes.hpp>
+#include <fixtures/parted.hpp>
+#include <fixtures/spoiled_arguments.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+double const square_of_points[] = {3, 3, 4, 3, 4, 4, 3, 4};
+double const bad_polygon[] = {3, 3, not_a_number, 3}, far_polygon[] = {3, 3, 4, beyond_range};
+
+}  // namespace
+
+TEST_CASE("quantities of a section") {
+    CurveSet set = airfoil_case().curves;
+    hm_quantity area = with_size<hm_quantity>();
+    area.kind = HM_AREA;
+    hm_quantity thickness = area, clearance = area;
+    thickness.kind = HM_THICKNESS;
+    thickness.station = 0.5;
+    clearance.kind = HM_CLEARANCE;
+    clearance.n_polygon = 4;
+    clearance.polygon = square_of_points;
+    auto const measure = [&](hm_quantity const& asked, hm_error* e) {
+        double value = 0;
+        return hm_measure(&set.view(), nullptr, 1, &asked, &value, nullptr, nullptr, e);
+    };
+    using Q = hm_quantity;
+    check_changes<Q>(area,
+                     {{nullptr, [](Q&) {}},
+                      {"struct_size of quantity 0", [](Q& q) { q.struct_size = 0; }},
+                      {"the unknown kind -1", [](Q& q) { q.kind = -1; }},
+                      {"unknown kind", [](Q& q) { q.kind = HM_CLEARANCE + 1; }},
+                      {"has a station", [](Q& q) { q.station = 0.5; }},
+                      {"has a polygon", [](Q& q) { q.n_polygon = 1; }}},
+                     HM_BAD_ARGUMENT, measure);
+    check_changes<Q>(thickness,
+                     {{nullptr, [](Q&) {}},
+                      {nullptr, [](Q& q) { q.station = 0.01; }},
+                      {nullptr, [](Q& q) { q.station = 0.99; }},
+                      {"the station is 0", [](Q& q) { q.station = 0; }},
+                      {"the station is 1", [](Q& q) { q.station = 1; }},
+                      {"the station is NaN", [](Q& q) { q.station = not_a_number; }}},
+                     HM_BAD_ARGUMENT, measure);
+    check_changes<Q>(clearance,
+                     {{nullptr, [](Q&) {}},
+                      {"longer than 2^20", [](Q& q) { q.n_polygon = 0; }},
+                      {"longer than 2^20", [](Q& q) { q.n_polygon = (1 << 20) + 1; }},
+                      {"the polygon is NULL", [](Q& q) { q.polygon = nullptr; }},
+                      {"point 1 (from 0) of the polygon", [](Q& q) { q.polygon = bad_polygon; }},
+                      {"point 1 (from 0) of the polygon", [](Q& q) { q.polygon = far_polygon, q.n_polygon = 2; }}},
+                     HM_BAD_ARGUMENT, measure);
+    hm_quantity two[] = {area, area};
+    two[1].struct_size = 0;
+    double values[2];
+    hm_error error{};
+    CHECK(hm_measure(&set.view(), nullptr, 0, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "n is 0: at least one quantity is measured");
+    CHECK(hm_measure(&set.view(), nullptr, 2, two, values, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+    CHECK(std::string(error.text) == "struct_size of quantity 1 (from 0) is not set");
+}
+
+TEST_CASE("sections") {
+    CurveSet set = ring(3, 8, 1, 1);
+    hm_quantity area = with_size<hm_quantity>();
+    area.kind = HM_AREA;
+    auto const measure = [&](hm_section const& section, hm_error* e) {
+        double value = 0;
+        return hm_measure(&set.view(), &section, 1, &area, &value, nullptr, nullptr, e);
+    };
+    using S = hm_section;
+    check_changes<S>(with_size<S>(),
+                     {{nullptr, [](S&) {}},
+                      {nullptr, [](S& s) { s.n_curves = 1; }},
+                      {"section.struct_size", [](S& s) { s.struct_size = 0; }},
+                      {"exceed the curves of the set", [](S& s) { s.first_curve = -1; }},
+                      {"exceed the curves of the set", [](S& s) { s.first_curve = 1; }},
+                      {"exceed the curves of the set", [](S& s) { s.n_curves = 2; }},
+                      {"exceed the curves of the set", [](S& s) { s.n_curves = -1; }},
+                      {"an end of the chord line", [](S& s) { s.nose_x = beyond_range; }},
+                      {"an end of the chord line", [](S& s) { s.nose_y = not_a_number; }},
+                      {"an end of the chord line", [](S& s) { s.edge_x = not_a_number; }},
+                      {"an end of the chord line", [](S& s) { s.edge_y = -beyond_range; }}},
+                     HM_BAD_ARGUMENT, measure);
+    for (std::size_t const number : {2u, 5u}) {   // an x, a y
+        CurveSet far = set;
+        far.control[number] = 2e50;
+        hm_error error{};
+        double value = 0;
+        CHECK(hm_measure(&far.view(), nullptr, 1, &area, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+        CHECK(std::string(error.text).find("beyond 1e50") != std::string::npos);
+        CHECK(error.item == static_cast<std::int32_t>(number / 2));
+    }
+}
+
+TEST_CASE("design variables") {
+    CurveSet set = airfoil_case().curves;
+    static double const peaks[] = {0.3, 0.6}, low[] = {0.3, 0}, high[] = {1, 0.6}, none_at_all[] = {not_a_number, 0.6};
+    hm_variables box = with_size<hm_variables>();
+    box.kind = HM_FFD;
+    box.degree_x = box.degree_y = 1;
+    hm_variables cst = with_size<hm_variables>(), bumps = cst, naca = cst;
+    cst.kind = HM_CST;
+    cst.n_upper = 2;
+    bumps.kind = HM_HICKS_HENNE;
+    bumps.n_upper = bumps.n_lower = 1;
+    naca.kind = HM_NACA4;
+    auto const size = [&](hm_variables const& variables, hm_error* e) {
+        std::int32_t n = 0;
+        std::size_t bytes = 0;
+        return hm_variables_size(&set.view(), nullptr, &variables, &n, &bytes, e);
+    };
+    using V = hm_variables;
+    check_changes<V>(box,
+                     {{nullptr, [](V&) {}},
+                      {"variables.struct_size", [](V& v) { v.struct_size = 0; }},
+                      {"unknown", [](V& v) { v.kind = -1; }},
+                      {"unknown", [](V& v) { v.kind = HM_NACA4 + 1; }},
+                      {nullptr, [](V& v) { v.degree_x = 63, v.degree_y = 0; }},
+                      {nullptr, [](V& v) { v.degree_x = 0, v.degree_y = 63; }},
+                      {"degree_x and degree_y are -1 and 1", [](V& v) { v.degree_x = -1; }},
+                      {"degree_x and degree_y are 64 and 1", [](V& v) { v.degree_x = 64; }},
+                      {"degree_x and degree_y are 1 and -1", [](V& v) { v.degree_y = -1; }},
+                      {"degree_x and degree_y are 1 and 64", [](V& v) { v.degree_y = 64; }},
+                      {"n_upper and n_lower", [](V& v) { v.n_upper = 1; }},
+                      {"n_upper and n_lower", [](V& v) { v.n_lower = 1; }},
+                      {"peaks", [](V& v) { v.peaks = peaks; }},
+                      {"the exponents", [](V& v) { v.nose_exponent = 1; }},
+                      {"the exponents", [](V& v) { v.edge_exponent = 1; }},
+                      {"the width", [](V& v) { v.width = 2; }},
+                      {nullptr, [](V& v) { v.x_min = -1, v.x_max = 1, v.y_max = 1; }},
+                      {"the box is empty", [](V& v) { v.x_min = 1; }},
+                      {"the box is empty", [](V& v) { v.y_min = 1; }},
+                      {"the box is empty", [](V& v) { v.x_max = 1; }},
+                      {"the box is empty", [](V& v) { v.y_max = 1; }},
+                      {"not finite", [](V& v) { v.x_max = beyond_range, v.y_max = 1; }},
+                      {"not finite", [](V& v) { v.x_min = -beyond_range, v.x_max = 1, v.y_max = 1; }},
+                      {"not finite", [](V& v) { v.x_max = 1, v.y_max = not_a_number; }}},
+                     HM_BAD_ARGUMENT, size);
+    check_changes<V>(cst,
+                     {{nullptr, [](V&) {}},
+                      {nullptr, [](V& v) { v.n_upper = 64, v.n_lower = 64; }},
+                      {"n_upper and n_lower are 0 and 0", [](V& v) { v.n_upper = 0; }},
+                      {"n_upper and n_lower are 65 and 0", [](V& v) { v.n_upper = 65; }},
+                      {"n_upper and n_lower are -1 and 2", [](V& v) { v.n_upper = -1, v.n_lower = 2; }},
+                      {"n_upper and n_lower are 2 and 65", [](V& v) { v.n_lower = 65; }},
+                      {"n_upper and n_lower are 2 and -1", [](V& v) { v.n_lower = -1; }},
+                      {"degrees and box", [](V& v) { v.degree_x = 1; }},
+                      {"degrees and box", [](V& v) { v.degree_y = 1; }},
+                      {"degrees and box", [](V& v) { v.x_min = 1; }},
+                      {"degrees and box", [](V& v) { v.y_min = 1; }},
+                      {"degrees and box", [](V& v) { v.x_max = 1; }},
+                      {"degrees and box", [](V& v) { v.y_max = 1; }},
+                      {"peaks", [](V& v) { v.peaks = peaks; }},
+                      {nullptr, [](V& v) { v.nose_exponent = 10, v.edge_exponent = 10; }},
+                      {nullptr, [](V& v) { v.edge_exponent = 1; }},
+                      {"nose_exponent is 11", [](V& v) { v.nose_exponent = 11; }},
+                      {"nose_exponent is -1", [](V& v) { v.nose_exponent = -1; }},
+                      {"edge_exponent is 11", [](V& v) { v.edge_exponent = 11; }},
+                      {"edge_exponent is NaN", [](V& v) { v.edge_exponent = not_a_number; }}},
+                     HM_BAD_ARGUMENT, size);
+    check_changes<V>(bumps,
+                     {{nullptr, [](V& v) { v.width = 1; }},
+                      {nullptr, [](V& v) { v.width = 100; }},
+                      {"the width is 101", [](V& v) { v.width = 101; }},
+                      {"the width is 5.00000e-1", [](V& v) { v.width = 0.5; }},
+                      {nullptr, [](V& v) { v.peaks = peaks; }},
+                      {"peak 1 (from 0) is 0", [](V& v) { v.peaks = low; }},
+                      {"peak 0 (from 0) is 1", [](V& v) { v.peaks = high; }},
+                      {"peak 0 (from 0) is NaN", [](V& v) { v.peaks = none_at_all; }}},
+                     HM_BAD_ARGUMENT, size);
+    check_changes<V>(naca,
+                     {{nullptr, [](V&) {}},
+                      {nullptr, [](V& v) { v.n_upper = 2, v.peaks = peaks; }},
+                      {"n_lower is not of HM_NACA4", [](V& v) { v.n_lower = 1; }}},
+                     HM_BAD_ARGUMENT, size);
+}
+
+TEST_CASE("curves: each field of the set and of a curve") {
+    CurveSet set = ring(3, 8, 1, 1);
+    hm_curves const& curves = set.view();
+    auto const check = [](hm_curves const& its, hm_error* e) { return hm_curves_check(&its, e); };
+    using C = hm_curves;
+    check_changes<C>(curves,
+                     {{"n_control must be between 2 and 2^24, not 1", [](C& c) { c.n_control = 1; }},
+                      {"n_control must be between 2 and 2^24", [](C& c) { c.n_control = (1 << 24) + 1; }},
+                      {"n_curves must be between 1 and 2^24, not 0", [](C& c) { c.n_curves = 0; }},
+                      {"n_curves must be between 1 and 2^24", [](C& c) { c.n_curves = (1 << 24) + 1; }}},
+                     HM_BAD_CURVE, check);
+    check_changes<C>(curves,
+                     {{"curves.control or curves.curve is NULL", [](C& c) { c.control = nullptr; }},
+                      {"curves.control or curves.curve is NULL", [](C& c) { c.curve = nullptr; }},
+                      {"index_base", [](C& c) { c.index_base = 2; }},
+                      {"index_base", [](C& c) { c.index_base = -1; }}},
+                     HM_BAD_ARGUMENT, check);
+    // Wherever curves are read.
+    Case its = tiny_case();
+    its.curves.add(ring(3, 8, 1, 1));
+    hm_problem problem = its.problem();
+    hm_curves two = *problem.curves;
+    std::vector<hm_curve> its_curves(two.curve, two.curve + 2);
+    two.curve = its_curves.data();
+    problem.curves = &two;
+    for (bool const has_size : {false, true}) {
+        if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
+        else its_curves[1].struct_size = 0;
+        std::string const text = has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is not set";
+        std::size_t bytes = 0;
+        double at[2];
+        REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
+        Guarded block(bytes);
+        hm_analysis* analysis = nullptr;
+        hm_error error{};
+        CHECK(hm_analysis_init(&analysis, block.data(), bytes, &problem, nullptr, &error) == HM_BAD_ARGUMENT);
+        CHECK(error.text == text);
+        CHECK(hm_curves_check(&two, &error) == HM_BAD_ARGUMENT);
+        CHECK(error.text == text);
+        CHECK(hm_curve_point(&two, 1, 0.5, 0, at, &error) == HM_BAD_ARGUMENT);
+        CHECK(error.text == text);
+        CHECK(hm_elevate_size(&two, 0, &bytes, &error) == HM_BAD_ARGUMENT);
+        CHECK(error.text == text);
+        hm_quantity area = with_size<hm_quantity>();
+        area.kind = HM_AREA;
+        CHECK(hm_measure(&two, nullptr, 1, &area, at, nullptr, nullptr, &error) == HM_BAD_ARGUMENT);
+        CHECK(error.text == text);
+    }
+}
+
+TEST_CASE("fits and finer curves") {
+    auto const size = [](hm_fit_options const& options, hm_error* e) {
+        std::size_t bytes = 0;
+        return hm_fit_size(40, &options, &bytes, e);
+    };
+    hm_fit_options sound = with_size<hm_fit_options>();
+    sound.n_control = 8;
+    using F = hm_fit_options;
+    check_changes<F>(sound,
+                     {{nullptr, [](F&) {}},
+                      {nullptr, [](F& f) { f.closed = HM_PERIODIC; }},
+                      {"closed is -1", [](F& f) { f.closed = -1; }},
+                      {"closed is", [](F& f) { f.closed = HM_PERIODIC + 1; }},
+                      {"reserved must be 0", [](F& f) { f.reserved = 1; }}},
+                     HM_BAD_ARGUMENT, size);
+    CurveSet set = ring(3, 8, 1, 1);
+    double const u = 0.3;
+    std::size_t bytes = 0;
+    auto const refine = [&](std::int32_t curve, std::int32_t n, const double* knots) {
+        hm_error error{};
+        CHECK(hm_refine_size(&set.view(), curve, n, knots, &bytes, &error) == (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
+        return std::string(error.text);
+    };
+    CHECK(refine(0, 0, nullptr) == "");
+    CHECK(refine(0, -1, &u) == "n must be between 0 and 2^24, not -1");
+    CHECK(refine(0, (1 << 24) + 1, &u) == "n must be between 0 and 2^24, not 16777217");
+    CHECK(refine(-1, 1, &u) == "there is no curve -1 (from 0); the set has 1");
+    CHECK(refine(1, 1, &u) == "there is no curve 1 (from 0); the set has 1");
+}
+
+TEST_CASE("an edge angle where the curve stands still") {
+    double const control[] = {1, 0, 1, 0, 0.5, 0.2, 0, 0, 0.5, -0.2, 1, 0};
+    double const knots[] = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    hm_curve const curve{sizeof curve, 3, 6, nullptr, knots};
+    hm_curves curves = with_size<hm_curves>();
+    curves.n_control = 6;
+    curves.control = control;
+    curves.n_curves = 1;
+    curves.curve = &curve;
+    hm_quantity angle = with_size<hm_quantity>();
+    angle.kind = HM_EDGE_ANGLE;
+    double value = 7;
+    hm_error error{};
+    CHECK(hm_measure(&curves, nullptr, 1, &angle, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    CHECK(std::string(error.text) == "the trailing edge has no directions: the curve stands still at its ends");
+    CHECK(value == 7);
+}
+
+TEST_CASE("curvature of a curve with a cusp inside a span") {
+    double const control[] = {0, 0, 1, 1, 0, 1, 1, 0}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};   // C'(1/2) = 0
+    hm_curve const curve{sizeof curve, 3, 4, nullptr, knots};
+    hm_curves curves = with_size<hm_curves>();
+    curves.n_control = 4;
+    curves.control = control;
+    curves.n_curves = 1;
+    curves.curve = &curve;
+    hm_quantity least = with_size<hm_quantity>();
+    least.kind = HM_MIN_RADIUS;
+    double value = 7;
+    hm_error error{};
+    CHECK(hm_measure(&curves, nullptr, 1, &least, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+    CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") != std::string::npos);
+}

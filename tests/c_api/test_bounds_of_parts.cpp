@@ -1,0 +1,106 @@
+// Bounds in what a part of a mesh says of its cells, columns and unknowns: the last value inside is accepted, the first
+// one outside is refused by name.
+#include <doctest/doctest.h>
+
+#include <fixtures/changes.hpp>
+#include <fixtures/parted.hpp>
+#include <fixtures/spoiled_arguments.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("two cells of a part on one side of an edge") {
+    Mesh mesh;
+    for (Point const p : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 2}}) mesh.add_point(p);
+    mesh.add_cell({0, 1, 2});
+    mesh.add_cell({0, 1, 3});
+    std::vector<std::int64_t> const numbers = {10, 11, 12, 13};
+    hm_mesh const view = mesh.view();
+    hm_part_mesh part = with_size<hm_part_mesh>();
+    part.mesh = &view;
+    part.numbers = numbers.data();
+    std::size_t bytes = 0;
+    REQUIRE(hm_part_size(&part, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    hm_part* made = nullptr;
+    hm_error error{};
+    CHECK(hm_part_init(&made, block.data(), bytes, &part, &error) == HM_BAD_MESH);
+    CHECK(std::string(error.text) == "the cells on both sides of the edge between points 0 and 1 overlap");
+}
+
+TEST_CASE("columns and unknowns of a part's equations") {
+    Case its = tiny_case();
+    hm_options const options = laplace();
+    Parted parted(cut(its.mesh, stripes(its.mesh, 1), false));
+    REQUIRE(parted.match());
+    REQUIRE(parted.equate(its.problem(), options));
+    hm_equations* const equations = parted.parts[0].equations;
+    hm_equations_info const& info = parted.parts[0].info();
+    hm_part* const part = parted.parts[0].part;
+    std::int32_t const n_edges = static_cast<std::int32_t>(parted.edges.size());
+    std::size_t bytes = 0;
+    REQUIRE(hm_rows_size(equations, &bytes, nullptr) == HM_OK);
+    Guarded block(bytes);
+    hm_basis* rows = nullptr;
+    REQUIRE(hm_rows_init(&rows, block.data(), bytes, equations, nullptr) == HM_OK);
+    std::vector<double> numbers(1000, 0.0);
+    std::int64_t n = 0;
+    hm_error error{};
+    auto const says = [&](hm_status status, std::string const& text) {
+        CHECK(status < 0);
+        CHECK(error.text == text);
+    };
+    for (std::int32_t const column : {-1, info.columns})
+        says(hm_rows_get(equations, rows, column, numbers.data(), &error),
+             "there is no column " + std::to_string(column) + " (from 0) of " + std::to_string(info.columns));
+    CHECK(hm_rows_get(equations, rows, info.columns - 1, numbers.data(), &error) == HM_OK);
+    for (double const largest : {-1.0, not_a_number, HUGE_VAL}) {
+        CHECK(hm_rows_finish(equations, rows, largest, &error) == HM_BAD_ARGUMENT);
+        CHECK(std::string(error.text).find("largest must be finite and not negative") == 0);
+    }
+    struct {
+        std::int32_t first, n;
+    } const outside[] = {{-1, 1}, {0, -1}, {0, info.unknowns + 1}, {info.unknowns, 1}};
+    for (auto const& range : outside) {
+        says(hm_equations_entries(equations, range.first, range.n, nullptr, nullptr, nullptr, 0, &n, &error),
+             "from unknown " + std::to_string(range.first) + " (from 0) on there are no " + std::to_string(range.n) +
+                 " unknowns");
+    }
+    CHECK(hm_equations_entries(equations, info.unknowns, 0, nullptr, nullptr, nullptr, 0, &n, &error) == HM_OK);
+    CHECK(n == 0);
+
+    Case other = tiny_case();
+    other.conditions[0] = hm_condition{};
+    other.conditions[0].struct_size = sizeof(hm_condition);
+    other.conditions[0].marker = body;
+    other.conditions[0].kind = HM_FIXED;
+    other.curves = {};
+    hm_problem problem = other.problem();
+    problem.mesh = nullptr;
+    says(hm_equations_size(part, n_edges, &problem, &options, &bytes, &error),
+         "there are no curves, no rigid bodies and no given displacements");
+    problem = its.problem();
+    problem.mesh = nullptr;
+    for (std::int32_t const count : {-1, (1 << 29) + 1})
+        says(hm_equations_size(part, count, &problem, &options, &bytes, &error),
+             "n_edges must be between 0 and 2^29, not " + std::to_string(count));
+    REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
+    says(hm_rows_get(equations, rows, 0, numbers.data(), &error), "the rows are finished: make new ones by hm_rows_init");
+    Solved const whole(its, &options);
+    says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error), "the rows are finished: make new ones by hm_rows_init");
+    Case two = two_body_case(Cells::hybrid, 4, 3);
+    Solved const elsewhere(two, &options);
+    says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error), "the rows were made of other equations");
+
+    hm_part_mesh nobody = with_size<hm_part_mesh>();
+    hm_mesh const mesh = parted.parts[0].mesh.view();
+    nobody.mesh = &mesh;
+    says(hm_part_size(&nobody, &bytes, &error), "part.numbers is NULL");
+    nobody.numbers = parted.parts[0].numbers.data();
+    nobody.mesh = nullptr;
+    says(hm_part_size(&nobody, &bytes, &error), "mesh is NULL");
+    n = -1;
+    hm_edge edge{};
+    says(hm_match_edges(&edge, &n, &error), "the number of edges is negative");
+    n = 0;
+    CHECK(hm_match_edges(nullptr, &n, &error) == HM_OK);
+}

@@ -1,0 +1,162 @@
+// Calls of the safe morph: cancelled, with exact working space, on threads, refused.
+#include <doctest/doctest.h>
+
+#include <fixtures/block_in_square.hpp>
+#include <fixtures/executors.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("cancelled by the progress callback: nothing is written, and afterwards it works again") {
+    struct Listener {
+        int calls = 0, stop_at = 1 << 30;
+        static std::int32_t call(void* user, std::int32_t, double) {
+            Listener& self = *static_cast<Listener*>(user);
+            return self.calls++ >= self.stop_at ? 1 : 0;
+        }
+    };
+    Case its = block_in_square(Cells::quads, 15);
+    Listener listener;
+    hm_options options = options_of(HM_CONFORMAL);
+    options.progress = Listener::call;
+    options.progress_user = &listener;
+    Safe safe(its, options);
+    std::vector<double> const move = turn_of(its, 120);
+    listener.calls = 0;
+    REQUIRE(safe.run(move) == HM_OK);
+    REQUIRE(safe.report.resolves > 0);
+    int const all = listener.calls;
+    std::vector<double> const expected = safe.x;
+    CHECK(all > 4);
+    for (int stop = 0; stop < all; stop += 1 + all / 20) {
+        listener.calls = 0;
+        listener.stop_at = stop;
+        CHECK(safe.run(move) == HM_CANCELLED);
+        CHECK(safe.untouched());
+    }
+    listener.stop_at = 1 << 30;
+    REQUIRE(safe.run(move) == HM_OK);
+    CHECK(same_bits(safe.x, expected));
+}
+
+TEST_CASE("working space: exactly the stated size, and refused at every size below") {
+    Case its = tiny_case();
+    Safe safe(its);
+    std::vector<double> const move = turn_of(its, 20);
+    std::size_t const bytes = safe.work().size();
+    std::vector<double> x = its.mesh.x, y = its.mesh.y;
+    for (std::size_t give = 0; give < bytes; give += give + 300 < bytes ? 251 : 1) {
+        Guarded less(give);
+        hm_error error{};
+        hm_status const status = hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y),
+                                               nullptr, less.data(), give, nullptr, nullptr, &error);
+        if (status == HM_OK) CHECK(bytes - give < 64);   // the slack for alignment
+        else {
+            REQUIRE(status == HM_BLOCK_TOO_SMALL);
+            CHECK(error.value > 0);
+            CHECK(error.value <= static_cast<double>(bytes - give));
+        }
+        CHECK(less.guards_intact());
+        if (status == HM_OK) break;
+    }
+    for (std::size_t const shift : {std::size_t{1}, std::size_t{33}}) {
+        Guarded other(bytes, shift);
+        CHECK(hm_morph_safe(safe.solved().plan, safe.solved().basis, move.data(), points_out(x, y), nullptr,
+                            other.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
+        CHECK(other.guards_intact());
+    }
+}
+
+TEST_CASE("the same bits for any number of threads, in place, and on another array") {
+    Case its = block_in_square();
+    std::vector<double> const move = turn_of(its, 110, {0.03, 0});
+    for (std::int32_t const skipped : {0, without({HM_STRATEGY_SUBSTEPS})}) {
+        Safe serial(its);
+        serial.safe_options.skipped_strategies = skipped;
+        REQUIRE(serial.run(move) == HM_OK);
+        for (std::int32_t const threads : {2, 5}) {
+            Backwards backwards;
+            hm_executor const executor = backwards.executor(threads);
+            hm_options options = options_of(HM_CONFORMAL);
+            options.executor = &executor;
+            Safe safe(its, options);
+            safe.safe_options.skipped_strategies = skipped;
+            REQUIRE(safe.run(move) == HM_OK);
+            CHECK(same_bits(safe.x, serial.x));
+            CHECK(same_bits(safe.y, serial.y));
+            CHECK(safe.report.min_quality == serial.report.min_quality);
+        }
+    }
+    hm_options const options = options_of(HM_CONFORMAL);
+    Safe reference(its);
+    REQUIRE(reference.run(move) == HM_OK);
+    Case own = its;
+    hm_mesh view = own.mesh.view();
+    hm_problem const problem = own.problem(view);
+    Solved const solved(problem, &options);
+    std::size_t bytes = 0;
+    REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(own.mesh.x, own.mesh.y), nullptr,
+                          work.data(), bytes, nullptr, nullptr, nullptr) == HM_OK);
+    CHECK(same_bits(own.mesh.x, reference.x));
+    CHECK(same_bits(own.mesh.y, reference.y));
+}
+
+TEST_CASE("what does not belong together is refused, and nothing is written") {
+    Case its = tiny_case();
+    Safe safe(its);
+    std::vector<double> const move = turn_of(its, 10);
+    auto const refused = [&](hm_plan* plan, const hm_basis* basis, std::vector<double> const& by,
+                             hm_basis* derivative = nullptr) {
+        std::size_t bytes = 0;
+        REQUIRE(hm_morph_safe_size(plan, nullptr, &bytes, nullptr) == HM_OK);
+        Guarded work(bytes);
+        std::vector<double> x = its.mesh.x, y = its.mesh.y;
+        hm_status const status = hm_morph_safe(plan, basis, by.data(), points_out(x, y), derivative, work.data(), bytes,
+                                               &safe.safe_options, nullptr, nullptr);
+        CHECK(same_bits(x, its.mesh.x));
+        CHECK(same_bits(y, its.mesh.y));
+        return status;
+    };
+    hm_options const conformal = options_of(HM_CONFORMAL), sharper = options_of(HM_CONFORMAL, 8);
+    hm_options const paper = options_of(HM_LAPLACE);
+    Solved const other_exponent(its, &sharper), other_operator(its, &paper);
+    Case elsewhere = its;
+    elsewhere.give(17, 0.4);
+    Solved const other_parameters(elsewhere, &conformal);
+    hm_plan* const plan = safe.solved().plan;
+    CHECK(refused(plan, other_exponent.basis, move) == HM_BAD_BASIS);
+    CHECK(refused(plan, other_operator.basis, move) == HM_BAD_BASIS);
+    CHECK(refused(plan, other_parameters.basis, move) == HM_BAD_BASIS);
+    CHECK(refused(plan, safe.solved().basis, move, other_operator.basis) == HM_BAD_BASIS);
+    Attempt unsolved;
+    REQUIRE(unsolved.analyse(its.problem(), &conformal));
+    REQUIRE(unsolved.prepare());
+    CHECK(refused(unsolved.plan, unsolved.basis, move) == HM_BAD_BASIS);
+    std::vector<double> wrong = move;
+    wrong[3] = std::nan("");
+    CHECK(refused(plan, safe.solved().basis, wrong) == HM_BAD_ARGUMENT);
+    // Among the others: another operator and exponent are welcome, other curves and parameters, and unsolved ones, are not.
+    const hm_basis* others[] = {other_exponent.basis, other_operator.basis, nullptr};
+    safe.safe_options.n_others = 2;
+    safe.safe_options.others = others;
+    CHECK(safe.run(move) == HM_OK);
+    safe.safe_options.n_others = 3;
+    CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_ARGUMENT);
+    others[2] = other_parameters.basis;
+    CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
+    others[2] = unsolved.basis;
+    CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
+    Case knots = its;   // the same points and parameters on a curve of another shape
+    knots.curves.shapes[0].knots[2] += 0.01;
+    knots.give(17, 0.5);
+    Case knots_before = its;
+    knots_before.give(17, 0.5);
+    Solved const other_knots(knots, &conformal);
+    others[2] = other_knots.basis;
+    CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_BASIS);
+    for (std::int32_t const n : {-1, 65}) {
+        safe.safe_options.n_others = n;
+        CHECK(refused(plan, safe.solved().basis, move) == HM_BAD_ARGUMENT);
+    }
+}
