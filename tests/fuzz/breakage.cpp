@@ -53,28 +53,30 @@ void break_pointers(Problem& its, Input& input) {
         case 5: its.mesh.list_start = nullptr; break;
         case 6: its.problem.mesh = nullptr; break;
         case 7: its.problem.conditions = nullptr; break;
-        case 8: its.curves.control = nullptr; break;
+        case 8: its.on_walls.view.control = nullptr; break;
         default: its.mesh.points.stride = -1;
     }
 }
 void break_curves(Problem& its, Input& input) {
-    if (its.curve.empty()) return;
-    hm_curve& curve = some(its.curve, input);
-    std::size_t const c = static_cast<std::size_t>(&curve - its.curve.data());
+    CurveArrays& along = its.along[its.along[0].curve.empty() ? 1 : 0];
+    CurveArrays& set = !along.curve.empty() && input.one_in(2) ? along : its.on_walls;
+    if (set.curve.empty()) return;
+    hm_curve& curve = some(set.curve, input);
+    std::size_t const c = static_cast<std::size_t>(&curve - set.curve.data());
     switch (input.below(9)) {
-        case 0: some(its.control, input) = input.wild(); break;
-        case 1: some(its.control, input) *= 1e3; break;
-        case 2: some(its.knots[c], input) = input.wild(); break;
-        case 3: some(its.knots[c], input) = some(its.knots[c], input); break;
-        case 4: some(its.indices[c], input) = input.wild_index(); break;
-        case 5: some(its.indices[c], input) = some(its.indices[c], input); break;
+        case 0: some(set.control, input) = input.wild(); break;
+        case 1: some(set.control, input) *= 1e3; break;
+        case 2: some(set.knots[c], input) = input.wild(); break;
+        case 3: some(set.knots[c], input) = some(set.knots[c], input); break;
+        case 4: some(set.indices[c], input) = input.wild_index(); break;
+        case 5: some(set.indices[c], input) = some(set.indices[c], input); break;
         case 6: curve.n_indices = std::min(curve.n_indices, input.from(-1, 3)); break;
         case 7:
-            its.weights.assign(static_cast<std::size_t>(its.curves.n_control), 1.0);
-            some(its.weights, input) = input.one_in(2) ? input.wild() : -1;
-            its.curves.weights = its.weights.data();
+            set.weights.assign(static_cast<std::size_t>(set.view.n_control), 1.0);
+            some(set.weights, input) = input.one_in(2) ? input.wild() : -1;
+            set.view.weights = set.weights.data();
             break;
-        default: its.curves.n_control -= input.from(1, 3);
+        default: set.view.n_control -= input.from(1, 3);
     }
 }
 void break_conditions(Problem& its, Input& input) {
@@ -87,7 +89,10 @@ void break_conditions(Problem& its, Input& input) {
         case 3: condition.n_curves = input.wild_index(); break;
         case 4: condition.body = input.wild_index(); break;
         case 5: condition.partner = input.wild_index(); break;
-        case 6: condition.x = input.wild(); break;
+        case 6:
+            if (condition.kind == HM_SLIP) condition.along = condition.along == nullptr ? &its.on_walls.view : nullptr;
+            else condition.x = input.wild();
+            break;
         default:
             its.conditions.push_back(condition), its.problem.conditions = its.conditions.data(),
                                                  ++its.problem.n_conditions;
@@ -138,7 +143,7 @@ void break_something(Problem& its, Input& input) {
     }
     switch (input.below(5)) {
         case 0: return shorten(its.mesh, input);
-        case 1: return shorten(its.curves, input);
+        case 1: return shorten(its.on_walls.view, input);
         case 2: return shorten(its.problem, input);
         case 3: return shorten(its.options, input);
         default:

@@ -20,7 +20,7 @@ public:
         move_.resize(2 * static_cast<std::size_t>(info_.functions));
         double const far = input_.any_of({1e-6, 0.02, 0.3, 2.0}) * extent();
         for (double& number : move_) number = far * input_.between(-1, 1);
-        for (std::size_t k = 2 * static_cast<std::size_t>(problem_.curves.n_control) + 2; k < move_.size(); k += 4)
+        for (std::size_t k = 2 * static_cast<std::size_t>(problem_.on_walls.view.n_control) + 2; k < move_.size(); k += 4)
             move_[k] = input_.between(-2, 0.5), move_[k + 1] = input_.between(-1, 1);   // turns of bodies
     }
 
@@ -84,7 +84,7 @@ private:
         for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
             std::int32_t const curve = info_.point_curve[slot];
             if (curve >= info_.curves) continue;
-            Numbers const expected = basis_functions(problem_.curves, curve, info_.point_u[slot]);
+            Numbers const expected = basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 double const found = value_[i][0][std::size_t(info_.curve_point[slot])];
                 expect(std::abs(found - expected[i]) < 1e-11, "a point of the wall has another basis function");
@@ -251,7 +251,7 @@ private:
         Numbers small = move_;
         for (double& number : small) number *= 0.05;
         expect(hm_morph(its_.basis, small.data(), &problem_.mesh.points, &moved_to, nullptr, &error_) == HM_OK, "no morph");
-        hm_slide(its_.analysis, &from, &moved_to, &error_);
+        slide(from_x, from_y);
         hm_improve_options options{};
         options.struct_size = sizeof options;
         options.max_iterations = input_.from(0, 20);
@@ -269,6 +269,29 @@ private:
         expect(inverted_cells(judged_, moved(x, y), rounding_of_turns()) == 0, "an improved mesh has inverted cells");
         expect(report.min_quality > 0, "the report of an improvement has inverted cells");
         expect(report.min_quality >= report.min_quality_before, "an improvement lowers the smallest quality");
+    }
+
+    // Onto the curves of the sides that slide, in place: points of other sides stay.
+    void slide(Numbers& x, Numbers& y) {
+        Numbers const before_x = x, before_y = y;
+        hm_points const from{x.data(), y.data(), 1};
+        hm_points_out const to{x.data(), y.data(), 1};
+        hm_status const status = hm_slide(its_.analysis, &from, &to, &error_);
+        expect_told(status, error_);
+        std::vector<std::int32_t> slides(n_, 1);
+        for (Face const& face : problem_.domain.faces)
+            if (!marker_slides(face.marker)) slides[std::size_t(face.from)] = slides[std::size_t(face.to)] = 0;
+        for (std::size_t k = 0; k < n_; ++k) {
+            bool const is_same = x[k] == before_x[k] && y[k] == before_y[k];
+            if (status < 0) expect(is_same, "a refused call of hm_slide has written");
+            if (slides[k] == 0) expect(is_same, "hm_slide moves a point of another boundary");
+            expect(std::isfinite(x[k]) && std::isfinite(y[k]), "hm_slide leads to what is not finite");
+        }
+    }
+    bool marker_slides(std::int32_t marker) const {
+        for (hm_condition const& its : problem_.conditions)
+            if (its.marker == marker) return its.kind == HM_SLIP;
+        return false;
     }
 
     void safe_morph() {
@@ -331,7 +354,7 @@ private:
         for (std::int32_t slot = 0; slot < info_.curve_points; ++slot) {
             std::int32_t const curve = info_.point_curve[slot];
             if (curve >= info_.curves || info_.offset_correction != 0) continue;
-            Numbers const basis = basis_functions(problem_.curves, curve, info_.point_u[slot]);
+            Numbers const basis = basis_functions(problem_.on_walls.view, curve, info_.point_u[slot]);
             std::size_t const k = std::size_t(info_.curve_point[slot]);
             Wide dx = 0, dy = 0;
             for (std::size_t i = 0; i < basis.size(); ++i)
@@ -373,7 +396,7 @@ std::vector<double> results_of(Solution& its) {
     if (hm_morph_safe_size(its.plan, its.basis, &bytes, nullptr) < 0) return all;
     std::vector<double> move(2 * static_cast<std::size_t>(info.functions));
     for (std::size_t k = 0; k < move.size(); ++k) move[k] = 0.05 * its.problem.size() * (k % 3 == 0 ? 1 : -0.5);
-    for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.curves.n_control) + 2; k < move.size(); k += 4)
+    for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.on_walls.view.n_control) + 2; k < move.size(); k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
     all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr, its.block(bytes).data(), bytes, nullptr,

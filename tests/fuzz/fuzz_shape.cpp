@@ -12,9 +12,9 @@ namespace {
 
 class Shape {
 public:
-    Shape(Problem const& problem, Input& input) : problem_(problem), set_(problem.curves), input_(input) {
+    Shape(Problem const& problem, Input& input) : problem_(problem), set_(problem.on_walls.view), input_(input) {
         number_ = input.one_in(16) ? input.wild_index() : input.from(0, std::max(0, set_.n_curves - 1));
-        for (double const its : problem.control) size_ = std::max(size_, std::abs(its));
+        for (double const its : problem.on_walls.control) size_ = std::max(size_, std::abs(its));
     }
 
     Outcome run() {
@@ -132,7 +132,7 @@ private:
         quantity.kind = input_.from(HM_AREA, HM_CLEARANCE + (input_.one_in(16) ? 1 : 0));
         if (quantity.kind == HM_THICKNESS || quantity.kind == HM_CAMBER) quantity.station = number();
         if (quantity.kind == HM_CLEARANCE) quantity.polygon = polygon.data(), quantity.n_polygon = input_.from(1, 3);
-        Numbers value(1, 7), at(2, 7), gradient(problem_.control.size(), 7);
+        Numbers value(1, 7), at(2, 7), gradient(problem_.on_walls.control.size(), 7);
         hm_section const outline = section();
         Exceptions::clear();
         hm_status const status = hm_measure(&set_, input_.one_in(2) ? &outline : nullptr, 1, &quantity, value.data(),
@@ -160,7 +160,7 @@ private:
         Exceptions::clear();
         hm_status status = hm_variables_size(&set_, given, &its, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        Numbers matrix(problem_.control.size() * static_cast<std::size_t>(n), 7), error(2 * static_cast<std::size_t>(n), 7);
+        Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7), error(2 * static_cast<std::size_t>(n), 7);
         status = in_block([&](std::size_t* bytes) { return hm_variables_size(&set_, given, &its, &n, bytes, &error_); },
                           [&](void* memory, std::size_t bytes) {
                               return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(), error.data(), &error_);
@@ -184,7 +184,7 @@ private:
 
 Outcome run_shape(Input& input) {
     std::unique_ptr<Problem> const problem = make_problem(input);
-    if (problem->curve.empty()) return Outcome::refused;
+    if (problem->on_walls.curve.empty()) return Outcome::refused;
     if (input.one_in(3)) break_something(*problem, input);
     return Shape(*problem, input).run();
 }

@@ -187,11 +187,11 @@ private:
 
     void on_curves(hm_basis_info const& info) {
         Numbers fine(at(mesh_.n_points));
-        for (std::int32_t i = 0; i < coarse_.problem.curves.n_control; ++i) {
+        for (std::int32_t i = 0; i < coarse_.problem.on_walls.view.n_control; ++i) {
             expect(hm_basis_values(basis_, i, 0, fine.data(), &error_) == HM_OK, "no values");
             for (std::int32_t slot = 0; slot < info.curve_points; ++slot) {
                 if (info.point_curve[slot] >= info.curves) continue;
-                double const expected = basis_functions(coarse_.problem.curves, info.point_curve[slot], info.point_u[slot])[at(i)];
+                double const expected = basis_functions(coarse_.problem.on_walls.view, info.point_curve[slot], info.point_u[slot])[at(i)];
                 expect(std::abs(fine[at(info.curve_point[slot])] - expected) < 1e-11, "a curve point has another function");
             }
         }

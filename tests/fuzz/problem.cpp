@@ -108,62 +108,21 @@ void write_boundary(Problem& its, Input& input) {
     mesh.list_markers = its.list_markers.data();
 }
 
-// A fitted curve, or a polygon through the points of the wall, or, if the fit is refused, that, too.
-void add_curve(Problem& its, Input& input, std::vector<std::int32_t> const& wall, bool is_loop) {
-    std::vector<double> x, y;
-    for (std::int32_t const k : wall) {
-        x.push_back(its.domain.points[static_cast<std::size_t>(k)].x);
-        y.push_back(its.domain.points[static_cast<std::size_t>(k)].y);
+std::vector<Point> points_of(Domain const& domain, std::vector<std::int32_t> const& numbers) {
+    std::vector<Point> points;
+    for (std::int32_t const k : numbers) points.push_back(domain.points[static_cast<std::size_t>(k)]);
+    return points;
+}
+
+// The points of a side that slides, one after the other; none if the domain has no such side.
+std::vector<std::int32_t> side(Domain const& domain, std::int32_t marker) {
+    std::vector<std::int32_t> points;
+    for (Face const& face : domain.faces) {
+        if (face.marker != marker) continue;
+        if (points.empty()) points.push_back(face.from);
+        points.push_back(face.to);
     }
-    std::int32_t const first = count(its.control.size() / 2), n = count(wall.size());
-    auto const add = [&](std::int32_t degree, std::vector<std::int32_t> indices, std::vector<double> knots) {
-        hm_curve curve = sized<hm_curve>();
-        curve.degree = degree;
-        curve.n_indices = count(indices.size());
-        its.indices.push_back(indices);
-        its.knots.push_back(knots);
-        its.curve.push_back(curve);
-    };
-    std::uint32_t const how = input.below(3);
-    if (how > 0) {
-        hm_fit_options options = sized<hm_fit_options>();
-        options.degree = input.from(1, 5);
-        options.n_control = input.from(options.degree + 1, std::max(options.degree + 1, n));
-        options.closed = input.from(0, 3);
-        std::size_t bytes = 0;
-        hm_error error;
-        if (hm_fit_size(n, &options, &bytes, &error) >= 0) {
-            Block const block(bytes, input.below(64), static_cast<int>(input.below(256)));
-            const hm_curves* curves = nullptr;
-            hm_points const points{x.data(), y.data(), 1};
-            hm_status const status =
-                hm_fit(&curves, block.data(), bytes, &points, n, is_loop, &options, nullptr, &error);
-            block.expect_intact();
-            if (status >= 0) {
-                expect(hm_curves_check(curves, &error) == HM_OK,
-                       std::string("a fitted curve is refused: ") + error.text);
-                its.control.insert(its.control.end(), curves->control, curves->control + 2 * curves->n_control);
-                for (std::int32_t c = 0; c < curves->n_curves; ++c) {
-                    hm_curve const& made = curves->curve[c];
-                    std::vector<std::int32_t> indices;
-                    for (std::int32_t k = 0; k < made.n_indices; ++k)
-                        indices.push_back(first + (made.indices != nullptr ? made.indices[k] : k));
-                    add(made.degree, indices, {made.knots, made.knots + made.n_indices + made.degree + 1});
-                }
-                return;
-            }
-        }
-    }
-    std::vector<std::int32_t> indices;
-    std::vector<double> knots;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-        indices.push_back(first + count(k));
-        its.control.insert(its.control.end(), {x[k], y[k]});
-    }
-    if (is_loop) indices.push_back(first);
-    for (std::size_t k = 0; k < indices.size() + 2; ++k)
-        knots.push_back(static_cast<double>(std::min(std::max<std::size_t>(k, 1) - 1, indices.size() - 1)));
-    add(1, indices, knots);
+    return points;
 }
 
 void write_conditions(Problem& its, Input& input) {
@@ -185,15 +144,29 @@ void write_conditions(Problem& its, Input& input) {
             body.y = start.y;
             continue;
         }
-        std::int32_t const first = count(its.curve.size());
-        add_curve(its, input, its.domain.walls[wall], its.domain.walls_are_loops);
+        std::int32_t const first = count(its.on_walls.curve.size());
+        its.on_walls.add(points_of(its.domain, its.domain.walls[wall]), its.domain.walls_are_loops, input);
         hm_condition& on_curve = add(marker, HM_ON_CURVE);
         on_curve.first_curve = first;
-        on_curve.n_curves = count(its.curve.size()) - first;
+        on_curve.n_curves = count(its.on_walls.curve.size()) - first;
     }
     std::uint32_t const outside = input.below(5);
     if (outside == 1) add(3, HM_FIXED);
-    if (outside == 2) add(3, HM_SLIP), add(2, HM_SLIP);
+    if (outside == 2) {
+        for (std::int32_t const marker : {3, 2}) {
+            std::vector<Point> points = points_of(its.domain, side(its.domain, marker));
+            if (points.empty()) continue;
+            hm_condition& slips = add(marker, HM_SLIP);
+            if (input.one_in(2)) continue;
+            bool const is_loop = points.front().x == points.back().x && points.front().y == points.back().y;
+            if (is_loop) points.pop_back();
+            CurveArrays& along = its.along[marker - 2];
+            along.add(points, is_loop, input);
+            along.finish(input);
+            slips.along = &along.view;
+            slips.n_curves = along.view.n_curves;
+        }
+    }
     if (outside == 3) add(3, HM_FREE);
     if (its.domain.is_passage && (outside == 0 || outside > 2)) {
         std::int32_t const first = input.any_of({2, 4});
@@ -235,7 +208,7 @@ void choose_options(Problem& its, Input& input) {
 std::int32_t Problem::functions() const {
     std::int32_t bodies = 0;
     for (hm_condition const& condition : conditions) bodies += condition.kind == HM_RIGID ? 1 : 0;
-    return curves.n_control + 2 * bodies;
+    return on_walls.view.n_control + 2 * bodies;
 }
 
 double Problem::size() const {
@@ -258,24 +231,10 @@ std::unique_ptr<Problem> make_problem(Input& input, Cells cells) {
     write_conditions(its, input);
     choose_options(its, input);
 
-    its.curves = sized<hm_curves>();
-    its.curves.index_base = input.from(0, 1);
-    for (std::size_t c = 0; c < its.curve.size(); ++c) {
-        for (std::int32_t& k : its.indices[c]) k += its.curves.index_base;
-        its.curve[c].indices = its.indices[c].data();
-        its.curve[c].knots = its.knots[c].data();
-    }
-    its.curves.n_control = count(its.control.size() / 2);
-    its.curves.control = its.control.data();
-    its.curves.n_curves = count(its.curve.size());
-    its.curves.curve = its.curve.data();
-    if (!its.curve.empty() && input.one_in(5)) {
-        for (std::int32_t k = 0; k < its.curves.n_control; ++k) its.weights.push_back(input.between(0.3, 3));
-        its.curves.weights = its.weights.data();
-    }
+    its.on_walls.finish(input);
     its.problem = sized<hm_problem>();
     its.problem.mesh = &its.mesh;
-    its.problem.curves = its.curve.empty() ? nullptr : &its.curves;
+    its.problem.curves = its.on_walls.curve.empty() ? nullptr : &its.on_walls.view;
     its.problem.n_conditions = count(its.conditions.size());
     its.problem.conditions = its.conditions.data();
     return out;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "block.hpp"
+#include "curve_arrays.hpp"
 #include "input.hpp"
 
 #include <harmorph.h>
@@ -47,15 +48,12 @@ Domain make_domain(Input& input);
 // The arrays of the caller, and the structs that point to them.
 struct Problem {
     Domain domain;
-    std::vector<double> coordinates, control, weights, given_u;
+    CurveArrays on_walls, along[2];   // along: of markers 2 and 3, if they slide along given curves
+    std::vector<double> coordinates, given_u;
     std::vector<std::int32_t> cell_start, cells, quads, faces, face_markers, list_start, lists, list_markers,
         given_points, given_curves;
-    std::vector<std::vector<double>> knots;
-    std::vector<std::vector<std::int32_t>> indices;
-    std::vector<hm_curve> curve;
     std::vector<hm_condition> conditions;
     hm_mesh mesh;
-    hm_curves curves;
     hm_problem problem;
     hm_options options;
     hm_executor executor;
