@@ -15,9 +15,9 @@ by_make() {   # folder
     (cd "$dir/$1" && export PKG_CONFIG_PATH="$dir/prefix/lib/pkgconfig" &&
         $MAKE CC="$CC" CFLAGS="$CFLAGS" FC="$FC" FFLAGS="$FFLAGS" run)
 }
-by_cmake() {
+by_cmake() {   # folder, target: for debugging, as what is optimised has run already
     cmake -S "$dir/$1" -B "$dir/$1-cmake" -DCMAKE_PREFIX_PATH="$dir/prefix" -DCMAKE_C_COMPILER="${CC%% *}" \
-        -DCMAKE_Fortran_COMPILER="${FC%% *}" && cmake --build "$dir/$1-cmake" --target run
+        -DCMAKE_Fortran_COMPILER="${FC%% *}" -DCMAKE_BUILD_TYPE=Debug && cmake --build "$dir/$1-cmake" --target "$2"
 }
 says() { grep -q "$1" "$log.kept"; }
 
@@ -44,7 +44,8 @@ check "Fortran: a valid mesh in each step" says "^valid in 200 steps"
 check "Fortran: a picture" grep -q "</svg>" "$dir/fortran/inverse.svg"
 lines=$(grep -c '!hm$' fortran/examples/inverse.f90)
 check "Fortran: $lines lines touch harmorph, 30 at most" test "$lines" -le 30
-check "C, CMake" by_cmake c
-check "Fortran, CMake" by_cmake fortran
+check "C, CMake" by_cmake c run
+check "Fortran, CMake" by_cmake fortran all
+check "Fortran: a program that CMake has built" "$dir/fortran-cmake/morph"
 
 finish "$dir"

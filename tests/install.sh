@@ -74,8 +74,8 @@ check "use by pkg-config, moved" by_pkg_config "$dir/moved"
 check "use by find_package, moved" by_find_package "$dir/moved"
 check "a version to come is refused" version_refused "$dir/moved"
 
-# CMake by itself, without optimisation to be quick.
-check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=Debug \
+# CMake by itself, without optimisation and debugging information, to be quick.
+check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_BUILD_TYPE=None \
     -DCMAKE_CXX_COMPILER="${CXX%% *}" -DCMAKE_C_COMPILER="${CC%% *}" -DCMAKE_INSTALL_LIBDIR=lib
 check "cmake builds" cmake --build "$dir/cmake" -j "${JOBS:-2}"
 check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"

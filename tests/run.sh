@@ -4,7 +4,7 @@
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${JOBS:=2}"
 export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
 passed=0 failed=0
-logs=$BUILD/test-logs
+logs=$BUILD/test-logs durations=$BUILD/test-durations
 
 missing=0
 need() {   # what is needed, Debian's package, how to see that it is there
@@ -23,15 +23,17 @@ need pkg-config pkg-config pkg-config --version
 need cmake cmake cmake --version
 if [ $missing -gt 0 ]; then echo "0 passed, $missing failed"; exit 1; fi
 
-# Steps run in two lanes beside each other; those that call make in $BUILD are all in the first one. The list of steps is
-# gone through three times: each lane runs its own; the third time tells, in the order of the list, what they
-# said, and adds up the counts. A step that fails without counting a failure, or counts nothing, is a failure.
+# Steps run in two lanes beside each other, which take about as long; those that call make in $BUILD are all in the first
+# one. $durations tells how long each step took. The list of steps is gone through three times: each lane runs its own; the
+# third time tells, in the order of the list, what they said, and adds up the counts. A step that fails without counting a failure, or counts nothing, is a failure.
 step() {   # lane, name, command...
     lane=$1 name=$2 log=$logs/$(echo "$2" | tr ' ' -); shift 2
     case $doing in
     "$lane")
+        begun=$(date +%s)
         "$@" </dev/null >"$log" 2>&1
-        echo $? >"$log.new" && mv "$log.new" "$log.status" ;;
+        echo $? >"$log.new" && mv "$log.new" "$log.status"
+        echo "lane $lane, $(($(date +%s) - begun)) s: $name" >>"$durations" ;;
     telling)
         echo "== $name"
         while [ ! -e "$log.status" ] && [ ! -e "$logs/lane-$lane.ended" ]; do sleep 1; done
@@ -69,7 +71,7 @@ steps() {
     step 1 "installation" sh tests/install.sh "$BUILD"
     step 1 "examples" sh tests/examples.sh "$BUILD"
     step 1 "README" sh tests/readme.sh "$BUILD"
-    step 1 "Fortran" sh tests/fortran.sh "$BUILD"
+    step 2 "Fortran" sh tests/fortran.sh "$BUILD"
     step 1 "readers of SU2 files" sh tests/read_su2.sh "$BUILD"
     step 1 "MPI" sh tests/mpi.sh "$BUILD"
     if pkg-config --exists petsc; then step 1 "PETSc" sh tests/petsc.sh "$BUILD"
@@ -77,7 +79,7 @@ steps() {
     step 2 "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
     step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh "$BUILD"
-    step 2 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
+    step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
     step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"
     step 2 "page of the program" sh tests/page.sh "$BUILD/harmorph" tests/meshes "$BUILD/page-test"
@@ -90,7 +92,7 @@ $MAKE -s JOBS="$JOBS" BUILD="$BUILD" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$L
     echo "0 passed, 1 failed"
     exit 1
 }
-rm -rf "$logs" && mkdir -p "$logs" || exit 1
+rm -rf "$logs" "$durations" && mkdir -p "$logs" || exit 1
 trap 'kill 0' INT
 for lane in 1 2; do
     { (doing=$lane; steps); : >"$logs/lane-$lane.ended"; } &

@@ -142,7 +142,7 @@ TEST_CASE("the adjoint is the transpose") {
 
 TEST_CASE("many fields at once are those of single calls") {
     for (Setting const& setting : settings) {
-        Case its = given_instead(airfoil_case(24, 10));
+        Case its = given_instead(airfoil_case(12, 6));
         Displaced displaced(its, &setting.options);
         std::vector<Field> walls, gradients;
         for (unsigned k = 0; k < 29; ++k) {

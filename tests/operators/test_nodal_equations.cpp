@@ -114,7 +114,8 @@ TEST_CASE("second order on an annulus, whole and half with a free symmetry line;
 }
 
 TEST_CASE("without correction: second order on smooth triangles, a free symmetry line included, with larger errors") {
-    hm_options const options = plain(), corrected = nodal(HM_DIRECT);
+    hm_options options = plain(), corrected = nodal(HM_DIRECT);
+    options.tolerance = 1e-6;   // far below the errors of the scheme
     for (bool const half : {false, true}) {
         double const coarse = annulus_error(Cells::triangles, 1, half, 0, options);
         double const fine = annulus_error(Cells::triangles, 2, half, 0, options);
