@@ -31,13 +31,9 @@ bool sort_short_row(Index* row, Index length) noexcept {
 }
 
 void sort_row(Span<Index> row) noexcept {
-    if (row.size() > 24) return sort(row, [](Index a, Index b) { return a < b; });
-    for (Size i = 1; i < row.size(); ++i) {
-        Index const column = row[i];
-        Size k = i;
-        for (; k > 0 && row[k - 1] > column; --k) row[k] = row[k - 1];
-        row[k] = column;
-    }
+    auto const before = [](Index a, Index b) { return a < b; };
+    if (row.size() > 24) return sort(row, before);
+    sort_by_insertion(row, before);
 }
 
 // Across a periodic pair two points may share cells on both sides. Returns the number of distinct columns.

@@ -21,6 +21,20 @@ TEST_CASE("the heap sort sorts: all sizes, equal keys, sorted, reversed and rand
         }
 }
 
+TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
+    std::mt19937 random(2);
+    for (int n = 0; n < 60; ++n)
+        for (int kind = 0; kind < 4; ++kind) {
+            std::vector<std::pair<int, int>> items;
+            for (int k = 0; k < n; ++k)
+                items.push_back({kind == 0 ? k : kind == 1 ? -k : static_cast<int>(random() % (kind == 2 ? 5 : 100000)), k});
+            std::vector<std::pair<int, int>> expected = items;
+            std::stable_sort(expected.begin(), expected.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
+            harmorph::sort_by_insertion(span(items), [](auto const& a, auto const& b) { return a.first < b.first; });
+            CHECK(items == expected);
+        }
+}
+
 TEST_CASE("counts become starts, filling becomes rewinding") {
     std::vector<harmorph::Index> starts = {3, 0, 2, 5, 0, 99};   // the last place is for the total
     starts.back() = 0;

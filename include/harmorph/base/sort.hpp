@@ -1,5 +1,5 @@
-// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a heap sort for the
-// few items without integer keys.
+// Counting, summing, filling: how every compressed row structure is built here (counting sort); and sorts by insertion and
+// by a heap for the few items without integer keys.
 #pragma once
 
 #include "harmorph/base/span.hpp"
@@ -23,6 +23,17 @@ template <class T>
 void rewind_starts(Span<T> starts) noexcept {
     for (Size i = starts.size() - 1; i > 0; --i) starts[i] = starts[i - 1];
     starts[0] = 0;
+}
+
+// In place; for few items, or many that are nearly in order. Stable.
+template <class T, class Before>
+void sort_by_insertion(Span<T> items, Before before) noexcept {
+    for (Size i = 1; i < items.size(); ++i) {
+        T const item = items[i];
+        Size k = i;
+        for (; k > 0 && before(item, items[k - 1]); --k) items[k] = items[k - 1];
+        items[k] = item;
+    }
 }
 
 // In place, no extra memory. Not stable: let `before` break ties.
