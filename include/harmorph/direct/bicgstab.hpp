@@ -11,6 +11,7 @@ namespace harmorph {
 // other right-hand sides are solved with it.
 struct BiconjugateGradients {
     static constexpr Index widest = 8;
+    static constexpr Real most_growth = 1e6;
 
     Index n = 0, width = 0;
     Span<Real> shadow, direction, image, preconditioned, second, solution;  // [n * width] each
@@ -18,7 +19,9 @@ struct BiconjugateGradients {
     void lay_out(Arena& arena, Index n_rows, Index n_columns) noexcept;
 
     // r [n * width], right-hand sides on entry: the first `columns` of each row become solutions. Ends when the 2-norm
-    // of every residual is at most `reduction` times that of the right-hand side, or after `most` iterations.
+    // of every residual is at most `reduction` times that of the right-hand side, or after `most` iterations. Where a
+    // residual or a direction grows beyond most_growth times the right-hand side, the method has broken down, and the
+    // solution is 0.
     // apply(from, to): to = A from; precondition(rows): in place; a failed status of the latter ends the iteration.
     template <class Apply, class Precondition>
     Status run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations, Apply const& apply,
@@ -33,19 +36,25 @@ private:
     Numbers dot(Span<const Real> a, Span<const Real> b, Index columns) const noexcept;
     // y = b y + a x
     void combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y, Index columns) const noexcept;
+    // Squares of the norms of `vector`. Where one is larger than `most`, the column becomes 0: residual r and solution.
+    Numbers measure(Span<const Real> vector, Numbers const& most, Span<Real> r, Index columns) const noexcept;
 };
 
 template <class Apply, class Precondition>
 Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, Index most, Index& iterations,
                                  Apply const& apply, Precondition const& precondition) noexcept {
-    constexpr auto quotient = [](Real a, Real b) { return b != 0 ? a / b : 0; };  // 0 / 0 where there is nothing to do
+    // Where there is nothing to do, and where the method breaks down, 0.
+    constexpr auto quotient = [](Real a, Real b) { return absolute(b) > 1e-30 * absolute(a) ? a / b : 0; };
     Numbers one;
     for (Real& number : one.at) number = 1;
     copy(shadow, Span<const Real>(r));
     copy(direction, Span<const Real>(r));
     fill(solution, 0.0);
-    Numbers along = dot(r, r, columns), wanted = along;
-    for (Index k = 0; k < columns; ++k) wanted[k] *= reduction * reduction;
+    Numbers along = dot(r, r, columns), wanted = along, most_squares = along;
+    for (Index k = 0; k < columns; ++k) {
+        wanted[k] *= reduction * reduction;
+        most_squares[k] *= most_growth * most_growth;
+    }
     Numbers squares = along;
     auto const is_done = [&](Index k) { return !(squares[k] > wanted[k]); };
     auto const all_done = [&] {
@@ -65,6 +74,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         }
         combine(step, preconditioned, one, solution, columns);
         combine(back, image, one, r, columns);
+        squares = measure(r, most_squares, r, columns);
         copy(preconditioned, Span<const Real>(r));
         HARMORPH_TRY(precondition(preconditioned.data()));
         apply(preconditioned.data(), second.data());
@@ -77,7 +87,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         combine(turn, preconditioned, one, solution, columns);
         combine(back, second, one, r, columns);
         Numbers const before = along;
-        squares = dot(r, r, columns);
+        squares = measure(r, most_squares, r, columns);
         along = dot(shadow, r, columns);
         // direction = r + beta (direction - turn image); step, turn and beta are van der Vorst's alpha, omega and beta
         Numbers beta, of_image;
@@ -87,6 +97,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         }
         combine(of_image, image, beta, direction, columns);
         combine(one, r, one, direction, columns);
+        measure(direction, most_squares, r, columns);
     }
     copy(r, Span<const Real>(solution));
     return Status::ok;
