@@ -4,8 +4,6 @@ namespace harmorph {
 namespace {
 
 constexpr Index nodes_between_solve_reports = 512;
-constexpr Offset prefetch_distance = 1000000000;  // numbers
-constexpr Offset most_prefetched = 8192;    // of a panel; the hardware prefetches what is behind them
 
 // Right-hand sides go up the tree like update matrices, solutions come down; a row has the numbers of all functions.
 template <class Number, class Value>
@@ -45,7 +43,6 @@ public:
         }
         engine_.is_zero[node] = is_zero;
         if (is_zero) return told(node);
-        prefetch_after(panel);
         dense::solve_forward(engine_.kernel, panel, front, width_, worker.executor);
         dense::scatter(engine_.kernel, front, width_, engine_.planes, values_, own.begin, panel.pivots);
         return told(node);
@@ -95,17 +92,6 @@ private:
             if (any) return false;
         }
         return true;
-    }
-
-    // As many numbers as the panel has, of what forward substitution reads soon after it: most panels are too small for
-    // the hardware prefetcher to get going. (Back substitution prefetches in the dense kernels.)
-    void prefetch_after(Panel const& panel) const noexcept {
-        Span<Number> const factor = engine_.numbers<Number>().factor;
-        Offset const begin = panel.data - factor.data() + prefetch_distance;
-        Offset const numbers = panel.planes * dense::panel_entries(panel.pivots, panel.border);
-        Offset const end = smaller(begin + smaller(numbers, most_prefetched), static_cast<Offset>(factor.size()));
-        constexpr Offset cache_line = 64 / sizeof(Number);
-        for (Offset k = begin; k < end; k += cache_line) __builtin_prefetch(factor.data() + k, 0, 2);
     }
 
     Multifrontal const& engine_;
