@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index most_blocks = 1 << 12;  // of one call of a kernel
+constexpr Index most_blocks = BlockProducts<Real>::most_blocks;
 constexpr Index most_ranges = 16;    // their sums are on the stack
 constexpr Index least_blocks_to_gather = 128;   // blocks that are worth a thread
 constexpr Real not_a_number = __builtin_nan("");

@@ -10,7 +10,9 @@ using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
 constexpr Index vectors = block_points / lanes;                        // of a number in a block
-constexpr Index at_once = smaller(vectors, Index{Registers::count / 4});  // with two sums each, these fill half the registers
+constexpr Index at_once = smaller(vectors, Index{Registers::count / 4});  // two sums each fill half the registers
+// Instructions of AVX-512 take a number from memory for all lanes.
+constexpr bool spreads_operands = lanes == 8;
 
 // What some of a block's points have: at_once vectors along x and along y.
 struct Pair {
@@ -33,11 +35,15 @@ struct Pair {
     template <class Number>
     HARMORPH_INLINE void add_products(const Number* values, Index n, Movements const& by) noexcept {
         for (Index k = 0; k < n; ++k) {
+            Vector f[at_once];
+#pragma GCC unroll 8
+            for (Index v = 0; v < at_once; ++v) f[v] = Registers::load(values + k * block_points + v * lanes);
 #pragma GCC unroll 8
             for (Index v = 0; v < at_once; ++v) {
-                Vector const f = Registers::load(values + k * block_points + v * lanes);
-                x[v] += f * by.x[k];
-                y[v] += f * by.y[k];
+                // Values are read once. Factors are read again where that costs nothing.
+                if (v == 0 || spreads_operands) asm volatile("" ::: "memory");
+                x[v] += f[v] * by.x[k];
+                y[v] += f[v] * by.y[k];
             }
         }
     }
@@ -79,93 +85,140 @@ void move(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const
     });
 }
 
-// Two sums of products in fixed point in each lane, see FixedSum; settled(): of all lanes, n_products together.
+// What the points of some lanes have along x and along y, for sums in fixed point.
 template <class Of, bool rounds = Of::rounds>
-struct SumIn;
+struct GradientIn;
+// Sums of products with one number of the values, along x and along y, in fixed point in each lane; see FixedSum.
+template <class Of, bool rounds = Of::rounds>
+struct SumsIn;
+// What these are of n_products in all lanes together.
+struct SettledSums {
+    FixedSum x, y;
+};
 
+// Where one instruction rounds, integers are summed modulo 2^64. The multiple of 2^64 that is missing is known from a
+// sum in floating point, which serves x and y: the part of y is multiplied by `beside`. Of the 2^16 products below 2^63
+// of a call, that part, divided by 2^64, stays below 2^-5, and the error of the sum below 2^-25.
 template <class Of>
-struct SumIn<Of, true> {
-    Words first, second;
+struct GradientIn<Of, true> {
+    static constexpr Real beside = 0x1p-20;
+    Vector x, y, both;
 
-    // The sum modulo 2^64, and in floating point: the error of the latter is far below 2^63, so the multiple of 2^64
-    // that is missing in the former is known.
-    HARMORPH_INLINE void add(Vector t) noexcept {
-        first += Of::round(t);
-        second = reinterpret_cast<Words>(reinterpret_cast<Vector>(second) + t);
+    HARMORPH_INLINE void set(Vector along_x, Vector along_y) noexcept {
+        x = along_x;
+        y = along_y;
+        both = along_x + beside * along_y;
     }
-    HARMORPH_INLINE FixedSum settled(Index) const noexcept {
-        std::uint64_t sum = 0;
+};
+template <class Of>
+struct SumsIn<Of, true> {
+    Words x, y;
+    Vector both;
+
+    HARMORPH_INLINE void add(Vector f, GradientIn<Of> const& by) noexcept {
+        asm volatile("" ::: "memory");  // f is read once, not for each product
+        x += Of::round(f * by.x);
+        y += Of::round(f * by.y);
+        both = Of::multiply_add(f, by.both, both);
+    }
+    HARMORPH_INLINE SettledSums settled(Index) const noexcept {
+        std::uint64_t sum_x = 0, sum_y = 0;
         Real rough = 0;
         for (Index lane = 0; lane < lanes; ++lane) {
-            sum += first[lane];
-            rough += reinterpret_cast<Vector>(second)[lane];
+            sum_x += x[lane];
+            sum_y += y[lane];
+            rough += both[lane];
         }
-        Real const missing = (rough - static_cast<Real>(sum)) * 0x1p-64;
-        std::int64_t const times = static_cast<std::int64_t>(missing + (missing < 0 ? -0.5 : 0.5));
+        constexpr Real beside = GradientIn<Of>::beside;
+        Real const missing_x = (rough - static_cast<Real>(sum_x)) * 0x1p-64;
+        std::int64_t const times_x = nearest(missing_x);
+        Real const missing_y = (missing_x - static_cast<Real>(times_x)) / beside - static_cast<Real>(sum_y) * 0x1p-64;
+        return {with_multiple(sum_x, times_x), with_multiple(sum_y, nearest(missing_y))};
+    }
+
+private:
+    static std::int64_t nearest(Real x) noexcept { return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5)); }
+    // sum + times * 2^64
+    static FixedSum with_multiple(std::uint64_t sum, std::int64_t times) noexcept {
         constexpr std::int64_t coarse_in_word = std::int64_t{1} << (64 - FixedSum::fine_bits);
         return {times * coarse_in_word + static_cast<std::int64_t>(sum >> FixedSum::fine_bits),
                 static_cast<std::int64_t>(sum & FixedSum::fine_mask)};
     }
 };
 
+// Elsewhere the bits of numbers rounded to the grids of FixedSum are summed: multiples of its units, plus the bits of
+// the grid itself.
 template <class Of>
-struct SumIn<Of, false> {
-    Words first, second;
+struct GradientIn<Of, false> {
+    Vector x, y;
 
-    // Sums the bits of numbers rounded to the grids of FixedSum: multiples of its units, plus the bits of the grid
-    // itself.
-    HARMORPH_INLINE void add(Vector t) noexcept {
-        Vector const on_grid = t + FixedSum::coarse_grid;
-        first += reinterpret_cast<Words>(on_grid);
-        second += reinterpret_cast<Words>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
+    HARMORPH_INLINE void set(Vector along_x, Vector along_y) noexcept {
+        x = along_x;
+        y = along_y;
     }
-    HARMORPH_INLINE FixedSum settled(Index n_products) const noexcept {
-        std::uint64_t const times = static_cast<std::uint64_t>(n_products);
-        std::uint64_t coarse = 0, fine = 0;
-        for (Index lane = 0; lane < lanes; ++lane) {
-            coarse += first[lane];
-            fine += second[lane];
+};
+template <class Of>
+struct SumsIn<Of, false> {
+    struct Sum {
+        Words coarse, fine;
+
+        HARMORPH_INLINE void add(Vector t) noexcept {
+            Vector const on_grid = t + FixedSum::coarse_grid;
+            coarse += reinterpret_cast<Words>(on_grid);
+            fine += reinterpret_cast<Words>((t - (on_grid - FixedSum::coarse_grid)) + FixedSum::fine_grid);
         }
-        return {static_cast<std::int64_t>(coarse - times * FixedSum::bits_of_coarse_grid),
-                static_cast<std::int64_t>(fine - times * FixedSum::bits_of_fine_grid)};
+        HARMORPH_INLINE FixedSum settled(Index n_products) const noexcept {
+            std::uint64_t const times = static_cast<std::uint64_t>(n_products);
+            std::uint64_t all_coarse = 0, all_fine = 0;
+            for (Index lane = 0; lane < lanes; ++lane) {
+                all_coarse += coarse[lane];
+                all_fine += fine[lane];
+            }
+            return {static_cast<std::int64_t>(all_coarse - times * FixedSum::bits_of_coarse_grid),
+                    static_cast<std::int64_t>(all_fine - times * FixedSum::bits_of_fine_grid)};
+        }
+    } x, y;
+
+    HARMORPH_INLINE void add(Vector f, GradientIn<Of> const& by) noexcept {
+        x.add(f * by.x);
+        y.add(f * by.y);
+    }
+    HARMORPH_INLINE SettledSums settled(Index n_products) const noexcept {
+        return {x.settled(n_products), y.settled(n_products)};
     }
 };
 
-using Sum = SumIn<Registers>;
-
-// The sums of one number along x and along y.
-struct SumPair {
-    Sum x, y;
-};
+using Gradient = GradientIn<Registers>;
+using Sums = SumsIn<Registers>;
 
 template <class Number>
 void multiply_transposed(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
                          FixedSums& total) noexcept {
     Index const n = blocks.n_numbers;
-    SumPair sums[Movements::most];
-    for (Index k = 0; k < n; ++k) sums[k] = SumPair{};
+    alignas(64) Sums sums[Movements::most];  // no vector in two cache lines
+    for (Index k = 0; k < n; ++k) sums[k] = Sums{};
     for (Index block = 0; block < blocks.n_blocks; ++block) {
         const Number* const values = blocks.values + block * blocks.stride;
-        Vector by_x[vectors], by_y[vectors];
+        Gradient gradient[vectors];
 #pragma GCC unroll 4
         for (Index v = 0; v < vectors; ++v) {
-            by_x[v] = Registers::load(by.x + block * block_points + v * lanes) * unit.first * unit.second;
-            by_y[v] = Registers::load(by.y + block * block_points + v * lanes) * unit.first * unit.second;
+            Index const point = block * block_points + v * lanes;
+            gradient[v].set(Registers::load(by.x + point) * unit.first * unit.second,
+                            Registers::load(by.y + point) * unit.first * unit.second);
         }
         for (Index k = 0; k < n; ++k) {
-            SumPair sum = sums[k];
+            Sums sum = sums[k];
 #pragma GCC unroll 4
             for (Index v = 0; v < vectors; ++v) {
-                Vector const f = Registers::load(values + k * block_points + v * lanes);
-                sum.x.add(f * by_x[v]);
-                sum.y.add(f * by_y[v]);
+                sum.add(Registers::load(values + k * block_points + v * lanes), gradient[v]);
             }
             sums[k] = sum;
         }
     }
     for (Index k = 0; k < n; ++k) {
-        total.x[k] += sums[k].x.settled(blocks.n_blocks * block_points);
-        total.y[k] += sums[k].y.settled(blocks.n_blocks * block_points);
+        SettledSums const settled = sums[k].settled(blocks.n_blocks * block_points);
+        total.x[k] += settled.x;
+        total.y[k] += settled.y;
     }
 }
 
@@ -198,5 +251,6 @@ constexpr ProductKernels kernels{{multiply<Real>, move<Real>, multiply_transpose
 
 namespace harmorph::simd {
 template <>
-inline constexpr const ProductKernels* table<ProductKernels, Kernel::HARMORPH_SET> = &harmorph::products::HARMORPH_SET::kernels;
+inline constexpr const ProductKernels* table<ProductKernels, Kernel::HARMORPH_SET> =
+    &harmorph::products::HARMORPH_SET::kernels;
 }  // namespace harmorph::simd

@@ -143,28 +143,34 @@ TEST_CASE("of the numbers of a block some may be used, at any address; no others
 }
 
 TEST_CASE("numbers that cancel, and as many as a call may add: the sum of the rounded products, from every kernel") {
-    // Each product is a multiple of 2^-63 near 1 or -1, so that all sums are exact, and their whole parts large.
-    for (int const signs : {1, 2, 3}) {
-        Product product(256, 3, 5);
-        std::int64_t units[3] = {};
-        for (Index p = 0; p < product.points; ++p) {
-            double const w = 1 - 0x1p-30;
-            product.weight_x[static_cast<std::size_t>(p)] = w;
-            product.weight_y[static_cast<std::size_t>(p)] = -w;
-            for (Index k = 0; k < 3; ++k) {
-                double const f = (p % signs == 0 ? 1 : -1) * (1 - 0x1p-20 * ((p + k) % 7));
-                product.row(p)[k] = f;
-                units[k] += static_cast<std::int64_t>(std::ldexp(f * w, 50));   // 2^-50: their last bit
+    // Each product is a multiple of 2^-30 near 1 or -1, so that all sums are exact. Sums of products near 2^63 are far
+    // beyond 64 bits, along x and along y each by its own multiple of 2^64.
+    Index const most = harmorph::BlockProducts<double>::most_blocks;
+    for (Index const blocks : {256, most - 1, most})
+        for (int const signs : {1, 2, 3, 4}) {
+            Product product(blocks, 3, 5);
+            std::int64_t units_x[3] = {}, units_y[3] = {};
+            for (Index p = 0; p < product.points; ++p) {
+                std::size_t const at = static_cast<std::size_t>(p);
+                double const w = 1 - 0x1p-20;
+                product.weight_x[at] = w;
+                product.weight_y[at] = signs == 4 || p % 5 == 0 ? -w : w;
+                for (Index k = 0; k < 3; ++k) {
+                    double const f = (p % signs == 0 ? 1 : -1) * (1 - 0x1p-10 * ((p + k) % 7));
+                    product.row(p)[k] = f;
+                    units_x[k] += static_cast<std::int64_t>(std::ldexp(f * product.weight_x[at], 30));
+                    units_y[k] += static_cast<std::int64_t>(std::ldexp(f * product.weight_y[at], 30));
+                }
+            }
+            INFO(blocks << " blocks, signs " << signs);
+            for (Kernel const kernel : usable_kernels()) {
+                std::vector<double> const found = product.transposed(kernel);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    CHECK(found[k] == std::ldexp(static_cast<double>(units_x[k]), -30));
+                    CHECK(found[3 + k] == std::ldexp(static_cast<double>(units_y[k]), -30));
+                }
             }
         }
-        for (Kernel const kernel : usable_kernels()) {
-            std::vector<double> const found = product.transposed(kernel);
-            for (std::size_t k = 0; k < 3; ++k) {
-                CHECK(found[k] == std::ldexp(static_cast<double>(units[k]), -50));
-                CHECK(found[3 + k] == -found[k]);
-            }
-        }
-    }
 }
 
 TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0 all bits are kept") {

@@ -40,12 +40,13 @@ template <class Number>
 struct BlockProducts {
     // sums += values . movements, for each point in the order of the numbers.
     void (*multiply)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<Real> sums) noexcept;
-    // to = from + values . movements, and the bits of from where that sum is 0: -0.0 + 0.0 would not keep them. from may
-    // be to, or 0 for all points: x and y null.
+    // to = from + values . movements, and the bits of from where that sum is 0: -0.0 + 0.0 would not keep them. from
+    // may be to, or 0 for all points: x and y null.
     void (*move)(ValueBlocks<Number> const& blocks, Movements const& by, PerPoint<const Real> from,
                  PerPoint<Real> to) noexcept;
     // total += sum over the points of their values times by, in units of the sums; no product may reach 2^63, and
-    // n_blocks not 2^16.
+    // n_blocks not exceed most_blocks.
+    static constexpr Index most_blocks = 1 << 12;
     void (*multiply_transposed)(ValueBlocks<Number> const& blocks, PerPoint<const Real> by, BinaryScale::Factor unit,
                                 FixedSums& total) noexcept;
 };
