@@ -17,7 +17,8 @@
  * Memory           The library allocates no memory. A *_size function returns the exact number of bytes; any alignment
  *                  is accepted. An object lives inside the caller's block: nothing has to be freed, and the block must
  *                  not move while the object is in use (a basis may be copied or written to a file: hm_basis_attach).
- *                  Blocks in huge pages make morphs of large meshes faster: harmorph_pages.h.
+ *                  Morphs and adjoints are faster with blocks at multiples of 64 bytes, those of large meshes in huge
+ *                  pages: harmorph_pages.h.
  * Ownership        Arrays in structs remain the caller's, and input arrays are never changed. The arrays of a mesh must
  *                  exist as long as the analysis and the plan that were made from the mesh, the arrays of the curves as
  *                  long as the analysis. The basis contains copies of everything that the basis needs.

@@ -173,9 +173,11 @@ void add_storage(Case const& its_case, Settings const& settings, Limits const& l
         auto row = [&](char const* what, double its_bytes, auto const& of_wide, auto const& of_narrow) {
             auto const both = in_turn(of_wide, of_narrow);
             double const first = least(both.first), second = least(both.second);
+            auto const with_reading = in_turn(of_narrow, [&] { limits.read_once(single, bytes); });
+            double const reading = static_cast<double>(bytes) / least(with_reading.second);
             table.add({what, its_case.name(), count(functions), milliseconds(first), milliseconds(second),
-                       ratio(first / second), {1e-9 * its_bytes / second, "%.1f"},
-                       percent(its_bytes / second / limits.read)});
+                       ratio(first / second), {1e-9 * its_bytes / second, "%.1f"}, {1e-9 * reading, "%.1f"},
+                       percent(its_bytes / least(with_reading.first) / reading)});
         };
         row("morph", narrow.morph_bytes(4), [&] { wide.morph(); }, [&] { narrow.morph(); });
         row("adjoint", narrow.adjoint_bytes(4), [&] { wide.adjoint(); }, [&] { narrow.adjoint(); });
@@ -233,7 +235,7 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
     Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
                 {"mesh", "cells", "morph", "step", "quality", "both at once", "both / morph"}, {}, {}};
     Table storage{"Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
-                  {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "% of reading"}, {}, {}};
+                  {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "reading", "% of reading"}, {}, {}};
     Others others;
     for (std::string const& kind : settings.kinds) {
         say(kind + " " + std::to_string(largest) + ": morph");
@@ -250,7 +252,8 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
                              "[GB/s], in turn with the product, in the same pages.");
     products.notes.push_back("dgemm: the best of three ways to store F and the coordinates, in the same pages; the least of calls in turn.");
     products.notes.push_back(others.text());
-    storage.notes.push_back("In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint.");
+    storage.notes.push_back("In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint. Reading: of the "
+                            "narrow basis [GB/s], in turn with the product.");
     storage.notes.push_back(others.text());
     report.finish(products);
     report.finish(storage);

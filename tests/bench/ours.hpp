@@ -5,6 +5,7 @@
 
 #include <harmorph_pages.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 
@@ -35,13 +36,17 @@ struct Block {
     void* give(std::size_t wanted) {
         if (wanted > bytes) {
             memory.reset();
-            std::size_t const room = pages == Pages::huge ? hm_pages_room(wanted) : wanted;   // SIZE_MAX: there is none
+            std::size_t const room = hm_pages_room(wanted);   // SIZE_MAX: there is none
             memory.reset(room <= PTRDIFF_MAX ? std::malloc(room) : nullptr);
             if (!memory) throw std::bad_alloc();
-            data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted) : memory.get();
+            data = pages == Pages::huge ? hm_pages_place(memory.get(), wanted) : at_cache_line(memory.get());
             bytes = wanted;
         }
         return data;
+    }
+    static void* at_cache_line(void* memory) {
+        std::uintptr_t const address = reinterpret_cast<std::uintptr_t>(memory);
+        return static_cast<unsigned char*>(memory) + (64 - address % 64) % 64;
     }
     double* numbers(std::size_t n) { return static_cast<double*>(give(n * sizeof(double))); }
 };

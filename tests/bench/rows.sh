@@ -45,5 +45,5 @@ section ~ /^Ordering/ && NF >= 14 {
 }
 section ~ /^Structure/ && NF == 15 { cells($1 " " $2, $4, $(NF - 3)) }
 section ~ /^Morph/ && NF == 13 { cells($1, $2 " " $3, $4, $5 " " $6, $7, $11, $12, $13) }
-section ~ /^Double/ && NF == 9 { cells($1, $2 " " $3, $4, $5, $6, $7, $9) }
+section ~ /^Double/ && NF == 10 { cells($1, $2 " " $3, $4, $5, $6, $7, $10) }
 section ~ /^hm_adm/ && NF == 8 { cells($1 " " $2, $4, $5, $6, $7, $8) }' "$FILE"
