@@ -2,13 +2,13 @@
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
 # in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a mutant
 # that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in the tests
-# of its file, of its room, in random problems, in the tests of rooms that may use it, and last in the test cases that take
-# long. Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless
-# loop, and is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the
-# last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a
-# time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run
-# goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as
-# long as the tests are the same, too).
+# of its file, of its room, in random problems, or in the tests of rooms that may use it. What takes long comes last.
+# Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless loop, and
+# is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the last line
+# counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a time.
+# FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run goes on
+# from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as long as
+# the tests are the same, too).
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
 dir=$BUILD/mutants
 known=tests/mutants.txt
@@ -93,8 +93,9 @@ step() {   # which, folder of the programs, room, file
     case $1 in
     file) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/test_${4#harmorph_}.cpp" ;;
     room) until_failure "$2/tests" -tce="$slow" -sf="*tests/$3/*" ;;
+    slow) until_failure "$2/tests" -tc="$slow" -sf="*tests/$3/*" ;;
     others) until_failure "$2/tests" -tce="$slow" -sf="$(files_of "$3")" -sfe="*tests/$3/*" ;;
-    slow) until_failure "$2/tests" -tc="$slow" -sf="$(files_of "$3")" ;;
+    slow_others) until_failure "$2/tests" -tc="$slow" -sf="$(files_of "$3")" -sfe="*tests/$3/*" ;;
     random)
         for run in "plane 400" "given 600" "parts 400" "basis 1000" "polygons 600" "sequence 1000" "problem 1000" \
             "shape 600"; do
@@ -110,9 +111,8 @@ limit() {   # which, room
     case $1 in
     random) echo $((3 + 2 * seconds_of_random)) ;;
     *) from_room "$2" | LC_ALL=C awk -F'\t' -v which="$1" -v room="$2" '
-        NR == FNR { below[$1] = $1 != room; next }
-        which == "slow" ? $1 in below && $2 > 0.5 : which == "others" ? below[$1] && $2 <= 0.5 : $1 == room && $2 <= 0.5 {
-            sum += $2 }
+        NR == FNR { below[$1]; next }
+        $1 in below && ($1 == room) == (which !~ /others/) && ($2 > 0.5) == (which ~ /slow/) { sum += $2 }
         END { print 3 + int(2 * sum) }' - "$dir/cases" ;;
     esac
 }
@@ -142,7 +142,7 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
     room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
     for which in $7; do
         case $which in
-        file | others) link_tests "$1" || exit 1 ;;
+        file | slow) link_tests "$1" || exit 1 ;;
         random) link_fuzzer "$1" || exit 1 ;;
         esac
         found=$(outcome $which "$1" "$room" "$file")
@@ -164,7 +164,7 @@ remember() {   # what became of $mutant, if that is known; of survivors, with th
 judge() {   # share of the list, from 0
     share=$dir/share.$1
     mkdir -p "$share"
-    for round in "file room random:hidden" "others slow:survives"; do
+    for round in "file room random:hidden" "slow others slow_others:survives"; do
         number=0
         while IFS='	' read -r file line column from to; do
             number=$((number + 1))
@@ -172,7 +172,7 @@ judge() {   # share of the list, from 0
             mutant="$file	$(cksum <"$file")	$line	$column	$from	$to"
             remember
             case "$round $known_fate" in
-            "file room random:hidden " | "others slow:survives hidden") ;;
+            "file room random:hidden " | "slow others slow_others:survives hidden") ;;
             *) continue ;;
             esac
             known_fate=$(fate "$share" "$file" "$line" "$column" "$from" "$to" "${round%:*}" "${round#*:}") || exit 1
