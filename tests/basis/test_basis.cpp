@@ -278,6 +278,7 @@ TEST_CASE("numbers that lead nowhere are found behind a good checksum, too") {
         spoils(basis.loop_start[1], far, "boundary");
         spoils(basis.header->filled, far, "method");
         spoils(basis.header->counts.bodies, far, "contradict");
+        spoils(basis.header->counts.combination, far, "contradict");
     }
     spoils(basis.knots[4], std::nan(""), "curves");
     spoils(basis.control[4], std::nan(""), "curves");

@@ -185,6 +185,34 @@ TEST_CASE("polygons: areas of degree-1 outlines, and what a side is farther from
     CHECK(value_of(notch, clearance({1, 1.25, 3, 1.25})) < -0.1);
 }
 
+TEST_CASE("a section of two curves: they may miss each other by 1e-9 of the extent, however it lies; the base is a side, too") {
+    for (bool const upright : {false, true})
+        for (double const gap : {0.0, 5e-10, 2e-9}) {
+            Spline upper, lower;
+            upper.degree = lower.degree = 1;
+            upper.control = {1, 0.05, 0, 0.05, 0, 0};
+            lower.control = {0, -gap, 1, 0};
+            upper.knots = {0, 0, 0.5, 1, 1};
+            lower.knots = {0, 0, 1, 1};
+            CurveSet set(upper);
+            set.add(lower);
+            if (upright)
+                for (std::size_t k = 0; k < set.control.size(); k += 2)
+                    std::swap(set.control[k], set.control[k + 1] *= -1);
+            Result const area = measured(set, quantity(HM_AREA));
+            CHECK(area.status == (gap < 1e-9 ? HM_OK : HM_BAD_CURVE));
+            if (area.status == HM_OK) CHECK(area.value == doctest::Approx(0.05).epsilon(1e-7));
+            if (gap > 0) continue;
+            // Nearest to this point is the base, where the outline is closed.
+            std::vector<double> const inside = upright ? std::vector<double>{-0.03, 0.99} : std::vector<double>{0.99, 0.03};
+            Result const free = measured(set, clearance(inside));
+            CHECK(free.status == HM_OK);
+            CHECK(free.value == doctest::Approx(0.01));
+            CHECK(free.at[0] == doctest::Approx(upright ? -0.03 : 1));
+            CHECK(free.at[1] == doctest::Approx(upright ? 1 : 0.03));
+        }
+}
+
 TEST_CASE("derivatives of all quantities agree with differences: tied, open, rational, both orientations, fixed chord") {
     std::vector<double> const box = {0.2, -0.03, 0.6, -0.02, 0.6, 0.05, 0.2, 0.06},
         wide = {0.1, -0.2, 0.8, 0.0, 0.3, 0.3};
@@ -274,6 +302,12 @@ TEST_CASE("what cannot be measured is refused with the reason, outputs untouched
     CHECK(refusal(ring, quantity(HM_CHORD), "trailing edge") == HM_BAD_CURVE);
     CHECK(refusal(line, quantity(HM_AREA), "no area") == HM_BAD_CURVE);
     CHECK(refusal(line, quantity(HM_MIN_RADIUS), "straight") == HM_BAD_CURVE);
+    Spline cusp;   // in its middle
+    cusp.control = {0, 0, 1, 1, 0, 1, 1, 0};
+    cusp.knots = {0, 0, 0, 0, 1, 1, 1, 1};
+    CurveSet still(cusp);
+    for (int const kind : {HM_MIN_RADIUS, HM_CURVATURE_VARIATION})
+        CHECK(refusal(still, quantity(kind), "stands still at parameter 5.00000e-1") == HM_BAD_CURVE);
     CHECK(refusal(set, quantity(HM_THICKNESS, 1.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(HM_AREA, 0.5), "station") == HM_BAD_ARGUMENT);
     CHECK(refusal(set, quantity(99), "kind 99") == HM_BAD_ARGUMENT);

@@ -227,6 +227,23 @@ TEST_CASE("a periodic section has sides by its given chord; the direction of the
     }
 }
 
+TEST_CASE("the unit of a curve's parameter does not matter") {
+    CurveSet set = airfoil(false, 20);
+    hm_variables const modes = kind(HM_CST, 4, 4);
+    Map const plain = mapped(set, modes);
+    REQUIRE(plain.status == HM_OK);
+    for (double const unit : {1.0 / (1 << 30), 1024.0 * 1024}) {   // powers of two: no bit changes
+        CurveSet other = set;
+        for (double& knot : other.shapes[0].knots) knot *= unit;
+        Map const map = mapped(other, modes);
+        CHECK(map.status == HM_OK);
+        double worst = 0;
+        for (std::size_t k = 0; k < plain.matrix.size(); ++k)
+            worst = std::fmax(worst, std::fabs(map.matrix[k] - plain.matrix[k]));
+        CHECK(worst < 1e-9);
+    }
+}
+
 TEST_CASE("variables without effect, twice the same, or out of range are refused by name, outputs untouched") {
     CurveSet set = airfoil(false, 20);
     auto const refusal = [&](hm_variables const& variables, std::string const& word) {

@@ -67,6 +67,35 @@ TEST_CASE("rows are in order, hold later columns only, and each once; their numb
     CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
 }
 
+TEST_CASE("faces are the entries between the ends of an edge, of components of one direction or of a point that slides") {
+    for (bool const slides : {false, true}) {
+        Case its = two_body_case(Cells::hybrid, 6, 4);
+        if (slides) its.set_slip(far_field);
+        Analysed const seen(its);
+        AssembledMatrix const sparse(*seen.operator->());
+        harmorph::Matrix const& m = sparse.matrix;
+        Index const components = m.components();
+        CHECK(components == (slides ? 2 : 1));
+        std::vector<std::uint8_t> marked(static_cast<std::size_t>(m.start[m.n]), 2), expected(marked.size(), 0);
+        m.mark_faces(seen->topology.edges, span(marked));
+        harmorph::Mesh const mesh = core_mesh(its.mesh);
+        for (Index c = 0; c < mesh.n_cells; ++c) {
+            harmorph::Cell const cell = mesh.cell(c);
+            for (Index side = 0; side < cell.n; ++side)
+                for (Index p = 0; p < components; ++p)
+                    for (Index q = 0; q < components; ++q) {
+                        Index const a = cell.point[side], b = cell.point[(side + 1) % cell.n];
+                        if (p != q && !m.slips(a) && !m.slips(b)) continue;
+                        Index const i = m.row_of[components * a + p], j = m.row_of[components * b + q];
+                        if (i < 0 || j < 0) continue;
+                        for (harmorph::Offset k = m.start[std::min(i, j)]; k < m.start[std::min(i, j) + 1]; ++k)
+                            if (m.column[k] == std::max(i, j)) expected[static_cast<std::size_t>(k)] = 1;
+                    }
+        }
+        CHECK(marked == expected);
+    }
+}
+
 TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
     its.mesh.add_point({0.5, 0.5});   // used by no cell

@@ -8,6 +8,8 @@
 #include <fixtures/refused.hpp>
 #include <fixtures/traps.hpp>
 
+#include <harmorph/space/frame.hpp>
+
 using namespace fixtures;
 
 namespace {
@@ -515,6 +517,33 @@ TEST_CASE("one plane of points is a plane mesh, too: each point follows itself")
     CHECK(plane.info.layers == 1);
     CHECK(plane.info.kind == HM_PLANES);
     CHECK(all_follow(plane, space));
+}
+
+TEST_CASE("the frame of the points that are given: what is behind them is not looked at") {
+    Case const its = tiny_case();
+    Extruded space(its.mesh, inclined());
+    std::size_t const n = static_cast<std::size_t>(space.n_points());
+    std::vector<std::uint8_t> in_faces(n + 1, 0);
+    for (std::int32_t const point : space.faces)
+        if (point >= 0) in_faces[static_cast<std::size_t>(point)] = 1;
+    for (double const behind : {1e3, -1e3}) {
+        for (std::vector<double>* const axis : {&space.x, &space.y, &space.z}) {
+            axis->resize(n);
+            axis->push_back(behind * static_cast<double>(n + axis->size()));
+        }
+        harmorph::SpaceMesh mesh;
+        mesh.n_points = static_cast<harmorph::Index>(n);
+        mesh.points = {space.x.data(), space.y.data(), space.z.data(), 1};
+        harmorph::Frame frames[2];
+        for (std::size_t const side : {0u, 1u}) {
+            in_faces[n] = static_cast<std::uint8_t>(side);
+            harmorph::Fault fault;
+            CHECK(find_frame(mesh, {in_faces.data(), n}, frames[side], fault) == harmorph::Status::ok);
+        }
+        for (harmorph::Index axis = 0; axis < 3; ++axis) CHECK(frames[0].normal[axis] == frames[1].normal[axis]);
+        CHECK(frames[0].tolerance == frames[1].tolerance);
+        CHECK(frames[0].tolerance < 1e-3);
+    }
 }
 
 TEST_CASE("what lies behind the arrays of a space mesh does not count") {
