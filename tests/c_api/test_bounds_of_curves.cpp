@@ -286,10 +286,13 @@ TEST_CASE("curvature of a curve with a cusp inside a span") {
     curves.control = control;
     curves.n_curves = 1;
     curves.curve = &curve;
-    hm_quantity least = with_size<hm_quantity>();
-    least.kind = HM_MIN_RADIUS;
-    double value = 7;
-    hm_error error{};
-    CHECK(hm_measure(&curves, nullptr, 1, &least, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
-    CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") != std::string::npos);
+    for (std::int32_t const kind : {HM_MIN_RADIUS, HM_CURVATURE_VARIATION}) {
+        hm_quantity quantity = with_size<hm_quantity>();
+        quantity.kind = kind;
+        double value = 7;
+        hm_error error{};
+        CHECK(hm_measure(&curves, nullptr, 1, &quantity, &value, nullptr, nullptr, &error) == HM_BAD_CURVE);
+        CHECK(std::string(error.text).find("stands still at parameter 5.00000e-1") != std::string::npos);
+        CHECK(value == 7);
+    }
 }

@@ -85,6 +85,7 @@ TEST_CASE("coordinate planes: the plane's mesh has the coordinates' bits, and a 
             CHECK(plane.info.layers == 2);
             CHECK(plane.info.max_distance == 0);
             CHECK(plane.info.max_distance_point == -1);
+            CHECK(plane.mesh.cell_layout == HM_CELLS_ROWS);
             CHECK(plane.info.n_points == its.mesh.n_points());
             CHECK(all_follow(plane, space));
             bool same = true;
@@ -384,6 +385,8 @@ TEST_CASE("what is no plane mesh in layers is refused, and the point, face or si
     bad = good;
     bad.y[3] = 1e101;
     refused(bad, "1e100", 3);
+    bad.y[3] = 1e100;
+    refused(bad, "away from being opposite", n + 3);
     bad = good;
     bad.faces[6] = 2 * n;
     refused(bad, "face 1 names point 96", 1);
