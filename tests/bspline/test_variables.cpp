@@ -244,6 +244,26 @@ TEST_CASE("the unit of a curve's parameter does not matter") {
     }
 }
 
+// The sides meet inside a span, at one fraction of the span or, backwards, at the rest.
+TEST_CASE("the functions and errors of a section with a nose inside a span do not depend on its direction") {
+    for (int const n : {9, 10, 11, 12, 13}) {
+        CurveSet set = airfoil(false, n), back = set;
+        auto& shape = back.shapes[0];
+        std::vector<std::int32_t> const indices = shape.indices;
+        std::vector<double> const knots = shape.knots;
+        for (std::size_t k = 0; k < indices.size(); ++k) shape.indices[k] = indices[indices.size() - 1 - k];
+        for (std::size_t k = 0; k < knots.size(); ++k)
+            shape.knots[k] = knots.front() + knots.back() - knots[knots.size() - 1 - k];
+        Map const map = mapped(set, kind(HM_CST, 3, 3)), reversed = mapped(back, kind(HM_CST, 3, 3));
+        REQUIRE_MESSAGE(map.status == HM_OK, map.error.text);
+        REQUIRE_MESSAGE(reversed.status == HM_OK, reversed.error.text);
+        for (std::size_t k = 0; k < map.matrix.size(); ++k)
+            CHECK(std::fabs(map.matrix[k] - reversed.matrix[k]) < 1e-8);
+        for (std::size_t k = 0; k < map.errors.size(); ++k)
+            CHECK(std::fabs(map.errors[k] - reversed.errors[k]) < 1e-8);
+    }
+}
+
 TEST_CASE("variables without effect, twice the same, or out of range are refused by name, outputs untouched") {
     CurveSet set = airfoil(false, 20);
     auto const refusal = [&](hm_variables const& variables, std::string const& word) {
