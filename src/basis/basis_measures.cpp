@@ -42,12 +42,20 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
         Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
         measures.distance.include(length(points[point] - foot), point);
     }
-    for (Index point = 0; point < basis.n_points(); ++point) {
-        auto const values = basis.row(point);
+    Real least[block_points] = {}, most[block_points] = {};
+    for (Index block = 0; block < blocks_of(basis.n_points()); ++block) {  // behind the last point values are 0, as here
+        const Real* const values = basis.value.data() + Offset{block} * block_points * basis.row_length();
         for (Index i = 0; i < n_control; ++i) {
-            measures.min_value = smaller(measures.min_value, values[i]);
-            measures.max_value = larger(measures.max_value, values[i]);
+            for (Index k = 0; k < block_points; ++k) {
+                Real const value = values[i * block_points + k];
+                least[k] = smaller(least[k], value);
+                most[k] = larger(most[k], value);
+            }
         }
+    }
+    for (Index k = 0; k < block_points; ++k) {
+        measures.min_value = smaller(measures.min_value, least[k]);
+        measures.max_value = larger(measures.max_value, most[k]);
     }
     return measures;
 }
