@@ -1,0 +1,71 @@
+// Which other bases a safe morph takes: those whose functions are the same at the wall, modes of a table included.
+#include <doctest/doctest.h>
+
+#include <fixtures/derived.hpp>
+#include <fixtures/displaced.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+// The first body on its curve, the second given by table.
+Case curve_and_table() {
+    Case its = two_body_case(Cells::hybrid, 8, 6);
+    its.conditions.pop_back();
+    its.set_given(second_body);
+    return its;
+}
+
+hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other, std::size_t n_points, hm_error& error) {
+    std::size_t bytes = 0;
+    REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);
+    Guarded work(bytes);
+    hm_safe_options options{};
+    options.struct_size = sizeof options;
+    options.n_others = 1;
+    options.others = &other;
+    hm_basis_info const info = info_of(basis);
+    std::vector<double> x(n_points), y(n_points);
+    std::vector<double> const move(static_cast<std::size_t>(2 * info.functions), 1e-3);
+    return hm_morph_safe(plan, basis, move.data(), points_out(x, y), nullptr, work.data(), bytes, &options, nullptr,
+                         &error);
+}
+
+}  // namespace
+
+TEST_CASE("another operator with the same table is taken; with one number of the table changed, it is refused") {
+    for (bool const complex : {false, true}) {
+        Case its = curve_and_table();
+        hm_options const options = options_of(complex ? HM_CONFORMAL : HM_LAPLACE);
+        hm_options others = options_of(complex ? HM_CONFORMAL : HM_WEIGHTED);
+        others.exponent_quarters = 6;
+        Attempt const own(its.problem(), &options);
+        REQUIRE(own.status == HM_OK);
+        Attempt const other(its.problem(), &others);
+        REQUIRE(other.status == HM_OK);
+        std::size_t const n_wall = given_points(own.plan).size(), n_points = its.mesh.x.size();
+        std::vector<Field> modes = {some_field(n_wall, 5, 0.02), some_field(n_wall, 6, 0.02)};
+        if (!complex)
+            for (Field& mode : modes)
+                for (Complex& value : mode) value = value.real();
+        std::int32_t const numbers = complex ? 2 : 1;
+        Tabulated const basis(own.plan, own.basis, modes, numbers);
+        REQUIRE_MESSAGE(basis.status == HM_OK, basis.error.text);
+        hm_error error{};
+        {
+            Tabulated const same(other.plan, other.basis, modes, numbers);
+            REQUIRE_MESSAGE(same.status == HM_OK, same.error.text);
+            CHECK(safe_morph(own.plan, basis.basis, same.basis, n_points, error) == HM_OK);
+            INFO(error.text);
+        }
+        for (std::size_t mode = 0; mode < modes.size(); ++mode)
+            for (std::size_t const point : {std::size_t{0}, n_wall / 2, n_wall - 1})
+                for (std::int32_t part = 0; part < numbers; ++part) {
+                    std::vector<Field> changed = modes;
+                    changed[mode][point] += part == 0 ? Complex(1e-9, 0) : Complex(0, 1e-9);
+                    Tabulated const different(other.plan, other.basis, changed, numbers);
+                    REQUIRE(different.status == HM_OK);
+                    CHECK(safe_morph(own.plan, basis.basis, different.basis, n_points, error) == HM_BAD_BASIS);
+                }
+    }
+}
