@@ -264,6 +264,9 @@ TEST_CASE("a body that single precision cannot turn") {
     CHECK(attempt.status == HM_UNSUPPORTED);
     CHECK(std::string(attempt.error.text) ==
           "point 17 is 1.00000e25 from the centre of its body: single precision takes 1e-12 .. 1e24");
+    its.conditions.back().x = 1e24;
+    Attempt const nearer(its.problem(), &options);
+    CHECK_MESSAGE(nearer.status >= HM_OK, nearer.error.text);
 }
 
 TEST_CASE("four translations of a periodic mesh, which no lattice has") {

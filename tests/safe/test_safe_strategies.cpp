@@ -48,6 +48,13 @@ TEST_CASE("another basis is the one that helps") {
     hm_options const paper = options_of(HM_LAPLACE), sharper = options_of(HM_CONFORMAL, 8);
     REQUIRE(real.run(its.problem(), &paper));
     CHECK(safe.run(move, real.basis) == HM_SHORT);
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_LINEAR, HM_STRATEGY_UNTANGLED});
+    hm_status const beside_others = safe.run(move, real.basis);   // nor can its substeps
+    Field const moved_beside_others = safe.moved();
+    safe.safe_options.n_others = 0;
+    CHECK(safe.run(move, real.basis) == beside_others);
+    CHECK(largest_difference(safe.moved(), moved_beside_others) == 0);
+    safe.safe_options.skipped_strategies = without({HM_STRATEGY_SUBSTEPS, HM_STRATEGY_UNTANGLED});
     safe.safe_options.n_others = 1;
     CHECK(safe.run(move) == HM_SHORT);   // with the other one alone: as far as one linear step goes
     CHECK(safe.report.step_fraction == doctest::Approx(0.98 * safe.admissible(move)));
