@@ -62,12 +62,7 @@ struct Collector {
         }
         // While the kernels compute, the points of the next cells come from memory; no harm where there are none.
         for (Index k = 0; k < width * CellBatches::most; k += 16) __builtin_prefetch(points + width * n + k);
-        CellList const list{points, n, cells.mesh.index_base, reversed};
-        batches.first = first;
-        batches.n = n;
-        batches.triangles = width == 3 ? list : CellList();
-        batches.quads = width == 4 ? list : CellList();
-        visit(user, batches);
+        visit_list<width>({points, n, cells.mesh.index_base, reversed}, first);
     }
     // Of cells first .. end-1, those that stand in a list of `width` points for each, which begins with cell begin.
     template <Index width>
@@ -92,6 +87,47 @@ struct Collector {
             }
         }
     }
+    // Of structured blocks, row by row. Batches run on from block to block, as lists do.
+    void take_grid(Index begin, Index end) noexcept {
+        Index points[4 * CellBatches::most], n = 0;
+        auto const take_block = [&](GridBlock const& block) {
+            Index const last = smaller(end, block.first_cell + block.n_cells()), width = block.ni - 1;
+            for (Index i = larger(begin, block.first_cell), added = 0; i < last; i += added) {
+                Index const its = i - block.first_cell, left_in_row = width - its % width;
+                added = smaller(smaller(last - i, left_in_row), CellBatches::most - n);
+                Index corner = block.cell(its).point[0];
+                for (Index* to = points + 4 * n; to < points + 4 * (n + added); to += 4, ++corner) {
+                    to[0] = corner;
+                    to[1] = corner + 1;
+                    to[2] = corner + 1 + block.ni;
+                    to[3] = corner + block.ni;
+                }
+                n += added;
+                if (n < CellBatches::most) continue;
+                take_quads(points, i + added - n, n);
+                n = 0;
+            }
+            return last >= end;
+        };
+        Mesh const& mesh = cells.mesh;
+        if (mesh.layout == CellLayout::structured) take_block({mesh.ni, mesh.nj, 0, 0});
+        else mesh.find_block(take_block);
+        if (n > 0) take_quads(points, end - n, n);
+    }
+    // n quadrilaterals, points counted from 0.
+    void take_quads(const Index* points, Index first, Index n) noexcept {
+        bool reversed = false;
+        if (!run_alike(cells.reversed.data() + first, n, reversed)) return copy_one_by_one(first, first + n);
+        visit_list<4>({points, n, 0, reversed}, first);
+    }
+    template <Index width>
+    void visit_list(CellList const& list, Index first) noexcept {
+        batches.first = first;
+        batches.n = list.n;
+        batches.triangles = width == 3 ? list : CellList();
+        batches.quads = width == 4 ? list : CellList();
+        visit(user, batches);
+    }
 };
 
 }  // namespace
@@ -110,6 +146,8 @@ void for_each_batch(OrientedMesh const& cells, Index begin, Index end,
         collector.take_list<4>(mesh.quad_points, n, larger(begin, n), end);
     } else if (mesh.layout == CellLayout::rows) {
         collector.take_rows(begin, end);
+    } else if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) {
+        collector.take_grid(begin, end);
     } else {
         collector.copy_one_by_one(begin, end);
     }

@@ -26,7 +26,7 @@ namespace {
 struct Grid {
     static constexpr Index ni = 41, nj = 12;
     std::vector<double> x, y, dx, dy;
-    std::vector<Index> triangles, quads, starts, row_points;
+    std::vector<Index> triangles, quads, starts, row_points, block_sizes;
     std::vector<std::uint8_t> reversed;
     OrientedMesh cells;
 
@@ -61,6 +61,32 @@ struct Grid {
         mesh.cell_start = starts.data();
         reversed.assign(static_cast<std::size_t>(mesh.n_cells), 0);
         if (layout != CellLayout::structured) reverse_some(layout);
+        cells.reversed = {reversed.data(), reversed.size()};
+    }
+    // Structured blocks, ni and nj of each. The cells of every second block run clockwise, and some of the last block.
+    Grid(std::vector<Index> sizes, double noise, double size, unsigned seed) : block_sizes(std::move(sizes)) {
+        std::mt19937 random(seed);
+        auto const any = [&] { return 2 * uniform(random) - 1; };
+        harmorph::Mesh& mesh = cells.mesh;
+        mesh.layout = CellLayout::blocks;
+        mesh.n_blocks = static_cast<Index>(block_sizes.size() / 2);
+        mesh.block_sizes = block_sizes.data();
+        for (Index block = 0; block < mesh.n_blocks; ++block) {
+            Index const* const its = mesh.block_sizes + 2 * block;
+            bool const clockwise = block % 2 == 1, last = block + 1 == mesh.n_blocks;
+            for (Index j = 0; j < its[1]; ++j) {
+                for (Index i = 0; i < its[0]; ++i) {
+                    x.push_back(i + noise * any());
+                    y.push_back((clockwise ? -1 : 1) * j + noise * any());
+                    dx.push_back(size * any());
+                    dy.push_back(size * any());
+                }
+            }
+            Index const n = (its[0] - 1) * (its[1] - 1);
+            for (Index i = 0; i < n; ++i) reversed.push_back(clockwise || (last && i > n / 2 && i % 97 == 0));
+            mesh.n_cells += n;
+        }
+        mesh.n_points = static_cast<Index>(x.size());
         cells.reversed = {reversed.data(), reversed.size()};
     }
     Points points() const { return {x.data(), y.data(), 1}; }
@@ -197,6 +223,16 @@ TEST_CASE("batches find what single cells show, in all layouts, valid and invert
         CAPTURE(static_cast<int>(layout));
         for (double const noise : {0.0, 0.2, 0.9}) {  // the last one inverts cells
             for (double const size : {0.0, 1e-3, 0.3, 5.0}) check_all(Grid(layout, noise, size, 7));
+        }
+    }
+}
+
+TEST_CASE("structured blocks: batches run on from row to row and from block to block") {
+    for (std::vector<Index> const& sizes : std::vector<std::vector<Index>>{
+             {200, 15}, {41, 12, 2, 2, 130, 3, 5, 60, 67, 30}, {2, 700, 2, 700, 66, 17, 2, 2, 2, 2}}) {
+        CAPTURE(sizes.size());
+        for (double const noise : {0.0, 0.2, 0.9}) {
+            for (double const size : {0.0, 1e-3, 0.3, 5.0}) check_all(Grid(sizes, noise, size, 11));
         }
     }
 }
