@@ -522,6 +522,15 @@ TEST_CASE("one plane of points is a plane mesh, too: each point follows itself")
     CHECK(all_follow(plane, space));
 }
 
+TEST_CASE("coordinates may be as large as 1e100, and no larger; cells of three and four corners are no polygons") {
+    Extruded space(tiny_case().mesh, along_axis(2));
+    CHECK(Plane(space.view()).mesh.cell_layout != HM_CELLS_POLYGONS);
+    space.x[0] = 1e100;   // no plane mesh, but not for that
+    CHECK(!says(Plane(space.view()).error, "may be as large"));
+    space.x[0] = std::nextafter(1e100, 2e100);
+    CHECK(says(Plane(space.view()).error, "may be as large as 1e100"));
+}
+
 TEST_CASE("the frame of the points that are given: what is behind them is not looked at") {
     Case const its = tiny_case();
     Extruded space(its.mesh, inclined());
