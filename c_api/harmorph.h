@@ -751,7 +751,8 @@ HM_API hm_status hm_basis_size(const hm_analysis *analysis, size_t *bytes, hm_er
 HM_API hm_status hm_basis_init(hm_basis **basis, void *block, size_t bytes, const hm_analysis *analysis, hm_error *err);
 
 /* Assembles and factors the matrix with the coordinates `at` of the mesh points (NULL: the mesh's own coordinates); the
- * ordering and the symbolic factorisation are reused. A failed or cancelled call leaves the plan without a factor. */
+ * ordering and the symbolic factorisation are reused. A failed or cancelled call leaves the plan without a factor.
+ * Refused (HM_BAD_MESH): a coordinate that is not finite or larger than 1e100, a cell that is inverted at `at`. */
 HM_API hm_status hm_plan_factor(hm_plan *plan, const hm_points *at, hm_error *err);
 
 typedef struct hm_solve_report {

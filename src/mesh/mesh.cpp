@@ -1,5 +1,7 @@
 #include "harmorph/mesh/mesh.hpp"
 
+#include "harmorph/base/range.hpp"
+
 namespace harmorph {
 namespace {
 
@@ -91,20 +93,23 @@ Status check_coordinates(Mesh const& mesh, Fault& fault) noexcept {
         return fault.refuse(Status::bad_argument, "mesh.points.x or mesh.points.y is NULL");
     }
     if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
-    for (Index k = 0; k < mesh.n_points; ++k) {
-        Vec2 const p = mesh.points[k];
-        if (!is_finite(p.x) || !is_finite(p.y)) {
-            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
-        }
-        if (!is_in_range(p)) {
-            return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh,
-                                k, none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
-        }
-    }
-    return Status::ok;
+    return check_range(mesh.points, mesh.n_points, fault);
 }
 
 }  // namespace
+
+Status check_range(Points points, Index n_points, Fault& fault) noexcept {
+    for (Index k = 0; k < n_points; ++k) {
+        Vec2 const p = points[k];
+        if (is_coordinate(p)) continue;
+        if (!is_finite(p.x) || !is_finite(p.y)) {
+            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+        }
+        return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh, k,
+                            none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+    }
+    return Status::ok;
+}
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
     if (mesh.index_base != 0 && mesh.index_base != 1) {

@@ -1,6 +1,5 @@
 #include "harmorph/safe/mesh_improvement.hpp"
 
-#include "harmorph/base/range.hpp"
 #include "harmorph/base/angle.hpp"
 #include "harmorph/morph/quality.hpp"
 
@@ -8,11 +7,7 @@ namespace harmorph {
 namespace {
 
 Status check_points(Plan const& plan, Points points, const char* inverted_cell, Fault& fault) noexcept {
-    for (Index k = 0; k < plan.mesh.n_points; ++k) {
-        if (is_coordinate(points[k])) continue;
-        return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite, or larger than 1e100",
-                            Counts::mesh, k);
-    }
+    HARMORPH_TRY(check_range(points, plan.mesh.n_points, fault));
     OrientedMesh const& cells = plan.equations.cells;
     Index const inverted = plan.mesh.find_cell(0, plan.mesh.n_checked(), [&](Index i, Cell const&) {
         CellShape const shape = shape_of(cells, i, points);

@@ -195,6 +195,11 @@ TEST_CASE("reports and sentences count as the caller does") {
         CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
         CHECK(error.item == base);
         CHECK(says(error, base == 0 ? "cell 0 " : "cell 1 "));
+        for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {   // exceptions are trapped: nothing is computed
+            x[8] = bad;
+            CHECK(hm_plan_factor(solved.plan, points_in(x.data(), mesh.points.y), &error) == HM_BAD_MESH);
+            CHECK(error.item == base + 8);
+        }
 
         // Control points have a base of their own.
         its.curves.control[5] = std::nan("");

@@ -133,6 +133,9 @@ struct Mesh {
 // Counter-clockwise area (half the cross product of the diagonals, for a quad).
 Real cell_area(Cell const& cell, Points points) noexcept;
 
+// Of coordinates that come with a call: finite, and no larger than the arithmetic carries.
+Status check_range(Points points, Index n_points, Fault& fault) noexcept;
+
 // Ranges of the counts alone: all that a size query may look at.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
 // Where the corners of polygons begin: all that a size query looks at besides.
