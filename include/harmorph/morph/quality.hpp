@@ -13,8 +13,8 @@ namespace harmorph {
 inline Real skew_quality(Index n, CellCorners const& corners) noexcept {
     if (!(corners.smallest() > 0)) return 0;
     const Real* const area = corners.twice_area;
-    Real square_of[4];
-    for (Index k = 0; k < n; ++k) square_of[k] = square(corners.side[k]);
+    Vec2 const (&side)[4] = corners.side;
+    Real const square_of[4] = {square(side[0]), square(side[1]), square(side[2]), n == 3 ? 0 : square(side[3])};
     if (n == 3) {
         Real const squares = square_of[0] + square_of[1] + square_of[2];  // = 2 (a.a + b.b - a.b)
         return 2 * 1.7320508075688772 * area[0] / squares;
