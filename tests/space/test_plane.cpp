@@ -405,6 +405,9 @@ TEST_CASE("what is no plane mesh in layers is refused, and the point, face or si
     bad.y[static_cast<std::size_t>(n + 9)] = bad.y[static_cast<std::size_t>(n + 10)];
     refused(bad, "point 9 of the faces has no point opposite", 9);
     bad = good;
+    bad.face_start[0] = 1;
+    refused(bad, "face_start must begin with index_base, not 1", 1);
+    bad = good;
     bad.face_start[3] = bad.face_start[2] + 2;
     refused(bad, "face 2 has 2 points", 2);
     bad = good;
