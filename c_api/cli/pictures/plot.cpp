@@ -26,14 +26,14 @@ Box fill(const Box& frame, double scale, Point centre) {
     return {{centre.x - x, centre.y - y}, {centre.x + x, centre.y + y}};
 }
 
-// A text in lines of words that fit into a width.
+// A text in lines of words that fit into a width. Sentences take less room than width_of_text() says of short labels.
 std::vector<std::string> broken(const std::string& text, double font_size, double width) {
     std::vector<std::string> lines(1);
     std::istringstream words(text);
     for (std::string word; words >> word;) {
         std::string& line = lines.back();
         const std::string longer = line.empty() ? word : line + " " + word;
-        if (line.empty() || width_of_text(longer, font_size) <= width) {
+        if (line.empty() || .85 * width_of_text(longer, font_size) <= width) {
             line = longer;
         } else {
             lines.push_back(word);
