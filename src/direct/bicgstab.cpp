@@ -30,8 +30,8 @@ void BiconjugateGradients::combine(Numbers const& a, Span<const Real> x, Numbers
     }
 }
 
-BiconjugateGradients::Numbers BiconjugateGradients::measure(Span<const Real> vector, Numbers const& most, Span<Real> r,
-                                                            Index columns) const noexcept {
+BiconjugateGradients::Numbers BiconjugateGradients::drop_grown(Span<const Real> vector, Numbers const& most,
+                                                               Span<Real> r, Index columns) const noexcept {
     Numbers squares = dot(vector, vector, columns);
     for (Index k = 0; k < columns; ++k) {
         if (squares[k] <= most[k]) continue;

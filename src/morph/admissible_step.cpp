@@ -30,8 +30,7 @@ void AdmissibleStep::add(OrientedMesh const& cells, CellPlaces const& places, Ce
     batches.for_each([&](Index number, bool is_triangle, Index i) {
         if (((is_triangle ? triangles : quads) >> i & 1) == 0) return;
         Cell const its = cells.cell(number);
-        CellShape const now(its, places.at, false);
-        add(number, now, CellShape(its, places.change, false), CellCorners(now));
+        add(number, its.n, CellCorners({its, places.at, false}), CellCorners({its, places.change, false}));
     });
 }
 
@@ -51,7 +50,7 @@ AdmissibleStep admissible_step(OrientedMesh const& cells, Points points, Points 
     of_all.merge(reduce_cells<AdmissibleStep>(cells.mesh.n_guards, executor, [&](Index guard, AdmissibleStep& result) {
         Index const i = cells.mesh.n_cells + guard;
         CellShape const now = shape_of(cells, i, points);
-        result.add(i, now, shape_of(cells, i, displacement), CellCorners(now));
+        result.add(i, now.n, CellCorners(now), CellCorners(shape_of(cells, i, displacement)));
     }));
     return of_all;
 }

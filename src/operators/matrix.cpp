@@ -31,9 +31,7 @@ bool sort_short_row(Index* row, Index length) noexcept {
 }
 
 void sort_row(Span<Index> row) noexcept {
-    auto const before = [](Index a, Index b) { return a < b; };
-    if (row.size() > 24) return sort(row, before);
-    sort_by_insertion(row, before);
+    sort(row, [](Index a, Index b) { return a < b; });
 }
 
 // Across a periodic pair two points may share cells on both sides. Returns the number of distinct columns.

@@ -162,15 +162,9 @@ void Dissector::sort_along(Cut const& cut, Index begin, Index end) const noexcep
         };
         for (Index k = 0; k < keyed.count(); ++k) keyed[k] = {angle(cut_off[k]), cut_off[k]};
     }
-    constexpr Index few = 48;
-    auto const before = [](DissectionWork::Keyed const& a, DissectionWork::Keyed const& b) {
+    sort(keyed, [](DissectionWork::Keyed const& a, DissectionWork::Keyed const& b) {
         return a.key != b.key ? a.key < b.key : a.unknown < b.unknown;
-    };
-    if (keyed.count() <= few) {
-        sort_by_insertion(keyed, before);
-    } else {
-        sort(keyed, before);
-    }
+    });
     for (Index k = 0; k < keyed.count(); ++k) cut_off[k] = keyed[k].unknown;
 }
 

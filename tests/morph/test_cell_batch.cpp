@@ -174,7 +174,7 @@ void check_all(Grid const& grid) {
     Assessment const assessed = one_by_one(cells, [&](Index i, Cell const& cell, Assessment& to) {
         CellShape const now(cell, points, false), by(cell, change, false);
         CellCorners const corners(now);
-        to.limit.add(i, now, by, corners);
+        to.limit.add(i, cell.n, corners, CellCorners(by));
         CellShape then = now;
         for (Index k = 0; k < 4; ++k) then.at[k] = now.at[k] + by.at[k];
         to.quality.add(i, CellMeasure(cell.n, CellCorners(then)), corners.cell_area(cell.n));

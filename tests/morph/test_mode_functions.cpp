@@ -11,26 +11,6 @@
 
 using namespace fixtures;
 
-namespace {
-
-hm_condition given_marker(std::int32_t marker) {
-    hm_condition out{};
-    out.struct_size = sizeof out;
-    out.marker = marker;
-    out.kind = HM_GIVEN;
-    return out;
-}
-
-// The first body on its curve, the second given by table.
-Case curve_and_table() {
-    Case its = two_body_case(Cells::hybrid, 8, 6);
-    its.conditions.pop_back();
-    its.conditions.push_back(given_marker(second_body));
-    return its;
-}
-
-}  // namespace
-
 TEST_CASE("B-spline functions given as tables are the functions of the curve") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         Case curve = ring_case(6, 30, 0.5, 1);
@@ -63,7 +43,7 @@ TEST_CASE("modes beside curves and bodies: as displaced, the other functions as 
     Case curve = curve_and_table(), rigid = curve_and_table();
     rigid.conditions.clear();
     rigid.set_rigid(body, 0.5, 0.5);
-    rigid.conditions.push_back(given_marker(second_body));
+    rigid.set_given(second_body);
     for (Case* its : {&curve, &rigid, &slipping})
         for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL})
             for (std::int32_t const numbers : {1, 2}) {

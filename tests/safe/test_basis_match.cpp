@@ -8,14 +8,6 @@ using namespace fixtures;
 
 namespace {
 
-// The first body on its curve, the second given by table.
-Case curve_and_table() {
-    Case its = two_body_case(Cells::hybrid, 8, 6);
-    its.conditions.pop_back();
-    its.set_given(second_body);
-    return its;
-}
-
 hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other, std::size_t n_points, hm_error& error) {
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);

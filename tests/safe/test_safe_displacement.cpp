@@ -454,19 +454,4 @@ TEST_CASE("safe morphs by combined functions and by modes: large, valid, at the 
         CHECK(std::fabs(x[at] - its.mesh.x[at] - by.real()) < 1e-15);
         CHECK(std::fabs(y[at] - its.mesh.y[at] - by.imag()) < 1e-15);
     }
-    // Another basis may help if its modes move the given points alike.
-    hm_options const sharper = options_of(HM_CONFORMAL, 8);
-    Attempt by_other(table.problem(), &sharper);
-    REQUIRE(by_other.status == HM_OK);
-    Field bent = mode;
-    bent.back() *= 1.25;
-    Tabulated const alike(by_other.plan, by_other.basis, {mode}, 2), unlike(by_other.plan, by_other.basis, {bent}, 2);
-    safe_options.n_others = 1;
-    for (const hm_basis* const other : {alike.basis, unlike.basis}) {
-        safe_options.others = &other;
-        x = its.mesh.x;
-        y = its.mesh.y;
-        CHECK(hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr, more.data(), bytes,
-                            &safe_options, &report, &error) == (other == alike.basis ? HM_OK : HM_BAD_BASIS));
-    }
 }

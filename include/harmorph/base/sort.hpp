@@ -1,4 +1,4 @@
-// Counting, summing, filling: how every compressed row structure is built here (counting sort); and sorts by insertion and
+// Counting, summing, filling: how every compressed row structure is built here (counting sort); and a sort by insertion or
 // by a heap for the few items without integer keys.
 #pragma once
 
@@ -39,6 +39,8 @@ void sort_by_insertion(Span<T> items, Before before) noexcept {
 // In place, no extra memory. Not stable: let `before` break ties.
 template <class T, class Before>
 void sort(Span<T> items, Before before) noexcept {
+    constexpr Size few = 32;
+    if (items.size() <= few) return sort_by_insertion(items, before);
     auto const sink = [&](Size root, Size end) {
         for (Size child = 2 * root + 1; child < end; child = 2 * root + 1) {
             if (child + 1 < end && before(items[child], items[child + 1])) ++child;

@@ -36,8 +36,9 @@ private:
     Numbers dot(Span<const Real> a, Span<const Real> b, Index columns) const noexcept;
     // y = b y + a x
     void combine(Numbers const& a, Span<const Real> x, Numbers const& b, Span<Real> y, Index columns) const noexcept;
-    // Squares of the norms of `vector`. Where one is larger than `most`, the column becomes 0: residual r and solution.
-    Numbers measure(Span<const Real> vector, Numbers const& most, Span<Real> r, Index columns) const noexcept;
+    // Where the square of the norm of `vector` is larger than `most`, the column becomes 0: residual r and solution.
+    // Returns the squares of the others.
+    Numbers drop_grown(Span<const Real> vector, Numbers const& most, Span<Real> r, Index columns) const noexcept;
 };
 
 template <class Apply, class Precondition>
@@ -74,7 +75,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         }
         combine(step, preconditioned, one, solution, columns);
         combine(back, image, one, r, columns);
-        squares = measure(r, most_squares, r, columns);
+        squares = drop_grown(r, most_squares, r, columns);
         copy(preconditioned, Span<const Real>(r));
         HARMORPH_TRY(precondition(preconditioned.data()));
         apply(preconditioned.data(), second.data());
@@ -87,7 +88,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         combine(turn, preconditioned, one, solution, columns);
         combine(back, second, one, r, columns);
         Numbers const before = along;
-        squares = measure(r, most_squares, r, columns);
+        squares = drop_grown(r, most_squares, r, columns);
         along = dot(shadow, r, columns);
         // direction = r + beta (direction - turn image); step, turn and beta are van der Vorst's alpha, omega and beta
         Numbers beta, of_image;
@@ -97,7 +98,7 @@ Status BiconjugateGradients::run(Span<Real> r, Index columns, Real reduction, In
         }
         combine(of_image, image, beta, direction, columns);
         combine(one, r, one, direction, columns);
-        measure(direction, most_squares, r, columns);
+        drop_grown(direction, most_squares, r, columns);
     }
     copy(r, Span<const Real>(solution));
     return Status::ok;

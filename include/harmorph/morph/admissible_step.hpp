@@ -11,8 +11,8 @@ struct AdmissibleStep {
     Real step = infinity;
     Index cell = none, corner = none;  // of `cell` (or guard), the corner whose area becomes 0 first
 
-    // Of `number`, whose points move from `now` by `change`.
-    inline void add(Index number, CellShape const& now, CellShape const& change, CellCorners const& corners) noexcept;
+    // Of `number`, a cell or guard of n points that moves from `now` by `change`.
+    inline void add(Index number, Index n, CellCorners const& now, CellCorners const& change) noexcept;
     // Of some batches, the cells whose bits are set in the shape's number.
     void add(OrientedMesh const& cells, CellPlaces const& places, CellBatches const& batches, std::uint64_t triangles,
              std::uint64_t quads) noexcept;
@@ -31,14 +31,12 @@ inline Index corner_between_shorter_sides(CellCorners const& corners) noexcept {
     return length[1] >= length[2] ? 0 : 1;
 }
 
-inline void AdmissibleStep::add(Index number, CellShape const& now, CellShape const& change,
-                                CellCorners const& corners) noexcept {
-    CellCorners const moving(change);
-    Index const first = now.n == 3 ? corner_between_shorter_sides(corners) : 0, n_areas = now.n == 3 ? 1 : 4;
+inline void AdmissibleStep::add(Index number, Index n, CellCorners const& now, CellCorners const& change) noexcept {
+    Index const first = n == 3 ? corner_between_shorter_sides(now) : 0, n_areas = n == 3 ? 1 : 4;
     for (Index k = first; k < first + n_areas; ++k) {
-        Index const before = k == 0 ? now.n - 1 : k - 1;
-        Vec2 const in = corners.side[before], in_moves = moving.side[before];
-        Vec2 const out = corners.side[k], out_moves = moving.side[k];
+        Index const before = k == 0 ? n - 1 : k - 1;
+        Vec2 const in = now.side[before], in_moves = change.side[before];
+        Vec2 const out = now.side[k], out_moves = change.side[k];
         Real const area = cross(in, out), slope = cross(in, out_moves) + cross(in_moves, out);
         Real const curvature = cross(in_moves, out_moves);
         // Most corners cannot become 0 before the limit so far: area + slope s - |curvature| s^2 > 0 there.
