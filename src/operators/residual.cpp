@@ -5,10 +5,52 @@
 namespace harmorph {
 namespace {
 
+constexpr Index most_subtrees = 64;    // the norms of each are on the stack
+constexpr Index least_subtree = 1024;  // rows that are worth a task
+
+// Every coupling waits for its row; no row waits.
+void begin_to_wait(Residual const& work, Matrix const& matrix) noexcept {
+    fill(work.latest, none);
+    Index const couplings = matrix.coupling_start[matrix.coupling_start.size() - 1];
+    for (Index c = 0; c < couplings; ++c) {
+        Index& list = work.latest[matrix.coupling_row[c]];
+        work.next[matrix.n + c] = list;
+        list = matrix.n + c;
+    }
+}
+
+// Rows that have been left over by a subtree wait for rows behind the subtrees.
+void go_on_waiting(Residual const& work, Matrix const& matrix, Index left_over) noexcept {
+    for (Index row = left_over; row != none;) {
+        Index const next = work.next[row];
+        Index& list = work.latest[matrix.column[matrix.start[row] + work.passed[row]]];
+        work.next[row] = list;
+        list = row;
+        row = next;
+    }
+}
+
 template <class To>
 void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
                    Residual::Norms& norms) noexcept {
-    residual_kernels<To>(work.kernel).find_balances(work, matrix, dofs, first, n, value, norms);
+    SubtreeRanges const& subtrees = work.subtrees;
+    auto const find = residual_kernels<To>(work.kernel).find_balances;
+    begin_to_wait(work, matrix);
+    Residual::Norms norms_of[most_subtrees];
+    Index left_over[most_subtrees];
+    work.executor.for_each(subtrees.count, [&](Index i) {
+        BalancedRows its{subtrees.subtree[i], subtrees.subtree[i].end};
+        find(work, matrix, dofs, first, n, its, value, norms_of[i]);
+        left_over[i] = its.left_over;
+    });
+    for (Index i = 0; i < subtrees.count; ++i) {
+        norms.add(norms_of[i], n);
+        go_on_waiting(work, matrix, left_over[i]);
+    }
+    subtrees.for_each_between(matrix.n, [&](PositionRange rows) {
+        BalancedRows its{rows, matrix.n};
+        find(work, matrix, dofs, first, n, its, value, norms);
+    });
 }
 
 // Balances where x and y are coupled: two dofs a point.
@@ -216,7 +258,7 @@ Real beside_entries_in(Matrix const& matrix, DofValues const& dofs, Index column
 
 }  // namespace
 
-void Residual::lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind kind, Index n_columns,
+void Residual::lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind, Index n_columns,
                        Precision precision) noexcept {
     width = n_columns;
     Offset const numbers = Offset{unknowns} * (kind == MatrixKind::complex ? 2 * width : width);
@@ -224,12 +266,25 @@ void Residual::lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind
     arena.take(single, precision == Precision::in_single ? numbers : 0);
     bool const waits = kind != MatrixKind::coupled_xy;
     arena.take(latest, waits ? unknowns : 0);
-    arena.take(next, waits ? Offset{unknowns} + wall_dofs : 0);
-    arena.take(passed, waits ? Offset{unknowns} + wall_dofs : 0);
+    arena.take(next, waits ? Offset{unknowns} + couplings : 0);
+    arena.take(passed, waits ? unknowns : 0);
+}
+
+void Residual::share_out(AssemblyTree const& tree, Executor const& by) noexcept {
+    Index const rows = tree.count > 0 ? tree.nodes[tree.count - 1].end : 0;
+    executor = by;
+    subtrees.choose(tree, larger(rows / 16, least_subtree), most_subtrees);
 }
 
 Real Residual::Norms::relative(Index k) const noexcept {
     return square_root(rest[k]) / (right_hand_side[k] > 0 ? square_root(right_hand_side[k]) : 1);
+}
+
+void Residual::Norms::add(Norms const& of_other_rows, Index n) noexcept {
+    for (Index k = 0; k < n; ++k) {
+        right_hand_side[k] += of_other_rows.right_hand_side[k];
+        rest[k] += of_other_rows.rest[k];
+    }
 }
 
 Residual::Norms Residual::compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept {

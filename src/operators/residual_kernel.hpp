@@ -1,4 +1,4 @@
-// Balances of all rows with the registers of one instruction set; residual_table.cpp compiles this file for each of
+// Balances of rows with the registers of one instruction set; residual_table.cpp compiles this file for each of
 // them. The arithmetic of a column is the same in all instruction sets, and so are the bits of the result.
 
 namespace harmorph::residuals::HARMORPH_SET {
@@ -25,15 +25,16 @@ HARMORPH_INLINE void load(const Real* from, Index n, Vector (&to)[vectors]) noex
 template <Index planes, class To>
 class Balances {
 public:
-    Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n) noexcept
+    Balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
+             BalancedRows& of) noexcept
         : matrix_(matrix), dofs_(dofs), latest_(work.latest), next_(work.next), passed_(work.passed), first_(first),
-          n_(n), plane_(dofs.columns(matrix)) {}
+          n_(n), limit_(of.limit), plane_(dofs.columns(matrix)), of_(of) {}
 
     void run(To* value, Index width, Residual::Norms& norms) noexcept {
-        for (Index& row : latest_) row = none;
-        Index const walls = matrix_.coupling_start.count() - 1;
-        for (Index wall = 0; wall < walls; ++wall) queue(matrix_.n + wall, matrix_.coupling_start[wall]);
-        for (Index i = 0; i < matrix_.n; ++i) {
+        PositionRange const rows = of_.rows;
+        if (value != nullptr) value += Offset{rows.begin} * planes * width;
+        fixed_end_ = fixed_before(rows.begin);
+        for (Index i = rows.begin; i < rows.end; ++i) {
             fetch(i + rows_ahead);
             own_ = at(i);
             source_ = dofs_.source == nullptr ? nullptr : dofs_.source_at(i) + first_;
@@ -41,7 +42,7 @@ public:
             for (Offset e = matrix_.start[i]; e < matrix_.start[i + 1]; ++e) {
                 add({at(matrix_.column[e]), matrix_.value[e], imaginary(matrix_.imaginary, e)}, norms);
             }
-            queue(i, matrix_.start[i]);
+            wait(i, matrix_.start[i]);
             fixed_ = fixed_end_;
             while (fixed_end_ < matrix_.fixed_row.count() && matrix_.fixed_row[fixed_end_] == i) ++fixed_end_;
             sum_flows(true, norms);
@@ -62,53 +63,66 @@ private:
     const Real* at(Index position) const noexcept { return dofs_.at(position) + first_; }
     static Real imaginary(Span<Real> of, Offset entry) noexcept { return planes == 2 ? of[entry] : 0; }
 
-    // Entries of an unknown's row, or, for numbers from n on, of the column of a dof on the wall.
-    Span<Index> columns(Index row) const noexcept {
-        return row < matrix_.n ? matrix_.column : matrix_.coupling_row;
-    }
-    Offset end(Index row) const noexcept {
-        return row < matrix_.n ? matrix_.start[row + 1] : matrix_.coupling_start[row - matrix_.n + 1];
-    }
-    Offset begin(Index row) const noexcept {
-        return row < matrix_.n ? matrix_.start[row] : matrix_.coupling_start[row - matrix_.n];
+    // How many entries of Matrix::fixed_row are before this row.
+    Index fixed_before(Index row) const noexcept {
+        Index low = 0, high = matrix_.fixed_row.count();
+        while (low < high) {
+            Index const middle = low + (high - low) / 2;
+            if (matrix_.fixed_row[middle] < row) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
     }
     // The row waits for the row whose number is the column of this entry.
-    void queue(Index row, Offset entry) const noexcept {
-        if (entry == end(row)) return;
-        Index const column = columns(row)[entry];
-        next_[row] = latest_[column];
-        latest_[column] = row;
-        passed_[row] = static_cast<Index>(entry - begin(row));
+    void wait(Index row, Offset entry) const noexcept {
+        if (entry == matrix_.start[row + 1]) return;
+        Index const column = matrix_.column[entry];
+        Index& list = column < limit_ ? latest_[column] : of_.left_over;
+        next_[row] = list;
+        list = row;
+        passed_[row] = static_cast<Index>(entry - matrix_.start[row]);
     }
-    // The rows that wait for this one, and those of the wall.
+    // The rows that wait for this one, and couplings to the wall.
     void take_earlier(Index i, Residual::Norms& norms) noexcept {
         bool beside_wall = false;
-        for (Index row = latest_[i]; row != none;) {
-            Index const next_waiting = next_[row];
-            Offset e = begin(row) + passed_[row];
-            if (row < matrix_.n) {
-                add({at(row), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
-                ++e;
+        for (Index waiting = latest_[i]; waiting != none;) {
+            Index const next_waiting = next_[waiting];
+            if (waiting < matrix_.n) {
+                Offset const e = matrix_.start[waiting] + passed_[waiting];
+                add({at(waiting), matrix_.value[e], -imaginary(matrix_.imaginary, e)}, norms);
+                wait(waiting, e + 1);
             } else {
                 if (!beside_wall) clear(right_);
                 beside_wall = true;
-                for (; e < end(row) && matrix_.coupling_row[e] == i; ++e) take_known(row - matrix_.n, e, norms);
+                take_known(waiting - matrix_.n, norms);
             }
-            queue(row, e);
-            row = next_waiting;
+            waiting = next_waiting;
         }
         if (beside_wall) add_squares(right_, norms.right_hand_side);
     }
 
-    void take_known(Index wall, Offset coupling, Residual::Norms& norms) noexcept {
+    void take_known(Index coupling, Residual::Norms& norms) noexcept {
         Real const re = matrix_.coupling_value[coupling], im = imaginary(matrix_.coupling_imaginary, coupling);
-        const Real* const known = dofs_.wall(wall) + first_;
+        const Real* const known = dofs_.wall(wall_of(coupling)) + first_;
         Row numbers;
         for (Index p = 0; p < planes; ++p) {
             for (Index k = 0; k < n_; ++k) numbers[p][k] = known[p * plane_ + k];
         }
         take(numbers, re, im, right_);
         add({known, re, im}, norms);
+    }
+
+    // The dof on the wall in whose column the coupling is.
+    Index wall_of(Index coupling) const noexcept {
+        Index low = 0, high = matrix_.coupling_start.count() - 1;  // start[low] <= coupling < start[high]
+        while (high - low > 1) {
+            Index const middle = low + (high - low) / 2;
+            (matrix_.coupling_start[middle] <= coupling ? low : high) = middle;
+        }
+        return low;
     }
 
     void clear(Row& row) const noexcept {
@@ -215,8 +229,9 @@ private:
     Matrix const& matrix_;
     DofValues const& dofs_;
     Span<Index> latest_, next_, passed_;
-    Index first_, n_;
+    Index first_, n_, limit_;
     Offset plane_;
+    BalancedRows& of_;
     const Real *own_ = nullptr, *source_ = nullptr;  // of the row: values, part of the right-hand side
     Index fixed_ = 0, fixed_end_ = 0;                // its entries of Matrix::fixed_row
     bool begun_ = false;                             // rest_ has a part of its couplings
@@ -226,12 +241,12 @@ private:
 };
 
 template <class To>
-void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n, To* value,
-                   Residual::Norms& norms) noexcept {
+void find_balances(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
+                   BalancedRows& of, To* value, Residual::Norms& norms) noexcept {
     if (matrix.is_complex()) {
-        Balances<2, To>(work, matrix, dofs, first, n).run(value, work.width, norms);
+        Balances<2, To>(work, matrix, dofs, first, n, of).run(value, work.width, norms);
     } else {
-        Balances<1, To>(work, matrix, dofs, first, n).run(value, work.width, norms);
+        Balances<1, To>(work, matrix, dofs, first, n, of).run(value, work.width, norms);
     }
 }
 

@@ -5,47 +5,20 @@
 namespace harmorph {
 namespace {
 
-struct PositionRange {
-    Index begin, end;  // positions
-};
+// Borders that hold a position of a subtree belong to nodes of the same subtree, so subtrees can be walked at the same
+// time.
+SubtreeRanges ranges_for(Executor const& executor, AssemblyTree const& tree, Index n) noexcept {
+    SubtreeRanges ranges;
+    if (!executor.is_serial()) ranges.choose(tree, n / (8 * executor.n_threads));
+    return ranges;
+}
 
-// Subtrees, each with a small part of the positions, and the ranges between them. Borders that hold a position of a
-// subtree belong to nodes of the same subtree, so subtrees can be walked at the same time.
-struct Ranges {
-    static constexpr Index most = 256;
-    Index subtrees = 0;
-    PositionRange subtree[most];
-    Index n;
-
-    Ranges(AssemblyTree const& tree, Index n_positions, Executor const& executor) noexcept : n(n_positions) {
-        if (!executor.is_serial()) add(tree, tree.count - 1, n / (8 * executor.n_threads));
-    }
-    // visit(range) for the subtrees by the executor's threads, then for the rest by the calling one.
-    template <class Visit>
-    void for_each(Executor const& executor, Visit const& visit) const noexcept {
-        executor.for_each(subtrees, [&](Index i) { visit(subtree[i]); });
-        Index begin = 0;
-        for (PositionRange const& done : Span<const PositionRange>(subtree, static_cast<Size>(subtrees))) {
-            if (begin < done.begin) visit({begin, done.begin});
-            begin = done.end;
-        }
-        if (begin < n) visit({begin, n});
-    }
-
-private:
-    void add(AssemblyTree const& tree, Index root, Index largest) noexcept {
-        Index first = root;
-        while (tree.nodes[first].child != none) first = tree.nodes[first].child;
-        PositionRange const positions{tree.nodes[first].begin, tree.nodes[root].end};
-        if (positions.end - positions.begin <= largest && subtrees < most) {
-            subtree[subtrees++] = positions;
-            return;
-        }
-        for (Index child = tree.nodes[root].child; child != none; child = tree.nodes[child].sibling) {
-            add(tree, child, largest);
-        }
-    }
-};
+// visit(range) for the subtrees by the executor's threads, then for the rest by the calling one.
+template <class Visit>
+void for_each_range(SubtreeRanges const& ranges, Index n, Executor const& executor, Visit const& visit) noexcept {
+    executor.for_each(ranges.count, [&](Index i) { visit(ranges.subtree[i]); });
+    ranges.for_each_between(n, visit);
+}
 
 // visit(position, node) for every position of nodes that have children: the positions of the others are in no border.
 template <class Visit>
@@ -126,8 +99,7 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
         }
     });
     restart(tree, work);
-    Ranges const ranges(tree, graph.n, executor);
-    ranges.for_each(executor, [&](PositionRange range) {
+    for_each_range(ranges_for(executor, tree, graph.n), graph.n, executor, [&](PositionRange range) {
         Track track(work, range);
         walk(graph, order, tree, work, range, [&](Index node, Index) {
             track.add(node);
@@ -151,11 +123,10 @@ FrontSizes count_borders(Graph const& graph, Span<const Index> order, AssemblyTr
 void fill_borders(Graph const& graph, Span<const Index> order, AssemblyTree const& tree, BorderWork const& work,
                   Executor const& executor, Span<const Offset> border_start, Span<Index> border) noexcept {
     restart(tree, work);
-    Ranges const ranges(tree, graph.n, executor);
     auto const enter = [&](Index node, Index position) {
         if (node != none) border[border_start[node] + work.step[node].filled++] = position;
     };
-    ranges.for_each({}, [&](PositionRange range) {
+    for_each_range(ranges_for(executor, tree, graph.n), graph.n, {}, [&](PositionRange range) {
         Track track(work, range);
         if (!track.is_whole()) return walk(graph, order, tree, work, range, enter);
         for_each_above_leaves(tree, work.node[order[range.begin]], range, [&](Index position, Index) {

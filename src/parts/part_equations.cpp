@@ -49,7 +49,7 @@ void PartEquations::lay_out(Arena& arena, Part const& of, PartProblem const& ask
     graph.lay_out(arena, own, components);
     arena.take(order, most_unknowns);
     arena.release(mark);
-    residual.lay_out(arena, most_unknowns, components * most_wall, most.kind, residual_columns);
+    residual.lay_out(arena, most_unknowns, most.couplings, most.kind, residual_columns);
     Offset const values = numbers_of(asked.method.value_kind(asked.demands));
     arena.take(rows_in_work, RowsToBlocks::work_numbers(values * (n_control + 2 * asked.demands.bodies)));
 }

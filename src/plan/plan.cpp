@@ -33,6 +33,7 @@ void Plan::init(Analysis const& analysis) noexcept {
     equations.init(analysis);
     mesh = equations.cells.mesh;
     refinement.residual.kernel = executor.kernel = equations.method.kernel;
+    refinement.residual.share_out(analysis.tree, executor);
     executor.for_each(3, [&](Index part) {  // the three parts are independent
         if (part == 0) equations.build(analysis);
         if (part == 1) engine.init(analysis);

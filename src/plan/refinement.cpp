@@ -202,7 +202,7 @@ void Refinement::lay_out(Arena& arena, Analysis const& analysis, AnyEngine const
                          Index columns) noexcept {
     Method const& method = analysis.problem.method;
     Matrix const& matrix = equations.matrix;
-    residual.lay_out(arena, matrix.n, matrix.components() * analysis.wall.count, matrix.kind,
+    residual.lay_out(arena, matrix.n, analysis.matrix.couplings, matrix.kind,
                      residual_width(method, matrix, engine, columns), residual_precision(method, matrix.kind));
     if (!method.nodal_gradients()) return;
     equations.nodal.lay_out_work(arena, analysis.problem.mesh.n_points, residual.width);

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
+#include <fixtures/executors.hpp>
 #include <fixtures/kernels.hpp>
 #include <fixtures/matrices.hpp>
 #include <fixtures/operators.hpp>
@@ -53,11 +54,11 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     harmorph::Basis const basis = in_rows(solved);
     harmorph::Arena counting;
     harmorph::Residual residual;
-    Index const walls = plan.equations.matrix.coupling_start.count() - 1;
-    residual.lay_out(counting, plan.equations.matrix.n, walls, plan.equations.matrix.kind);
+    Index const couplings = plan.equations.matrix.coupling_row.count();
+    residual.lay_out(counting, plan.equations.matrix.n, couplings, plan.equations.matrix.kind);
     Guarded block(counting.bytes());
     harmorph::Arena placing(block.data(), block.size());
-    residual.lay_out(placing, plan.equations.matrix.n, walls, plan.equations.matrix.kind);
+    residual.lay_out(placing, plan.equations.matrix.n, couplings, plan.equations.matrix.kind);
 
     Index const width = residual.width;
     Index const function = width + 1, wrong = plan.equations.matrix.n / 2;   // of the second group of functions
@@ -299,6 +300,45 @@ TEST_CASE("kernels give the same bits, of whole blocks of columns and of parts o
                 CHECK(same_bits(expected, {residual.value.begin(), residual.value.end()}));
                 for (Index k = 0; k < n; ++k) CHECK(plain.relative(k) == fast.relative(k));
             }
+        }
+    }
+}
+
+TEST_CASE("subtrees of rows: the same residuals as row after row, the same bits for any number of threads") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = ring_case(60, 130, 0.5, 2, Cells::hybrid, 3, 8);
+        hm_options const options = with(kind, HM_DIRECT);
+        Solved const solved(its, &options);
+        harmorph::Plan const& plan = inside(solved.plan);
+        harmorph::Basis const basis = in_rows(solved);
+        harmorph::DofValues const dofs(basis, plan.equations.dof_of, 1);
+        harmorph::Matrix const& matrix = plan.equations.matrix;
+        harmorph::Residual residual = plan.refinement.residual;
+        REQUIRE(residual.subtrees.count > 4);
+        REQUIRE(matrix.fixed_row.count() > 0);
+        Index const n = residual.width, wrong = matrix.n / 3;
+        dofs.at(wrong)[1] += 1e-3;   // what is left is not rounding alone
+        residual.share_out({}, {});
+        harmorph::Residual::Norms const plain = residual.compute(matrix, dofs, 0, n);
+        std::vector<double> const expected(residual.value.begin(), residual.value.end());
+        std::vector<double> first;
+        for (Index const threads : {1, 2, 3, 8}) {
+            Backwards order;
+            hm_executor const executor = order.executor(threads);
+            residual.subtrees = plan.refinement.residual.subtrees;
+            residual.executor = {executor.run, executor.user, threads};
+            harmorph::Residual::Norms const shared = residual.compute(matrix, dofs, 0, n);
+            CHECK((order.calls > 0) == (threads > 1));
+            std::vector<double> found(residual.value.begin(), residual.value.end());
+            CHECK(largest_difference(found, expected) < 1e-14);
+            for (Index k = 0; k < n; ++k) {
+                CHECK(shared.right_hand_side[k] == doctest::Approx(plain.right_hand_side[k]).epsilon(1e-13));
+                CHECK(std::fabs(shared.rest[k] - plain.rest[k]) < 1e-9 * plain.rest[1]);
+                found.push_back(shared.right_hand_side[k]);
+                found.push_back(shared.rest[k]);
+            }
+            if (first.empty()) first = found;
+            CHECK(same_bits(found, first));
         }
     }
 }

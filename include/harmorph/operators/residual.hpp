@@ -62,7 +62,8 @@ struct DofValues {
 // hides the weak couplings (symmetric_matrix.hpp). Where x and y are coupled, they are sums of differences of
 // displacements; the second dof of a slipping point is not used then, and is set at the very end of a solve.
 // A row is summed in one go. Its entries left of the diagonal are stored in earlier rows; every earlier row waits in
-// the list of the next row that it is coupled to.
+// the list of the next row that it is coupled to, and so does every coupling to the wall. The rows of a subtree of the
+// assembly tree wait for each other and for rows behind all subtrees: subtrees are summed at the same time.
 struct Residual {
     static constexpr Index widest = 24;
 
@@ -72,17 +73,23 @@ struct Residual {
     // in the precision of the engine's factor.
     Span<Real> value;
     Span<float> single;  // residuals are computed in double and rounded last, so that corrections lose no accuracy
-    Span<Index> latest;  // [n] not where x and y are coupled: the row that began to wait last for this one, and
-    Span<Index> next;    // [n + dofs on the wall] for each waiting row the one that began before
-    Span<Index> passed;  // [n + dofs on the wall] of each waiting row: its entries before the one that it waits with
+    Span<Index> latest;  // [n] not where x and y are coupled: what began to wait last for this row: a row, or
+                         // n + number of a coupling; and
+    Span<Index> next;    // [n + couplings] for each that waits the one that began before
+    Span<Index> passed;  // [n] of each waiting row: its entries before the one that it waits with
+    SubtreeRanges subtrees;  // the same for any number of threads; none: all rows are summed one after the other
+    Executor executor;
 
-    void lay_out(Arena& arena, Index unknowns, Index wall_dofs, MatrixKind kind, Index n_columns = 6,
+    void lay_out(Arena& arena, Index unknowns, Index couplings, MatrixKind kind, Index n_columns = 6,
                  Precision precision = Precision::in_double) noexcept;
+    // Chooses the subtrees of rows that are in the order of elimination of this tree.
+    void share_out(AssemblyTree const& tree, Executor const& by) noexcept;
     // Of columns first .. first+n-1, n <= width: squared 2-norms of b and of b - A F.
     struct Norms {
         Real right_hand_side[widest] = {}, rest[widest] = {};
         // |b - A F| / |b|; the numerator alone where b is 0.
         Real relative(Index k) const noexcept;
+        void add(Norms const& of_other_rows, Index n) noexcept;
     };
     Norms compute(Matrix const& matrix, DofValues const& dofs, Index first, Index n) const noexcept;
     // Computes the norms alone, n <= widest; not where x and y are coupled.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "harmorph/dense/dense.hpp"
-#include "harmorph/ordering/nested_dissection.hpp"
+#include "harmorph/ordering/subtree_ranges.hpp"
 
 namespace harmorph {
 
