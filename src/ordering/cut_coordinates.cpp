@@ -4,6 +4,22 @@ namespace harmorph {
 namespace {
 
 constexpr float unreached = -1;
+constexpr Index least_unknowns = 4096;  // that are worth a task
+
+// Breadth-first search from the unknowns of the queue from `read` on: neighbours not yet reached get one step more.
+Index spread(Graph const& graph, Span<float> step, Span<Index> queue, Index read, Index filled) noexcept {
+    for (; read < filled; ++read) {
+        graph.expect(queue, read, filled);
+        Index const u = queue[read];
+        float const next = step[u] + 1;
+        for (Index const v : graph.of(u)) {
+            if (step[v] >= 0) continue;
+            step[v] = next;
+            queue[filled++] = v;
+        }
+    }
+    return filled;
+}
 
 }  // namespace
 
@@ -13,39 +29,29 @@ void CutCoordinates::lay_out(Arena& arena, Index max_unknowns) noexcept {
     arena.take(step, max_unknowns);
 }
 
-// Breadth-first search from the unknowns of the queue from `read` on: neighbours not yet reached get one step more.
-Index CutCoordinates::spread(Graph const& graph, Span<Index> search_queue, Index read, Index filled) const noexcept {
-    for (; read < filled; ++read) {
-        graph.expect(search_queue, read, filled);
-        Index const u = search_queue[read];
-        float const next = step[u] + 1;
-        for (Index const v : graph.of(u)) {
-            if (step[v] >= 0) continue;
-            step[v] = next;
-            search_queue[filled++] = v;
-        }
-    }
-    return filled;
+void CutCoordinates::lay_out_layers(Arena& arena, Index max_unknowns) noexcept {
+    arena.take(layer, max_unknowns);
+    arena.take(layer_queue, max_unknowns);
 }
 
 // From the unknowns beside curves. Unknowns in a part of the mesh without curves are not reached: they come before all
 // layers.
 void CutCoordinates::find_layers(Graph const& graph) const noexcept {
-    fill(step.first(graph.n), unreached);
+    fill(layer.first(graph.n), unreached);
     Index filled = 0;
     for (Index u = 0; u < graph.n; ++u) {
         if (graph.beside_curve[u] == 0) continue;
-        step[u] = 0;
-        queue[filled++] = u;
+        layer[u] = 0;
+        layer_queue[filled++] = u;
     }
-    spread(graph, queue, 0, filled);
+    spread(graph, layer, layer_queue, 0, filled);
 }
 
 void CutCoordinates::find_levels(Graph const& graph, Span<const Index> part, Span<Index> by_level) const noexcept {
     auto const spread_from = [&](Index u, float level, Index filled) {
         step[u] = level;
         by_level[filled] = u;
-        return spread(graph, by_level, filled, filled + 1);
+        return spread(graph, step, by_level, filled, filled + 1);
     };
     Index start = part[0], filled = 0;
     for (Index sweep = 0; sweep < 2; ++sweep) {  // the second search starts from the last unknown of the first
@@ -59,35 +65,35 @@ void CutCoordinates::find_levels(Graph const& graph, Span<const Index> part, Spa
     for (Index const u : part) of[u].at[level_direction] = step[u];
 }
 
+// In the straight directions.
 void CutCoordinates::find_reach(Graph const& graph, Index u) const noexcept {
     constexpr float outwards = 1.000001f;
-    Four farthest[halves] = {};
+    Four const here = four(of[u].at, 0);
+    Four farthest = {};
     for (Index const v : graph.of(u)) {
-        for (Index half = 0; half < halves; ++half) {
-            Four const apart = four(of[v].at, half) - four(of[u].at, half);
-            farthest[half] = apart > farthest[half] ? apart : farthest[half];
-            farthest[half] = -apart > farthest[half] ? -apart : farthest[half];
-        }
+        Four const apart = four(of[v].at, 0) - here;
+        farthest = apart > farthest ? apart : farthest;
+        farthest = -apart > farthest ? -apart : farthest;
     }
-    for (Index half = 0; half < halves; ++half) set_four(of[u].reach, half, outwards * farthest[half]);
-    of[u].reach[level_direction] = 1;
+    set_four(of[u].reach, 0, outwards * farthest);
 }
 
-// Takes the steps over in the order of memory, which the search does not follow.
-void CutCoordinates::keep_across(Graph const& graph) const noexcept {
-    for (Index u = 0; u < graph.n; ++u) {
-        float const here = step[u];
-        float farthest = here != 0 ? 1.0f : 0.0f;
-        for (Index const v : graph.of(u)) farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
-        of[u].at[across_direction] = here;
-        of[u].reach[across_direction] = farthest;
-    }
+// In the order of memory, which the searches do not follow.
+void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor) const noexcept {
+    executor.for_ranges(graph.n, least_unknowns, [&](Index begin, Index end) {
+        for (Index u = begin; u < end; ++u) {
+            float const here = step[u];
+            float farthest = here != 0 ? 1.0f : 0.0f;
+            for (Index const v : graph.of(u)) farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
+            set_four(of[u].at, 1, Four{layer[u], here, 0, 0});
+            set_four(of[u].reach, 1, Four{1, farthest, 1, 0});  // layers and levels of neighbours differ by 1 at most
+        }
+    });
     fill(step.first(graph.n), 0.0f);
 }
 
 // Coordinates relative to the first point: single precision would lose those of a small mesh far from the origin.
-void CutCoordinates::find(Graph const& graph, Points points, Executor const& executor) const noexcept {
-    constexpr Index least = 4096;  // unknowns that are worth a task
+void CutCoordinates::place(Graph const& graph, Points points, Executor const& executor) const noexcept {
     Vec2 const origin = points[graph.point(0)];
     Real largest = 0;
     for (Index u = 0; u < graph.n; ++u) {
@@ -96,16 +102,15 @@ void CutCoordinates::find(Graph const& graph, Points points, Executor const& exe
     }
     // Single precision ends at 1e38. Where all unknowns are in one place, or there is one only, nothing has to be scaled.
     Real const scale = largest > 0 && (largest > 1e30 || largest < 1e-30) ? 1 / largest : 1;
-    find_layers(graph);
-    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+    executor.for_ranges(graph.n, least_unknowns, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) {
             Vec2 const p = scale * (points[graph.point(u)] - origin);
             float const x = static_cast<float>(p.x), y = static_cast<float>(p.y);
-            of[u] = {{x, y, x + y, x - y, step[u], 0, 0, 0}, {}};
+            of[u] = {{x, y, x + y, x - y}, {}};
             step[u] = 0;
         }
     });
-    executor.for_ranges(graph.n, least, [&](Index begin, Index end) {
+    executor.for_ranges(graph.n, least_unknowns, [&](Index begin, Index end) {
         for (Index u = begin; u < end; ++u) find_reach(graph, u);
     });
 }

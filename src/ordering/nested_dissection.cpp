@@ -101,15 +101,19 @@ void DissectionWork::lay_out(Arena& arena, Index max_unknowns) noexcept {
     coordinates.lay_out(arena, max_unknowns);
     cover.lay_out(arena, max_unknowns);
     arena.take(moved, max_unknowns);
+    Size const shared = arena.mark();
+    coordinates.lay_out_layers(arena, max_unknowns);
+    arena.release(shared);
     arena.take(keyed, max_unknowns);
 }
 
 void dissect(Graph const& graph, Points points, DissectionWork const& work, Executor const& executor, Span<Index> order,
              AssemblyTree& tree) noexcept {
-    work.coordinates.find(graph, points, executor);
+    work.coordinates.place(graph, points, executor);
     fill(work.cover.side.first(graph.n), Side::inside);
     Dissector const dissector(graph, work, order);
-    dissector.find_across();
+    executor.for_each(2, [&](Index search) { search == 0 ? work.coordinates.find_layers(graph) : dissector.find_across(); });
+    work.coordinates.keep_searches(graph, executor);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
     TreeTop(dissector, executor, tree).dissect(graph.n);
 }

@@ -13,10 +13,12 @@ struct PlacedGraph {
     explicit PlacedGraph(HandMadeGraph& graph) {
         harmorph::Arena counting;
         places.lay_out(counting, graph.n());
+        places.lay_out_layers(counting, graph.n());
         block_ = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block_->data(), block_->size());
         places.lay_out(placing, graph.n());
-        places.find(graph.view(), graph.points(), {});
+        places.lay_out_layers(placing, graph.n());
+        find_coordinates(places, graph.view(), graph.points());
     }
     ~PlacedGraph() { CHECK(block_->guards_intact()); }
 
@@ -58,6 +60,7 @@ TEST_CASE("steps across: 1 on the piece, then on with its sign ahead of it and b
     // The piece is column 0; the columns behind it are those of the second half.
     its.places.find_across(
         ring.view(), 0, [&](Index u) { return u % around == 0; }, [&](Index u) { return u % around < around / 2; });
+    its.places.keep_searches(ring.view(), {});
     auto const step = [&](Index u) { return its.places.of[u].at[harmorph::across_direction]; };
     for (Index u = 0; u < ring.n(); ++u) {
         int const column = u % around, back = around - column;

@@ -18,10 +18,12 @@ struct Searched {
     explicit Searched(HandMadeGraph& graph) : order(graph.x.size()) {
         harmorph::Arena counting;
         places.lay_out(counting, graph.n());
+        places.lay_out_layers(counting, graph.n());
         block_ = std::make_unique<Guarded>(counting.bytes());
         harmorph::Arena placing(block_->data(), block_->size());
         places.lay_out(placing, graph.n());
-        places.find(graph.view(), graph.points(), {});
+        places.lay_out_layers(placing, graph.n());
+        find_coordinates(places, graph.view(), graph.points());
         for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<Index>(k);
         search = std::make_unique<harmorph::CutSearch>(graph.view(), places, span(order));
     }

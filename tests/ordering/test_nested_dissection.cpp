@@ -151,7 +151,7 @@ TEST_CASE("large parts know what is next to the separators above them, and nothi
         Index marked = 0;
         Dissected(grid, [&](auto const& work, auto order, auto&) {
             harmorph::Graph const& graph = grid.view();
-            work.coordinates.find(graph, grid.points(), {});
+            find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;
             harmorph::DividedRange const its = harmorph::Dissector(graph, work, order).divide(0, graph.n);
@@ -179,7 +179,7 @@ TEST_CASE("large parts share what borders on separators above: fewer multiplicat
     for (bool const is_marked : {false, true}) {
         Dissected const cut(grid, [&](auto const& work, auto order, auto& tree) {
             harmorph::Graph const& graph = grid.view();
-            work.coordinates.find(graph, grid.points(), {});
+            find_coordinates(work.coordinates, graph, grid.points());
             fill(work.cover.side.first(graph.n), harmorph::Side::inside);
             harmorph::Dissector const dissector(graph, work, order);
             for (Index u = 0; u < graph.n; ++u) order[u] = u;

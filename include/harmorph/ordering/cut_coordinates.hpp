@@ -37,24 +37,29 @@ struct CutCoordinates {
     Span<CutPosition> of;  // [n]
     Span<Index> queue;     // [n] working space of searches
     Span<float> step;      // [n] working space of searches; no number below 0 is left between them
+    Span<float> layer;     // [n] of each unknown, until keep_searches(), and the queue of the search for them
+    Span<Index> layer_queue;
 
     void lay_out(Arena& arena, Index max_unknowns) noexcept;
-    // Computes all but the steps across the layers and the levels.
-    void find(Graph const& graph, Points points, Executor const& executor) const noexcept;
+    // Separate: these arrays may share memory with what is not used before keep_searches().
+    void lay_out_layers(Arena& arena, Index max_unknowns) noexcept;
+    // Computes the straight coordinates.
+    void place(Graph const& graph, Points points, Executor const& executor) const noexcept;
+    // The searches for layers and across them may run at the same time, as they use different arrays. Both need
+    // keep_searches(), which makes coordinates of what they have found.
+    void find_layers(Graph const& graph) const noexcept;
     // Steps from a piece of a separator, positive on the side where is_ahead(unknown), negative on the other: where the
     // mesh runs round a body, the two meet on the far side of the body.
     template <class IsPiece, class IsAhead>
     void find_across(Graph const& graph, Index start, IsPiece is_piece, IsAhead is_ahead) const noexcept;
+    void keep_searches(Graph const& graph, Executor const& executor) const noexcept;
     // Levels of a part: steps from an unknown at one end of the part. Neighbours outside the part are done and not
     // reached again. by_level [part]: out, the part by increasing level. (After N. E. Gibbs, W. G. Poole, P. K.
     // Stockmeyer, SIAM J. Numer. Anal. 13 (1976) 236.)
     void find_levels(Graph const& graph, Span<const Index> part, Span<Index> by_level) const noexcept;
 
 private:
-    void find_layers(Graph const& graph) const noexcept;
-    Index spread(Graph const& graph, Span<Index> search_queue, Index read, Index filled) const noexcept;
     void find_reach(Graph const& graph, Index u) const noexcept;
-    void keep_across(Graph const& graph) const noexcept;
 };
 
 template <class IsPiece, class IsAhead>
@@ -80,7 +85,6 @@ void CutCoordinates::find_across(Graph const& graph, Index start, IsPiece is_pie
         float const here = step[queue[read]], next = here + (here > 0 ? 1.0f : -1.0f);
         for (Index const v : graph.of(queue[read])) reach(v, next);
     }
-    keep_across(graph);
 }
 
 }  // namespace harmorph
