@@ -37,10 +37,10 @@ std::uint64_t pair(Index a, Index b) noexcept {
 
 }  // namespace
 
-std::uint64_t checksum_of(BasisHeader const& header) noexcept {
+std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor) noexcept {
     Size const covered_from = offsetof(BasisHeader, checksum) + sizeof header.checksum;
     const unsigned char* const block = reinterpret_cast<const unsigned char*>(&header);
-    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from);
+    return hash_of_block(block + covered_from, static_cast<Size>(header.bytes) - covered_from, executor);
 }
 
 void Basis::lay_out(Arena& arena, BasisCounts const& counts) noexcept {
@@ -218,14 +218,18 @@ Status Basis::require_control_points(Fault& fault) const noexcept {
                                           : "the basis has functions by table, this call needs one without");
 }
 
-void Basis::seal(Real at_least) const noexcept {
-    LargestMagnitude largest;
-    largest.include(at_least);
-    for (Real const number : value) largest.include(number);
+void Basis::seal(Real at_least, Executor const& executor) const noexcept {
+    Offset const length = block_points * Offset{row_length()};  // numbers of a block
+    Index const blocks = length > 0 ? static_cast<Index>(static_cast<Offset>(value.size()) / length) : 0;
+    auto const include = [&](Index begin, Index end, LargestMagnitude& largest) {
+        largest.include(Span<const Real>(value.from(begin * length, (end - begin) * length)));
+    };
+    LargestMagnitude largest = reduce_ranges<LargestMagnitude>(blocks, executor, include);
     for (float const number : single) largest.include(static_cast<Real>(number));
+    largest.include(at_least);
     header->largest = largest.value();
     header->solved = 1;
-    header->checksum = checksum_of(*header);
+    header->checksum = checksum_of(*header, executor);
 }
 
 void Basis::unseal() const noexcept {

@@ -131,7 +131,7 @@ private:
         LargestMagnitude found, said;
         said.include(basis_.header->largest);
         found.include(basis_.header->largest);
-        for (Real const number : basis_.value) found.include(number);
+        found.include(Span<const Real>(basis_.value));
         for (float const number : basis_.single) found.include(static_cast<Real>(number));
         return bits_of(found.value()) == bits_of(said.value());
     }

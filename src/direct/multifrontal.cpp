@@ -5,7 +5,7 @@ namespace harmorph {
 template <class Number>
 void Multifrontal::lay_out_numbers(Arena& arena, Offset factor_entries,
                                    FrontalNumbers<Number>& numbers) const noexcept {
-    Offset const workers = subtrees.lanes;
+    Offset const workers = subtrees.workers;
     arena.take(numbers.factor, planes * factor_entries);
     arena.take(numbers.sums, workers * planes * most_sums);
     arena.take(numbers.least_left, workers);
@@ -36,7 +36,7 @@ void Multifrontal::lay_out(Arena& arena, Index nodes, FrontSizes const& sizes, S
 }
 
 void Multifrontal::lay_out_stack(Arena& arena) noexcept {
-    Offset const workers = subtrees.lanes > 1 ? subtrees.lanes : 0;
+    Offset const workers = subtrees.workers > 1 ? subtrees.workers : 0;
     Offset const entries = subtrees.top_stack_entries + subtrees.kept_entries + workers * subtrees.stack_entries;
     if (precision == Precision::in_single) {
         arena.take(singles.stack, planes * entries);

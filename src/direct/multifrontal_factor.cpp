@@ -119,16 +119,17 @@ Status Multifrontal::factorise_in(Matrix const& matrix, Progress const& progress
     fill(numbers<Number>().least_left, Number{1});
     fill(numbers<Number>().least_pivot, Number{1});
     Fault fault_of[Executor::most_threads];
-    for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& worker) {
-        Fault& own_fault = fault_of[subtree.lane];
-        if (failed(own_fault.status)) return;
-        Number* const update = kept_update<Number>(subtrees.find(subtree.root));
-        factorisation.run(subtree.root, update, worker.stack, worker, [](Index) { return Status::ok; },
-                          own_fault);
+    // The one with the first position: it does not depend on the number of threads.
+    auto const take_first = [](Fault const& other, Fault& first) {
+        if (failed(other.status) && (!failed(first.status) || other.item < first.item)) first = other;
+    };
+    for_each_subtree<Number>([&](Index subtree, Index number, Worker<Number> const& worker) {
+        Fault its;
+        factorisation.run(subtrees.all[subtree].root, kept_update<Number>(subtree), worker.stack, worker,
+                          [](Index) { return Status::ok; }, its);
+        take_first(its, fault_of[number]);
     });
-    for (Fault const& other : fault_of) {  // the first position, so that it does not depend on the number of threads
-        if (failed(other.status) && (!failed(fault.status) || other.item < fault.item)) fault = other;
-    }
+    for (Fault const& other : fault_of) take_first(other, fault);
     HARMORPH_TRY(fault.status);
 
     auto const told = [&](Index node) {

@@ -110,9 +110,9 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
         return progress.report(Phase::solve, static_cast<Real>(done) / (2.0 * tree.count + 1), fault);
     };
     Worker<Number> const worker = top_worker<Number>();
-    for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& own) {
-        Index const number = subtrees.find(subtree.root);
-        substitution.forward(subtree.root, kept_rows<Number>(number), own.rows, own, [](Index) { return Status::ok; });
+    for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
+        substitution.forward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,
+                             [](Index) { return Status::ok; });
     });
     for (Index node = 0; node < tree.count; ++node) {
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
@@ -122,9 +122,9 @@ Status Multifrontal::solve_in(RowsOf<Value> const& values, Progress const& progr
         if (tree.nodes[node].parent != none || subtrees.find(node) != none) continue;
         HARMORPH_TRY(substitution.backward(node, worker.rows, worker.rows + substitution.entries(node), worker, told));
     }
-    for_each_subtree<Number>([&](Subtree const& subtree, Worker<Number> const& own) {
-        Number* const front = kept_rows<Number>(subtrees.find(subtree.root));
-        substitution.backward(subtree.root, front, own.rows, own, [](Index) { return Status::ok; });
+    for_each_subtree<Number>([&](Index subtree, Index, Worker<Number> const& own) {
+        substitution.backward(subtrees.all[subtree].root, kept_rows<Number>(subtree), own.rows, own,
+                              [](Index) { return Status::ok; });
     });
     return Status::ok;
 }

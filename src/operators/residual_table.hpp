@@ -15,7 +15,7 @@ struct BalancedRows {
 // Of numbers in double or in single precision.
 template <class To>
 struct ResidualKernels {
-    // Balances of these rows, into `value` (of all rows) if there is one: columns first .. first+n-1. Adds to the norms.
+    // Balances of these rows, into `value` (of all rows) if there is one: columns first .. first+n-1. Adds to norms.
     void (*find_balances)(Residual const& work, Matrix const& matrix, DofValues const& dofs, Index first, Index n,
                           BalancedRows& of, To* value, Residual::Norms& norms) noexcept;
 };

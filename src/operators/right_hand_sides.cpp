@@ -50,8 +50,13 @@ void add_product(Real factor, const Real* from, Real* to, Index n) noexcept {
 
 }  // namespace
 
-void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues const& dofs) noexcept {
-    fill(basis.value, 0.0);
+void set_right_hand_sides(Matrix const& matrix, Basis const& basis, DofValues const& dofs,
+                          Executor const& executor) noexcept {
+    constexpr Index least_rows = 4096;  // that are worth a task
+    Offset const length = basis.row_length();
+    executor.for_ranges(static_cast<Index>(whole_blocks(basis.n_points())), least_rows, [&](Index begin, Index end) {
+        fill(basis.value.from(begin * length, (end - begin) * length), 0.0);
+    });
     for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) {
         BoundaryFunctions const functions = basis.stored_boundary_functions(wall / dofs.components);
         KnownValues const known(basis, functions, wall % dofs.components, dofs.components);

@@ -84,7 +84,9 @@ void CutCoordinates::keep_searches(Graph const& graph, Executor const& executor)
         for (Index u = begin; u < end; ++u) {
             float const here = step[u];
             float farthest = here != 0 ? 1.0f : 0.0f;
-            for (Index const v : graph.of(u)) farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
+            for (Index const v : graph.of(u)) {
+                farthest = larger(farthest, here < step[v] ? step[v] - here : here - step[v]);
+            }
             set_four(of[u].at, 1, Four{layer[u], here, 0, 0});
             set_four(of[u].reach, 1, Four{1, farthest, 1, 0});  // layers and levels of neighbours differ by 1 at most
         }

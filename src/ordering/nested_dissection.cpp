@@ -112,7 +112,9 @@ void dissect(Graph const& graph, Points points, DissectionWork const& work, Exec
     work.coordinates.place(graph, points, executor);
     fill(work.cover.side.first(graph.n), Side::inside);
     Dissector const dissector(graph, work, order);
-    executor.for_each(2, [&](Index search) { search == 0 ? work.coordinates.find_layers(graph) : dissector.find_across(); });
+    executor.for_each(2, [&](Index search) {
+        search == 0 ? work.coordinates.find_layers(graph) : dissector.find_across();
+    });
     work.coordinates.keep_searches(graph, executor);
     for (Index u = 0; u < graph.n; ++u) order[u] = u;
     TreeTop(dissector, executor, tree).dissect(graph.n);

@@ -32,9 +32,9 @@ private:
 
 }  // namespace
 
-void Subtrees::lay_out(Arena& arena, Index n_lanes) noexcept {
-    lanes = n_lanes;
-    arena.take(all, most(lanes));
+void Subtrees::lay_out(Arena& arena, Index n_workers) noexcept {
+    workers = n_workers;
+    arena.take(all, most(workers));
 }
 
 Index Subtrees::find(Index node) const noexcept {
@@ -52,8 +52,8 @@ Index Subtrees::find(Index node) const noexcept {
 
 void Subtrees::choose(AssemblyTree const& tree, Span<const Offset> border_start) noexcept {
     count = 0;
-    if (lanes > 1) split(tree, border_start);
-    balance();
+    if (workers > 1) split(tree, border_start);
+    sort_by_work();
 
     Costs const costs(tree, border_start);
     auto const update_of = [&](Index node) { return dense::update_entries(costs.border(node)); };
@@ -112,18 +112,18 @@ void Subtrees::split(AssemblyTree const& tree, Span<const Offset> border_start) 
     }
 }
 
-// List scheduling: the largest first, each to the lane with the least work so far (R. L. Graham's LPT rule).
-void Subtrees::balance() noexcept {
-    sort(all.first(count),
-         [](Subtree const& a, Subtree const& b) { return a.work != b.work ? a.work > b.work : a.root < b.root; });
-    Offset load[Executor::most_threads] = {};
-    for (Subtree& subtree : all.first(count)) {
-        for (Index lane = 1; lane < lanes; ++lane) {
-            if (load[lane] < load[subtree.lane]) subtree.lane = lane;
+// List scheduling: the largest first, each to the worker that is free next (R. L. Graham's LPT rule).
+void Subtrees::sort_by_work() noexcept {
+    Span<Subtree> const chosen = all.first(count);
+    sort(chosen, [](Subtree const& a, Subtree const& b) { return a.root < b.root; });
+    for (Index k = 0; k < count; ++k) {
+        Index more = 0;  // subtrees that come before this one
+        for (Index i = 0; i < count; ++i) {
+            bool const equal = chosen[i].work == chosen[k].work;
+            more += chosen[i].work > chosen[k].work || (equal && i < k) ? 1 : 0;
         }
-        load[subtree.lane] += subtree.work;
+        chosen[more].by_work = k;
     }
-    sort(all.first(count), [](Subtree const& a, Subtree const& b) { return a.root < b.root; });
 }
 
 }  // namespace harmorph

@@ -1,6 +1,11 @@
 #include "harmorph/plan/plan.hpp"
 
 namespace harmorph {
+namespace {
+
+constexpr Index least_points = 4096;  // that are worth a task
+
+}  // namespace
 
 void Plan::lay_out(Arena& arena, Analysis const& analysis) noexcept {
     Method const& method = analysis.problem.method;
@@ -75,14 +80,14 @@ Status Plan::solve(Basis const& basis, SolveReport& report, Fault& fault) noexce
         clear_all_but_wall(dofs);
         subtract_couplings(equations.matrix, dofs);
     } else {
-        set_right_hand_sides(equations.matrix, basis, dofs);
+        set_right_hand_sides(equations.matrix, basis, dofs, executor);
     }
     Status const status = solve_rows(dofs, report, fault);
     rows.run(executor);  // also where the solution failed: values on the wall of derived functions must not be lost
     HARMORPH_TRY(status);
     HARMORPH_TRY(progress.report(Phase::residual, 1, fault));
     basis.header->coordinates = coordinates;
-    basis.seal();
+    basis.seal(0, executor);
     return judge(report, equations.method, fault);
 }
 
@@ -96,7 +101,9 @@ Status Plan::solve_rows(DofValues const& dofs, SolveReport& report, Fault& fault
     report.factor_entries = factor_entries;
     HARMORPH_TRY(refinement.run(equations, engine, dofs, progress, report, fault));
     turn_slipping_points(dofs);
-    for (Index point = 0; point < mesh.n_points; ++point) dofs.copy_row(same_point(point), point);
+    executor.for_ranges(mesh.n_points, least_points, [&](Index begin, Index end) {
+        for (Index point = begin; point < end; ++point) dofs.copy_row(same_point(point), point);
+    });
     turn_sides(dofs);
     return Status::ok;
 }

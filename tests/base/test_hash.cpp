@@ -1,6 +1,8 @@
 // Fingerprints of blocks.
 #include <doctest/doctest.h>
 
+#include <fixtures/executors.hpp>
+
 #include <harmorph/base/hash.hpp>
 
 #include <set>
@@ -30,4 +32,28 @@ TEST_CASE("hashes tell apart: order, zeros, lengths, single bits") {
     CHECK(seen.size() == n);
     std::vector<double> const plus = {0.0}, minus = {-0.0};
     CHECK(harmorph::hash_of_block(plus.data(), 8) != harmorph::hash_of_block(minus.data(), 8));
+}
+
+TEST_CASE("pieces of a long block: their order counts, the number of threads does not") {
+    std::size_t const n = 40000;   // more words than a piece has
+    std::vector<std::uint64_t> words(n);
+    for (std::size_t k = 0; k < n; ++k) words[k] = k * k + 1;
+    auto const hash = [&](std::int32_t threads) {
+        fixtures::Backwards order;
+        hm_executor const executor = order.executor(threads);
+        harmorph::Executor const by{executor.run, executor.user, threads};
+        std::uint64_t const found = harmorph::hash_of_block(words.data(), 8 * n, by);
+        CHECK((order.calls > 0) == (threads > 1));
+        return found;
+    };
+    std::uint64_t const whole = hash(1);
+    for (std::int32_t const threads : {2, 3, 8}) CHECK(hash(threads) == whole);
+    for (std::size_t const k : {std::size_t{0}, std::size_t{8191}, std::size_t{8192}, n - 1}) {
+        words[k] ^= 1;
+        CHECK(hash(1) != whole);
+        words[k] ^= 1;
+    }
+    for (std::size_t k = 0; k < 8192; ++k) std::swap(words[k], words[k + 16384]);   // two pieces change places
+    CHECK(hash(1) != whole);
+    CHECK(hash(3) == hash(1));
 }

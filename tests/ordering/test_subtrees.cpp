@@ -1,4 +1,4 @@
-// Subtrees are whole and apart, every lane gets some, and the memory laid out for them is what a walk through them needs.
+// Subtrees are whole and apart, listed by work, and the memory laid out for them is what a walk through them needs.
 #include <doctest/doctest.h>
 
 #include <fixtures/graphs.hpp>
@@ -16,9 +16,9 @@ struct Chosen {
     std::vector<harmorph::Subtree> memory;
     harmorph::Subtrees subtrees;
 
-    Chosen(Dissected const& cut, Symbolic const& symbolic, Index lanes)
-        : memory(static_cast<std::size_t>(harmorph::Subtrees::most(lanes))) {
-        subtrees.lanes = lanes;
+    Chosen(Dissected const& cut, Symbolic const& symbolic, Index workers)
+        : memory(static_cast<std::size_t>(harmorph::Subtrees::most(workers))) {
+        subtrees.workers = workers;
         subtrees.all = span(memory);
         subtrees.choose(cut.tree, span(symbolic.start));
     }
@@ -54,21 +54,23 @@ bool is_below(harmorph::AssemblyTree const& tree, Index node, Index root) {
 
 }  // namespace
 
-TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
+TEST_CASE("subtrees are whole, apart, in order, and listed by work") {
     for (HandMadeGraph& graph : nasty_graphs()) {
         Dissected const cut(graph);
         Symbolic const symbolic(graph, cut);
-        for (Index const lanes : {1, 2, 3, 8, 256}) {
-            Chosen const chosen(cut, symbolic, lanes);
+        for (Index const workers : {1, 2, 3, 8, 256}) {
+            Chosen const chosen(cut, symbolic, workers);
             harmorph::Subtrees const& its = chosen.subtrees;
-            CHECK(its.count <= harmorph::Subtrees::most(lanes));
-            CHECK((its.count == 0) == (lanes == 1));
+            CHECK(its.count <= harmorph::Subtrees::most(workers));
+            CHECK((its.count == 0) == (workers == 1));
             Offset kept = 0, kept_rows = 0;
+            std::set<Index> listed;
             Walk walk{cut.tree, symbolic, its};
             for (Index k = 0; k < its.count; ++k) {
                 harmorph::Subtree const& subtree = its.all[k];
-                CHECK(subtree.lane >= 0);
-                CHECK(subtree.lane < lanes);
+                harmorph::Subtree const& next = its.all[subtree.by_work];   // by decreasing work, each once
+                if (k > 0) CHECK(next.work <= its.all[its.all[k - 1].by_work].work);
+                CHECK(listed.insert(subtree.by_work).second);
                 CHECK(subtree.first <= subtree.root);
                 if (k > 0) CHECK(subtree.first > its.all[k - 1].root);
                 CHECK(its.find(subtree.root) == k);
@@ -93,23 +95,25 @@ TEST_CASE("subtrees are whole, apart, in order, and shared out to lanes") {
             CHECK(its.stack_rows >= std::max(walk.rows[0], walk.rows[1]));
             for (Index node = 0; node < cut.tree.count; ++node)
                 CHECK(its.stack_rows >= walk.front(node));                   // going back down
-            if (lanes == 1) CHECK(its.top_stack_entries == walk.stack[1]);   // and no more than that
+            if (workers == 1) CHECK(its.top_stack_entries == walk.stack[1]);   // and no more than that
             CHECK(its.stack_entries == walk.stack[0]);
         }
     }
 }
 
-TEST_CASE("on a large mesh every lane has something to do, and no lane much more than another") {
+TEST_CASE("on a large mesh every worker has something to do, and none much more than another") {
     HandMadeGraph graph = grid_graph(120, 110);
     Dissected const cut(graph);
     Symbolic const symbolic(graph, cut);
-    for (Index const lanes : {2, 4, 8, 16}) {
-        Chosen const chosen(cut, symbolic, lanes);
-        std::vector<double> load(static_cast<std::size_t>(lanes), 0.0);
-        for (Index k = 0; k < chosen.subtrees.count; ++k)
-            load[static_cast<std::size_t>(chosen.subtrees.all[k].lane)] += static_cast<double>(chosen.subtrees.all[k].work);
+    for (Index const workers : {2, 4, 8, 16}) {
+        Chosen const chosen(cut, symbolic, workers);
+        std::vector<double> load(static_cast<std::size_t>(workers), 0.0);
+        for (Index k = 0; k < chosen.subtrees.count; ++k) {   // to the one that is free next
+            harmorph::Subtree const& its = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
+            *std::min_element(load.begin(), load.end()) += static_cast<double>(its.work);
+        }
         auto const least = std::min_element(load.begin(), load.end()), most = std::max_element(load.begin(), load.end());
-        INFO(lanes << " lanes: " << *least << " to " << *most);
+        INFO(workers << " workers: " << *least << " to " << *most);
         CHECK(*least > 0);
         CHECK(*most < 1.6 * *least);
     }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "harmorph/base/scalar.hpp"
+#include "harmorph/base/span.hpp"
 
 namespace harmorph {
 
@@ -39,6 +40,19 @@ struct FixedSum {
 class LargestMagnitude {
 public:
     void include(Real x) noexcept { include_bits(bits_of(x) & ~sign); }
+    void include(Span<const Real> numbers) noexcept {
+        constexpr Size lanes = 4;  // at once, as each comparison waits for the one before
+        std::uint64_t bits[lanes] = {};
+        Size k = 0;
+        for (; k + lanes <= numbers.size(); k += lanes) {
+            for (Size lane = 0; lane < lanes; ++lane) {
+                bits[lane] = larger(bits[lane], bits_of(numbers[k + lane]) & ~sign);
+            }
+        }
+        for (std::uint64_t const its : bits) include_bits(its);
+        for (; k < numbers.size(); ++k) include(numbers[k]);
+    }
+    void merge(LargestMagnitude const& others) noexcept { include_bits(others.bits_); }
     void include_bits(std::uint64_t without_sign) noexcept { bits_ = larger(bits_, without_sign); }
     Real value() const noexcept {
         Real out;

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "harmorph/base/types.hpp"
+#include "harmorph/base/parallel_reduce.hpp"
 
 namespace harmorph {
 
@@ -19,11 +19,9 @@ private:
     std::uint64_t state_ = 0x6861726D6F727068u;
 };
 
-// Four interleaved hashes keep up with memory; `bytes` must be a multiple of 8.
-inline std::uint64_t hash_of_block(const void* block, Size bytes) noexcept {
-    const unsigned char* const data = static_cast<const unsigned char*>(block);
+// Four interleaved hashes keep up with memory.
+inline std::uint64_t hash_of_words(const unsigned char* data, Size words) noexcept {
     Hash interleaved[4];
-    Size const words = bytes / 8;
     for (Size i = 0; i < words; ++i) {
         std::uint64_t word;
         std::memcpy(&word, data + 8 * i, sizeof word);
@@ -31,6 +29,31 @@ inline std::uint64_t hash_of_block(const void* block, Size bytes) noexcept {
     }
     Hash all;
     for (Hash const& one : interleaved) all.add(one.value());
+    return all.value();
+}
+
+// `bytes` must be a multiple of 8. The block is hashed in pieces, the same for any number of threads; with the number
+// of each piece its hash becomes a term of a sum, which has no order.
+inline std::uint64_t hash_of_block(const void* block, Size bytes, Executor const& executor = {}) noexcept {
+    constexpr Size most = 8192;  // words of a piece
+    struct Terms {
+        std::uint64_t sum = 0;
+        void merge(Terms const& others) noexcept { sum += others.sum; }
+    };
+    const unsigned char* const data = static_cast<const unsigned char*>(block);
+    Size const words = bytes / 8;
+    Index const pieces = static_cast<Index>((words + (most - 1)) / most);
+    Terms const terms = reduce_ranges<Terms>(pieces, executor, [&](Index begin, Index end, Terms& its) {
+        for (Index piece = begin; piece < end; ++piece) {
+            Size const first = most * static_cast<Size>(piece);
+            Hash one;
+            one.add(hash_of_words(data + 8 * first, smaller(most, words - first)));
+            one.add(static_cast<std::uint64_t>(piece));
+            its.sum += one.value();
+        }
+    });
+    Hash all;
+    all.add(terms.sum);
     all.add(words);
     return all.value();
 }

@@ -56,7 +56,7 @@ constexpr bool operator==(MeshFingerprint const& a, MeshFingerprint const& b) no
 
 // The first bytes of the block. Everything else follows in the order of Basis::lay_out, which the counts determine.
 struct BasisHeader {
-    static constexpr std::uint32_t current_format = 7, native_order = 0x01020304;
+    static constexpr std::uint32_t current_format = 8, native_order = 0x01020304;
     static constexpr char expected_magic[8] = {'h', 'a', 'r', 'm', 'o', 'r', 'p', 'h'};
 
     char magic[8];
@@ -141,11 +141,11 @@ struct Basis {
     BoundaryFunctions stored_boundary_functions(Index slot) const noexcept;
 
     // Solved, with largest value and checksum. Of a part of a larger basis: that has values up to at_least.
-    void seal(Real at_least = 0) const noexcept;
+    void seal(Real at_least = 0, Executor const& executor = {}) const noexcept;
     void unseal() const noexcept;
 };
 
-std::uint64_t checksum_of(BasisHeader const& header) noexcept;
+std::uint64_t checksum_of(BasisHeader const& header, Executor const& executor = {}) noexcept;
 MeshFingerprint fingerprint_of(Mesh const& mesh) noexcept;
 std::uint64_t coordinates_fingerprint(Points points, Index n_points) noexcept;
 

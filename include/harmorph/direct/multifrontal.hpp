@@ -16,7 +16,7 @@ namespace harmorph {
 //   stack:  |nodes above the subtrees ...|update matrices of the subtrees' roots|worker 0 ...|worker 1 ...|
 //   rows:   the same layout with right-hand sides of fronts instead of update matrices
 //
-// A worker is one thread's sequence of subtrees (Subtrees::lanes is the number of workers).
+// A worker is a task that takes one subtree after the other.
 template <class Number>
 struct FrontalNumbers {
     Span<Number> factor;
@@ -88,14 +88,14 @@ struct Multifrontal {
                 all.least_left.data() + n,
                 all.least_pivot.data() + n};
     }
-    // body(subtree, worker) for all subtrees; those of one worker one after the other.
+    // body(number of the subtree, number of the worker, worker) for all subtrees, those with the most work first, each
+    // by the worker that is free next.
     template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
-        executor.for_each(subtrees.count > 0 ? subtrees.lanes : 0, [&](Index number) {
+        NextItem next;
+        executor.for_each(subtrees.count > 0 ? subtrees.workers : 0, [&](Index number) {
             Worker<Number> const own = worker<Number>(number);
-            for (Subtree const& subtree : subtrees.all.first(subtrees.count)) {
-                if (subtree.lane == number) body(subtree, own);
-            }
+            for (Index k = next.take(); k < subtrees.count; k = next.take()) body(subtrees.all[k].by_work, number, own);
         });
     }
 

@@ -1,6 +1,6 @@
 // Positions of disjoint subtrees of the assembly tree. No unknown of one subtree has a neighbour in another one, so
-// what concerns an unknown and its earlier neighbours can be done in all of them at the same time; the positions between
-// them, which are separators, come afterwards.
+// what concerns an unknown and its earlier neighbours can be done in all of them at the same time; the positions
+// between them, which are separators, come afterwards.
 #pragma once
 
 #include "harmorph/base/executor.hpp"
