@@ -56,9 +56,13 @@ private:
     Movements stored_[n_stored];
 };
 
-// The sums of at most chunk_points points, or of slots of the wall.
+// The sums of the points of at most chunk_blocks blocks, or of slots of the wall.
 struct Chunk {
-    Real x[chunk_points] = {}, y[chunk_points] = {};
+    Real x[chunk_points], y[chunk_points];
+
+    explicit Chunk(Index n_blocks) noexcept {
+        for (Index k = 0; k < n_blocks * block_points; ++k) x[k] = y[k] = 0;
+    }
 
     // Of blocks first .. first+n-1 of the values of a basis with rows of that length.
     template <class Number>
@@ -78,7 +82,7 @@ struct Chunk {
 template <class Number>
 void morph_chunk(ProductKernels const& kernels, Span<Number> values, Basis const& basis, RowMovements const& move,
                  Points from, MutablePoints to, Index first, Index n) noexcept {
-    Chunk sums;
+    Chunk sums(n);
     sums.add(kernels, values, basis.row_length(), move, first, n);
     Index const begin = first * block_points, n_points = smaller(n * block_points, basis.n_points() - begin);
     for (Index k = 0; k < n_points; ++k) {
@@ -124,7 +128,7 @@ void morph_wall(ProductKernels const& kernels, Basis const& basis, RowMovements 
     Index const n_slots = basis.wall_point.count(), n_blocks = blocks_of(n_slots);
     for (Index first = 0; first < n_blocks; first += chunk_blocks) {
         Index const n = smaller(chunk_blocks, n_blocks - first), begin = first * block_points;
-        Chunk sums;
+        Chunk sums(n);
         sums.add(kernels, basis.value, basis.row_length(), move, first, n);
         for (Index k = 0; k < n * block_points && begin + k < n_slots; ++k) {
             Index const point = basis.wall_point[begin + k];
