@@ -63,7 +63,7 @@ inline Status make_basis(Analysis const& analysis, BasisCounts const& counts, vo
                          hm_basis** handle, Fault& fault) noexcept {
     Basis made;
     HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, counts); }));
-    init_basis(made, counts, analysis.basis_source());
+    init_basis(made, counts, analysis.basis_source(), analysis.problem.executor);
     *handle = reinterpret_cast<hm_basis*>(made.header);
     return Status::ok;
 }

@@ -29,13 +29,20 @@ BasisCounts BasisSource::counts() const noexcept {
     return counts.share(0, counts.functions());
 }
 
-void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source) noexcept {
+void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source,
+                Executor const& executor) noexcept {
     BasisHeader& header = *basis.header;
-    std::memset(static_cast<void*>(&header), 0, Basis::bytes(counts));
+    unsigned char* const block = static_cast<unsigned char*>(static_cast<void*>(&header));
+    constexpr Size piece = 65536;
+    Size const bytes = Basis::bytes(counts);
+    executor.for_ranges(static_cast<Index>(bytes / piece) + 1, 4, [&](Index begin, Index end) {
+        Size const from = piece * static_cast<Size>(begin), to = smaller(bytes, piece * static_cast<Size>(end));
+        std::memset(block + from, 0, to - from);
+    });
     std::memcpy(header.magic, BasisHeader::expected_magic, sizeof header.magic);
     header.format = BasisHeader::current_format;
     header.byte_order = BasisHeader::native_order;
-    header.bytes = Basis::bytes(counts);
+    header.bytes = bytes;
     header.topology = source.mesh_fingerprint;
     header.conditions = source.conditions_fingerprint;
     header.index_base = source.topology.mesh.index_base;

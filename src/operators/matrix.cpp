@@ -285,18 +285,6 @@ void Matrix::add_turn(RowRange rows, Index point, Index other, Vec2 entry_value)
     add_to_sum(j, conjugate(change));
 }
 
-bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
-    bool any = false, any_row = false;  // without a branch for each corner, which would often be mispredicted
-    for (Index k = 0; k < cell.n; ++k) {
-        for (Index c = 0; c < components(); ++c) {
-            Index const row = row_of[components() * cell.point[k] + c];
-            any |= rows.contain(row);
-            any_row |= row >= 0;
-        }
-    }
-    return any || (!any_row && rows.begin == 0);
-}
-
 // The complex entry of two points as a real 2 x 2 block in the frames of these points; a slipping point has the first
 // dof only.
 void Matrix::add_coupled(RowRange rows, Index point, Index other, Real conductance, Real circulation) const noexcept {

@@ -40,6 +40,20 @@ inline __attribute__((always_inline)) Offset find_in_row(Span<const Index> colum
     return begin + ((sums + (sums >> 32)) & 15);
 }
 
+// Inlined, without a branch for each corner, which would often be mispredicted.
+template <Index n_components>
+inline __attribute__((always_inline)) bool Matrix::concerns(RowRange rows, Cell const& cell) const noexcept {
+    bool any = false, any_row = false;
+    for (Index k = 0; k < cell.n; ++k) {
+        for (Index c = 0; c < n_components; ++c) {
+            Index const row = row_of[n_components * cell.point[k] + c];
+            any |= rows.contain(row);
+            any_row |= row >= 0;
+        }
+    }
+    return any || (!any_row && rows.begin == 0);
+}
+
 // Does the cell lie on a side of a passage that is turned against the other side?
 inline __attribute__((always_inline)) bool Matrix::is_turned(Cell const& cell) const noexcept {
     bool any = false;

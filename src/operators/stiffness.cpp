@@ -118,6 +118,7 @@ Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> condu
                 Matrix const& shared_matrix, RowRange rows) noexcept {
     Matrix const matrix = shared_matrix;  // a copy, so that the compiler knows that writing entries does not change it
     Span<const std::uint8_t> const reversed = cells.reversed;
+    constexpr Index components = kind == MatrixKind::coupled_xy ? 2 : 1;
     bool const all_rows = rows.begin == 0 && rows.end == matrix.n;
     CellGroup<3> triangles;
     CellGroup<4> quads;
@@ -128,7 +129,7 @@ Index add_cells(OrientedMesh const& cells, Points points, Span<const Real> condu
         return bad != none;
     };
     cells.mesh.find_cell([&](Index i, Cell cell) {
-        if (!all_rows && !matrix.concerns(rows, cell)) return false;
+        if (!all_rows && !matrix.concerns<components>(rows, cell)) return false;
         if (reversed[i] != 0) cell.reverse();
         bool const is_triangle = cell.n == 3;
         bool const is_due = is_triangle ? triangles.is_full() || quads.count > 0

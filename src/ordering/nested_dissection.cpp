@@ -2,24 +2,32 @@
 
 #include "bisection.hpp"
 
+#include "harmorph/base/shared_work.hpp"
+
 namespace harmorph {
 namespace {
 
-// The top of the tree, cut level by level; then every part that is left is one task. The tree is the same for any
-// number of levels.
+// The top of the tree: level by level until there is a part for every thread; then a task takes one part after the other,
+// and whoever cuts a part makes both halves ready. The tree is the same for any number of levels.
 class TreeTop {
 public:
     TreeTop(Dissector const& dissector, Executor const& executor, AssemblyTree& tree) noexcept
         : dissector_(dissector), executor_(executor), tree_(tree) {}
 
     void dissect(Index n) noexcept {
-        Index levels = 0;
-        while (!executor_.is_serial() && levels < most_levels && (1 << levels) < 8 * executor_.n_threads) ++levels;
+        Index const threads = executor_.is_serial() ? 1 : executor_.n_threads;
+        while (threads > 1 && levels_ < most_levels && (1 << levels_) < 8 * threads) ++levels_;
         part_[1] = {0, n};
-        for (Index level = 0; level < levels; ++level) {
+        Index level = 0;
+        for (; level < levels_ && (1 << level) < threads; ++level) {
             executor_.for_each(1 << level, [&](Index i) { divide((1 << level) + i); });
         }
-        executor_.for_each((2 << levels) - 1, [&](Index i) { plant(part_[1 + i]); });
+        for (Index h = 1; h < (2 << level); ++h) {
+            if (!part_[h].is_cut) ready_.add(h);
+        }
+        executor_.for_each(threads, [&](Index) {
+            for (Index h = ready_.take(); h != none; h = ready_.take()) go_on(h);
+        });
         tree_.count = 0;
         join(1);
     }
@@ -47,8 +55,15 @@ private:
         part_[2 * h + 1] = {division.middle, division.pivots};
     }
 
+    void go_on(Index h) noexcept {
+        if (h < (1 << levels_)) divide(h);
+        if (!part_[h].is_cut) return plant(part_[h]);
+        ready_.add(2 * h);
+        ready_.add(2 * h + 1);
+    }
+
     void plant(Part& part) const noexcept {
-        if (part.is_cut || part.begin == part.end) return;
+        if (part.begin == part.end) return;
         AssemblyTree own;
         own.nodes = tree_.nodes.from(part.first_node(), tree_.nodes.count() - part.first_node());
         dissector_.dissect(part.begin, part.end, own);
@@ -75,7 +90,9 @@ private:
     Dissector const& dissector_;
     Executor const& executor_;
     AssemblyTree& tree_;
+    Index levels_ = 0;  // parts of this level are not cut here
     Part part_[2 << most_levels];
+    ReadyItems<(2 << most_levels)> ready_;
 };
 
 }  // namespace

@@ -110,9 +110,11 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
     }
     HARMORPH_TRY(check_heights(fault));
     if (problem.method.bounded()) HARMORPH_TRY(triangulation.build(topology, fault));
-    HARMORPH_TRY(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault));
-    find_offsets(mesh.points, conditions, curves, problem.method.offset_correction != 0, wall);
-    HARMORPH_TRY(check_offsets(fault));
+    bool const kinds_are_final = tangent.empty() && !problem.demands.periodic();
+    problem.executor.for_each(kinds_are_final ? 2 : 1, [&](Index part) {
+        part == 0 ? find_wall(fault) : graph.build(stencil(), kinds);
+    });
+    HARMORPH_TRY(fault.status);
     if (!tangent.empty()) {
         HARMORPH_TRY(find_slip_lines(mesh.points, boundary, conditions, {slip_along, wall_work}, kinds, tangent, slip_curves,
                                      fault));
@@ -125,12 +127,19 @@ Status Analysis::analyse_unknowns(Fault& fault) noexcept {
         slip_followers.find(topology, boundary, conditions, kinds, slip_curves, larger(problem.method.quarters, Index{0}),
                             problem.executor);
     }
-    graph.build(stencil(), kinds);
+    if (!kinds_are_final) graph.build(stencil(), kinds);
     if (graph.n == 0) return fault.refuse(Status::bad_condition, "no mesh point is free to move: there is nothing to solve");
     HARMORPH_TRY(check_parts(fault));
     matrix = Matrix::count(graph, matrix_kind(), periodicity);
     conditions_fingerprint = slip_curves.fingerprint_with(fingerprint_of(kinds, wall));
     return Status::ok;
+}
+
+void Analysis::find_wall(Fault& fault) noexcept {
+    Points const points = problem.mesh.points;
+    if (failed(parametrise(topology, boundary, conditions, curves, problem.given, wall_work, wall, fault))) return;
+    find_offsets(points, conditions, curves, problem.method.offset_correction != 0, wall);
+    check_offsets(fault);
 }
 
 // Cells so thin that rounding of moved coordinates decides whether they are inverted.

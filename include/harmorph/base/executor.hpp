@@ -38,14 +38,4 @@ struct Executor {
     }
 };
 
-// Numbers from 0 on, each given to one of the tasks that ask for the next one. For work that some threads do faster
-// than others; what is done must not depend on who does it.
-class NextItem {
-public:
-    Index take() noexcept { return __atomic_fetch_add(&next_, 1, __ATOMIC_RELAXED); }
-
-private:
-    Index next_ = 0;
-};
-
 }  // namespace harmorph

@@ -35,6 +35,7 @@ struct BasisSource {
 };
 
 // Makes an unsolved basis in a block that has been laid out for these counts, the source's or a share of them.
-void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source) noexcept;
+void init_basis(Basis const& basis, BasisCounts const& counts, BasisSource const& source,
+                Executor const& executor = {}) noexcept;
 
 }  // namespace harmorph

@@ -5,6 +5,7 @@
 #include "harmorph/dense/dense.hpp"
 #include "harmorph/operators/matrix.hpp"
 #include "harmorph/basis/options.hpp"
+#include "harmorph/base/shared_work.hpp"
 #include "harmorph/base/progress.hpp"
 #include "harmorph/ordering/subtrees.hpp"
 

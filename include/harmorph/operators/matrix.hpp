@@ -123,6 +123,7 @@ struct Matrix {
     template <bool with_circulation>
     void add_off_diagonal(RowRange rows, Index i, Index j, Real conductance, Real circulation) const noexcept;
     // Has the cell an unknown in range? A cell without unknowns concerns the first range.
+    template <Index n_components>
     bool concerns(RowRange rows, Cell const& cell) const noexcept;
     // body(range, rows) for ranges that together are all rows, one range for each thread. Returns the number of ranges.
     template <class Body>

@@ -82,6 +82,7 @@ private:
     MatrixKind matrix_kind() const noexcept;
     Status analyse_mesh(Fault& fault) noexcept;
     Status analyse_unknowns(Fault& fault) noexcept;
+    void find_wall(Fault& fault) noexcept;
     Status check_heights(Fault& fault) const noexcept;
     Status check_offsets(Fault& fault) const noexcept;
     Status check_parts(Fault& fault) noexcept;
