@@ -5,8 +5,9 @@
 namespace harmorph {
 namespace {
 
-hm_solve_report report_of(SolveReport const& solved, Basis const& basis, Mesh const& mesh) noexcept {
-    BasisMeasures const measures = measure_basis(basis, mesh.points);
+hm_solve_report report_of(SolveReport const& solved, Basis const& basis, Plan const& plan) noexcept {
+    Mesh const& mesh = plan.mesh;
+    BasisMeasures const measures = measure_basis(basis, mesh.points, plan.executor);
     hm_solve_report filled = {};
     filled.unknowns = solved.unknowns;
     filled.functions = solved.functions;
@@ -94,7 +95,7 @@ hm_status hm_plan_solve(hm_plan* plan, hm_basis* basis, hm_solve_report* report,
         HARMORPH_TRY(check_report_if(report, fault));
         SolveReport solved;
         HARMORPH_TRY(p->solve(b, solved, fault));
-        if (report != nullptr) write_struct(report_of(solved, b, p->mesh), report);
+        if (report != nullptr) write_struct(report_of(solved, b, *p), report);
         return fault.status;
     });
 }

@@ -12,8 +12,16 @@
 #define HARMORPH_PTHREADS_H
 
 #include <pthread.h>
+#include <sched.h>
 
 #include "harmorph.h"
+
+/* A call of the library gives out tasks many times, a fraction of a millisecond apart, and to wake a sleeping thread
+ * takes as long as a small task. So a thread with nothing to do asks this many times more before it sleeps, and lets
+ * other programs run in between: a few tenths of a millisecond in all. */
+#ifndef HM_PTHREADS_TURNS
+#define HM_PTHREADS_TURNS 1000
+#endif
 
 typedef struct hm_pthreads {
     pthread_mutex_t mutex;
@@ -23,9 +31,32 @@ typedef struct hm_pthreads {
     int32_t         next, n_tasks; /* of the current call */
     int32_t         running;       /* tasks taken and not yet done */
     int32_t         stop;
+    uint32_t        changes;       /* counts what threads wait for: new tasks, the last task done, stop */
     void          (*task)(void *context, int32_t index);
     void           *context;
 } hm_pthreads;
+
+static inline void hm_pthreads_change(hm_pthreads *pool) {
+#if defined(__GNUC__)
+    __atomic_store_n(&pool->changes, pool->changes + 1, __ATOMIC_RELAXED);
+#endif
+}
+
+/* Returns after the next change, or earlier. The mutex is locked on entry and on return. */
+static inline void hm_pthreads_wait(hm_pthreads *pool, pthread_cond_t *condition) {
+#if defined(__GNUC__)
+    const uint32_t seen = pool->changes;
+    int32_t turn;
+    pthread_mutex_unlock(&pool->mutex);
+    for (turn = 0; turn < HM_PTHREADS_TURNS; ++turn) {
+        if (__atomic_load_n(&pool->changes, __ATOMIC_RELAXED) != seen) break;
+        sched_yield();
+    }
+    pthread_mutex_lock(&pool->mutex);
+    if (pool->changes != seen) return;
+#endif
+    pthread_cond_wait(condition, &pool->mutex);
+}
 
 /* Runs tasks until none is left. The mutex is locked on entry and on return. */
 static inline void hm_pthreads_work(hm_pthreads *pool) {
@@ -36,6 +67,10 @@ static inline void hm_pthreads_work(hm_pthreads *pool) {
         pool->task(pool->context, index);
         pthread_mutex_lock(&pool->mutex);
         --pool->running;
+        if (pool->running == 0 && pool->next >= pool->n_tasks) {
+            hm_pthreads_change(pool);
+            pthread_cond_signal(&pool->done);
+        }
     }
 }
 
@@ -44,8 +79,7 @@ static inline void *hm_pthreads_main(void *argument) {
     pthread_mutex_lock(&pool->mutex);
     while (!pool->stop) {
         hm_pthreads_work(pool);
-        if (pool->running == 0) pthread_cond_signal(&pool->done);
-        if (!pool->stop) pthread_cond_wait(&pool->work, &pool->mutex);
+        if (!pool->stop) hm_pthreads_wait(pool, &pool->work);
     }
     pthread_mutex_unlock(&pool->mutex);
     return NULL;
@@ -59,9 +93,10 @@ static inline void hm_pthreads_run(void *user, int32_t n_tasks, void (*task)(voi
     pool->context = context;
     pool->next = 0;
     pool->n_tasks = n_tasks;
+    hm_pthreads_change(pool);
     pthread_cond_broadcast(&pool->work);
     hm_pthreads_work(pool);
-    while (pool->running > 0) pthread_cond_wait(&pool->done, &pool->mutex);
+    while (pool->running > 0) hm_pthreads_wait(pool, &pool->done);
     pool->n_tasks = 0;
     pthread_mutex_unlock(&pool->mutex);
 }
@@ -72,6 +107,7 @@ static inline hm_executor hm_pthreads_start(hm_pthreads *pool, int32_t n_threads
     pthread_cond_init(&pool->work, NULL);
     pthread_cond_init(&pool->done, NULL);
     pool->n_started = pool->next = pool->n_tasks = pool->running = pool->stop = 0;
+    pool->changes = 0;
     while (pool->n_started + 1 < n_threads && pool->n_started < 255) {
         if (pthread_create(&pool->thread[pool->n_started], NULL, hm_pthreads_main, pool) != 0) break;
         ++pool->n_started;
@@ -88,6 +124,7 @@ static inline void hm_pthreads_stop(hm_pthreads *pool) {
     int32_t i;
     pthread_mutex_lock(&pool->mutex);
     pool->stop = 1;
+    hm_pthreads_change(pool);
     pthread_cond_broadcast(&pool->work);
     pthread_mutex_unlock(&pool->mutex);
     for (i = 0; i < pool->n_started; ++i) pthread_join(pool->thread[i], NULL);

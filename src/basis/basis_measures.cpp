@@ -1,6 +1,27 @@
 #include "harmorph/basis/basis_measures.hpp"
 
+#include "harmorph/base/parallel_reduce.hpp"
+
 namespace harmorph {
+namespace {
+
+// Of the values at each place of a block.
+struct Extremes {
+    Real least[block_points] = {}, most[block_points] = {};
+
+    void include(const Real* values) noexcept {
+        for (Index k = 0; k < block_points; ++k) {
+            least[k] = smaller(least[k], values[k]);
+            most[k] = larger(most[k], values[k]);
+        }
+    }
+    void merge(Extremes const& others) noexcept {
+        include(others.least);
+        include(others.most);
+    }
+};
+
+}  // namespace
 
 BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, Points to) noexcept {
     BoundaryError worst;
@@ -13,7 +34,7 @@ BoundaryError boundary_error(Basis const& basis, const Real* move, Points from, 
     return worst;
 }
 
-BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
+BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& executor) noexcept {
     BasisMeasures measures;
     BasisCounts const& counts = basis.header->counts;
     Index const n_functions = basis.n_functions();
@@ -42,20 +63,16 @@ BasisMeasures measure_basis(Basis const& basis, Points points) noexcept {
         Vec2 const foot = curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]);
         measures.distance.include(length(points[point] - foot), point);
     }
-    Real least[block_points] = {}, most[block_points] = {};
-    for (Index block = 0; block < blocks_of(basis.n_points()); ++block) {  // behind the last point values are 0, as here
-        const Real* const values = basis.value.data() + Offset{block} * block_points * basis.row_length();
-        for (Index i = 0; i < n_control; ++i) {
-            for (Index k = 0; k < block_points; ++k) {
-                Real const value = values[i * block_points + k];
-                least[k] = smaller(least[k], value);
-                most[k] = larger(most[k], value);
-            }
+    auto const include = [&](Index begin, Index end, Extremes& extremes) {
+        for (Index block = begin; block < end; ++block) {  // behind the last point values are 0, as here
+            const Real* const values = basis.value.data() + Offset{block} * block_points * basis.row_length();
+            for (Index i = 0; i < n_control; ++i) extremes.include(values + i * block_points);
         }
-    }
+    };
+    Extremes const extremes = reduce_ranges<Extremes>(blocks_of(basis.n_points()), executor, include);
     for (Index k = 0; k < block_points; ++k) {
-        measures.min_value = smaller(measures.min_value, least[k]);
-        measures.max_value = larger(measures.max_value, most[k]);
+        measures.min_value = smaller(measures.min_value, extremes.least[k]);
+        measures.max_value = larger(measures.max_value, extremes.most[k]);
     }
     return measures;
 }

@@ -1,5 +1,6 @@
 #include "harmorph/mesh/mesh.hpp"
 
+#include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/base/range.hpp"
 
 namespace harmorph {
@@ -21,7 +22,7 @@ Status check_cell(Mesh const& mesh, Index i, Index n, PointOf point_of, Fault& f
     return Status::ok;
 }
 
-Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
+Status check_cells(Mesh const& mesh, Fault& fault, Executor const& executor) noexcept {
     if (mesh.layout == CellLayout::structured || mesh.layout == CellLayout::blocks) return Status::ok;
     if (mesh.layout == CellLayout::polygons) {
         for (Index i = 0; i < mesh.n_cells; ++i) {
@@ -31,10 +32,15 @@ Status check_cells(Mesh const& mesh, Fault& fault) noexcept {
         }
         return Status::ok;
     }
-    mesh.find_cell([&](Index i, Cell const& cell) {
-        return failed(check_cell(mesh, i, cell.n, [&](Index k) { return cell.point[k]; }, fault));
+    Index const i = find_in_ranges(mesh.n_cells, executor, [&](Index begin, Index end) {
+        Fault any;
+        return mesh.find_cell(begin, end, [&](Index number, Cell const& cell) {
+            return failed(check_cell(mesh, number, cell.n, [&](Index k) { return cell.point[k]; }, any));
+        });
     });
-    return fault.status;
+    if (i == none) return Status::ok;
+    Cell const bad = mesh.cell(i);
+    return check_cell(mesh, i, bad.n, [&](Index k) { return bad.point[k]; }, fault);
 }
 
 // Sums that no array's length contradicts, and no overflow.
@@ -88,27 +94,30 @@ Status check_boundary(Mesh const& mesh, Fault& fault) noexcept {
     return mesh.for_each_face(points_exist) ? Status::ok : fault.status;
 }
 
-Status check_coordinates(Mesh const& mesh, Fault& fault) noexcept {
+Status check_coordinates(Mesh const& mesh, Fault& fault, Executor const& executor) noexcept {
     if (mesh.points.x == nullptr || mesh.points.y == nullptr) {
         return fault.refuse(Status::bad_argument, "mesh.points.x or mesh.points.y is NULL");
     }
     if (mesh.points.stride < 1) return fault.refuse(Status::bad_argument, "mesh.points.stride is negative");
-    return check_range(mesh.points, mesh.n_points, fault);
+    return check_range(mesh.points, mesh.n_points, fault, executor);
 }
 
 }  // namespace
 
-Status check_range(Points points, Index n_points, Fault& fault) noexcept {
-    for (Index k = 0; k < n_points; ++k) {
-        Vec2 const p = points[k];
-        if (is_coordinate(p)) continue;
-        if (!is_finite(p.x) || !is_finite(p.y)) {
-            return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
+Status check_range(Points points, Index n_points, Fault& fault, Executor const& executor) noexcept {
+    Index const k = find_in_ranges(n_points, executor, [&](Index begin, Index end) {
+        for (Index point = begin; point < end; ++point) {
+            if (!is_coordinate(points[point])) return point;
         }
-        return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh, k,
-                            none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
+        return none;
+    });
+    if (k == none) return Status::ok;
+    Vec2 const p = points[k];
+    if (!is_finite(p.x) || !is_finite(p.y)) {
+        return fault.refuse(Status::bad_mesh, "point # has a coordinate that is not finite", Counts::mesh, k);
     }
-    return Status::ok;
+    return fault.refuse(Status::bad_mesh, "point # has the coordinate ~; they may be as large as 1e100", Counts::mesh, k,
+                        none, absolute(p.x) > absolute(p.y) ? p.x : p.y);
 }
 
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept {
@@ -193,12 +202,12 @@ Status check_layout(Mesh const& mesh, Fault& fault) noexcept {
     return check_rows(mesh, 4, "cell # has ~ points; only 3 or 4 are possible", fault);
 }
 
-Status check_mesh(Mesh const& mesh, Fault& fault) noexcept {
+Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor) noexcept {
     HARMORPH_TRY(check_counts(mesh, fault));
     HARMORPH_TRY(check_layout(mesh, fault));
-    HARMORPH_TRY(check_cells(mesh, fault));
+    HARMORPH_TRY(check_cells(mesh, fault, executor));
     HARMORPH_TRY(check_boundary(mesh, fault));
-    return check_coordinates(mesh, fault);
+    return check_coordinates(mesh, fault, executor);
 }
 
 Real cell_area(Cell const& cell, Points points) noexcept {

@@ -180,11 +180,22 @@ bool Matrix::is_beside_fixed(Index point, Index other) const noexcept {
 }
 
 void Matrix::clear() const noexcept {
-    fill(diagonal, 0.0);
-    fill(row_sum, 0.0);
-    fill(row_sum_imaginary, 0.0);
-    fill(value, 0.0);
-    fill(imaginary, 0.0);
+    clear_known();
+    clear_rows({0, n});
+}
+
+void Matrix::clear_rows(RowRange rows) const noexcept {
+    auto const clear = [](Span<Real> numbers, Offset begin, Offset end) {
+        if (!numbers.empty()) fill(numbers.from(begin, end - begin), 0.0);
+    };
+    clear(diagonal, rows.begin, rows.end);
+    clear(row_sum, rows.begin, rows.end);
+    clear(row_sum_imaginary, rows.begin, rows.end);
+    clear(value, start[rows.begin], start[rows.end]);
+    clear(imaginary, start[rows.begin], start[rows.end]);
+}
+
+void Matrix::clear_known() const noexcept {
     fill(coupling_value, 0.0);
     fill(coupling_imaginary, 0.0);
     fill(fixed_value, 0.0);

@@ -55,7 +55,7 @@ Status Analysis::run(Problem const& asked, Fault& fault) noexcept {
 Status Analysis::analyse_mesh(Fault& fault) noexcept {
     Mesh& mesh = problem.mesh;
     Mesh const given = mesh;
-    HARMORPH_TRY(check_mesh(given, fault));
+    HARMORPH_TRY(check_mesh(given, fault, problem.executor));
     if (given.layout == CellLayout::polygons) {
         division.run(given);
         mesh = division.pieces.mesh(given);

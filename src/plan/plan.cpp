@@ -49,7 +49,7 @@ void Plan::init(Analysis const& analysis) noexcept {
 
 Status Plan::factor(Points points, Fault& fault) noexcept {
     factored = false;
-    HARMORPH_TRY(check_range(points, mesh.n_points, fault));
+    HARMORPH_TRY(check_range(points, mesh.n_points, fault, executor));
     HARMORPH_TRY(progress.report(Phase::assembly, 0, fault));
     HARMORPH_TRY(equations.assemble(points, executor, fault));
     HARMORPH_TRY(progress.report(Phase::assembly, 1, fault));

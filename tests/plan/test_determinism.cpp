@@ -4,6 +4,8 @@
 #include <fixtures/bodies.hpp>
 #include <fixtures/executors.hpp>
 
+#include <harmorph_pthreads.h>
+
 using namespace fixtures;
 
 namespace {
@@ -142,5 +144,27 @@ TEST_CASE("any number of threads, in any order of their tasks: the same bits, in
                                    quality.mean_quality, quality.min_area, 1.0 * quality.min_quality_cell});
         if (products.empty()) products = found;
         CHECK(same_bits(found, products));
+    }
+}
+
+TEST_CASE("real threads, which share out their work anew each time: the same bits") {
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        Case its = ring_case(70, 300, 0.5, 2, Cells::hybrid, 3, 20);
+        perturb(its.mesh, 0.2, 5);
+        hm_mesh const mesh = its.mesh.view();
+        hm_options options = laplace();
+        options.operator_kind = kind;
+        std::vector<unsigned char> const expected = bytes_of(Solved(its.problem(mesh), &options).basis);
+        for (std::int32_t const threads : {2, 3, 8}) {
+            hm_pthreads pool;
+            hm_executor const executor = hm_pthreads_start(&pool, threads);
+            options.executor = &executor;
+            for (int again = 0; again < 3; ++again) {
+                Solved const solved(its.problem(mesh), &options);
+                CHECK(bytes_of(solved.basis) == expected);
+            }
+            options.executor = nullptr;
+            hm_pthreads_stop(&pool);
+        }
     }
 }

@@ -20,6 +20,17 @@ Result reduce_ranges(Index n, Executor const& executor, Add const& add) noexcept
     return part[0];
 }
 
+// The first of the items 0 .. n-1 that find(begin, end) finds in a range, or none.
+template <class Find>
+Index find_in_ranges(Index n, Executor const& executor, Find const& find) noexcept {
+    struct First {
+        Index item = none;
+        void merge(First const& later) noexcept { item = item == none ? later.item : item; }
+    };
+    auto const add = [&](Index begin, Index end, First& first) { first.item = find(begin, end); };
+    return reduce_ranges<First>(n, executor, add).item;
+}
+
 // visit(cell, result) for all cells.
 template <class Result, class Visit>
 Result reduce_cells(Index n_cells, Executor const& executor, Visit const& visit) noexcept {

@@ -24,6 +24,6 @@ struct BasisMeasures {
     Real partition_defect = 0;
     Real min_value = 0, max_value = 0;
 };
-BasisMeasures measure_basis(Basis const& basis, Points points) noexcept;
+BasisMeasures measure_basis(Basis const& basis, Points points, Executor const& executor = {}) noexcept;
 
 }  // namespace harmorph

@@ -2,6 +2,7 @@
 // lists, or sides of blocks. Polygons become a mesh of their pieces, see pieces.hpp.
 #pragma once
 
+#include "harmorph/base/executor.hpp"
 #include "harmorph/base/span.hpp"
 #include "harmorph/base/vec2.hpp"
 
@@ -134,7 +135,7 @@ struct Mesh {
 Real cell_area(Cell const& cell, Points points) noexcept;
 
 // Of coordinates that come with a call: finite, and no larger than the arithmetic carries.
-Status check_range(Points points, Index n_points, Fault& fault) noexcept;
+Status check_range(Points points, Index n_points, Fault& fault, Executor const& executor = {}) noexcept;
 
 // Ranges of the counts alone: all that a size query may look at.
 Status check_counts(Mesh const& mesh, Fault& fault) noexcept;
@@ -144,7 +145,7 @@ Status check_polygons(Mesh const& mesh, Fault& fault) noexcept;
 Status check_layout(Mesh const& mesh, Fault& fault) noexcept;
 
 // Counts, pointers, indices, repeated points in a cell, coordinates: everything that needs no neighbourhood.
-Status check_mesh(Mesh const& mesh, Fault& fault) noexcept;
+Status check_mesh(Mesh const& mesh, Fault& fault, Executor const& executor = {}) noexcept;
 
 inline Cell Mesh::cell(Index i) const noexcept {
     if (layout == CellLayout::structured) return GridBlock{ni, nj, 0, 0}.cell(i);

@@ -104,6 +104,8 @@ struct Matrix {
                Span<const Index> slot, Span<const Vec2> tangent, Periodicity const& periodicity) noexcept;
 
     void clear() const noexcept;
+    void clear_rows(RowRange rows) const noexcept;  // diagonal, row sum and entries
+    void clear_known() const noexcept;  // couplings to the wall and to fixed points
     // Adds a conductance between two points: + on both diagonals, - off them. Points that are not unknown have known
     // values. Two points with one common unknown, as across a periodic pair one cell apart, add nothing. Real matrices
     // only.
