@@ -45,6 +45,7 @@ public:
         std::uint64_t bits[lanes] = {};
         Size k = 0;
         for (; k + lanes <= numbers.size(); k += lanes) {
+#pragma GCC unroll 8
             for (Size lane = 0; lane < lanes; ++lane) {
                 bits[lane] = larger(bits[lane], bits_of(numbers[k + lane]) & ~sign);
             }

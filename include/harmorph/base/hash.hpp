@@ -19,14 +19,21 @@ private:
     std::uint64_t state_ = 0x6861726D6F727068u;
 };
 
-// Four interleaved hashes keep up with memory.
+// Interleaved hashes, as each word waits for the one before: so many keep up with memory.
 inline std::uint64_t hash_of_words(const unsigned char* data, Size words) noexcept {
-    Hash interleaved[4];
-    for (Size i = 0; i < words; ++i) {
+    constexpr Size lanes = 8;
+    Hash interleaved[lanes];
+    auto const add = [&](Size lane, Size i) {
         std::uint64_t word;
         std::memcpy(&word, data + 8 * i, sizeof word);
-        interleaved[i % 4].add(word);
+        interleaved[lane].add(word);
+    };
+    Size const whole = words / lanes * lanes;
+    for (Size i = 0; i < whole; i += lanes) {
+#pragma GCC unroll 8
+        for (Size lane = 0; lane < lanes; ++lane) add(lane, i + lane);
     }
+    for (Size i = whole; i < words; ++i) add(i - whole, i);
     Hash all;
     for (Hash const& one : interleaved) all.add(one.value());
     return all.value();
