@@ -1,4 +1,6 @@
 // The C interface: displacements given at points of the wall, and the transpose.
+#include <type_traits>
+
 #include "given_list.hpp"
 #include "harmorph/morph/mode_functions.hpp"
 

@@ -10,7 +10,7 @@
 # without main, and those of the tests.
 set -e
 build=$1
-in_program=24 in_tests=6   # files a group
+in_program=100 in_tests=6   # files a group
 
 # put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run beside
 # each other.
@@ -82,11 +82,9 @@ all_rules() {
 
     flags='$(CLI)' list=
     objects cli "$cli" $build/page_text.cpp
-    groups cli "$cli" $in_program in_turn c_api/cli/cmd_*.cpp
-    groups cli "$cli" $in_program in_turn $(ls c_api/cli/*.cpp | grep -v -e /main.cpp -e /cmd_)
+    groups cli "$cli" $in_program in_turn $(ls c_api/cli/*.cpp | grep -v /main.cpp)
     objects cli "$cli" c_api/cli/formats/cgns*.cpp
-    groups cli "$cli" $in_program in_turn $(ls c_api/cli/formats/*.cpp | grep -v /cgns)
-    groups cli "$cli" $in_program in_turn c_api/cli/pictures/*.cpp
+    groups cli "$cli" $in_program in_turn $(ls c_api/cli/formats/*.cpp c_api/cli/pictures/*.cpp | grep -v /cgns)
     parts=$list
     put objects/program.list echo $parts
     objects cli "$cli" c_api/cli/main.cpp

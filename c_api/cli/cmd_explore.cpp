@@ -40,7 +40,7 @@ void run_explore(const Arguments& arguments) {
     const PageSelection selection = select_for_page(mesh, body, most);
     OutputFiles files;
     std::ostream& out = files.add(path);
-    out << explore_page.before_data << "<script>\nconst page_data = ";
+    out << page_head << explore_page.before_data << "<script>\nconst page_data = ";
     write_page_data(out, mesh, basis, selection, moves);
     out << ";\n</script>\n" << explore_page.after_data;
     const double megabytes = static_cast<double>(out.tellp()) / 1e6;

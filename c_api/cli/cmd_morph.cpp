@@ -44,7 +44,7 @@ Companions companions_of(const Arguments& arguments, const Basis& basis, const M
 void write_report(std::ostream& out, const Mesh& mesh, const Basis& basis, const Morph& morph, bool safe) {
     const hm_basis_info& info = basis.info();
     const PageSelection selection = select_for_page(mesh, {info.curve_point, info.curve_point + info.curve_points}, 20000);
-    out << report_page.before_data << "<script>\nconst page_data = ";
+    out << page_head << report_page.before_data << "<script>\nconst page_data = ";
     write_report_data(out, mesh, basis, selection, morph, safe);
     out << ";\n</script>\n" << report_page.after_data;
 }

@@ -5,6 +5,8 @@
 // (smoothed aggregation; P. Vanek, J. Mandel, M. Brezina, Computing 56 (1996) 179).
 #pragma once
 
+#include <type_traits>
+
 #include "block_rows.hpp"
 #include "harmorph/multigrid/full_approximation.hpp"
 #include "harmorph/operators/nodal_balance.hpp"

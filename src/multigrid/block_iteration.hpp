@@ -1,10 +1,22 @@
 // Solves all functions block by block, with one thread for each worker.
 #pragma once
 
+#include <type_traits>
+
 #include "harmorph/multigrid/iteration.hpp"
 #include "harmorph/base/scalar.hpp"
 
 namespace harmorph {
+
+// Calls run(integral_constant of the width of a block).
+template <class Run>
+Status with_width(Iteration const& iteration, Run const& run) noexcept {
+    switch (iteration.block_width) {
+        case 4: return run(std::integral_constant<Index, 4>{});
+        case 8: return run(std::integral_constant<Index, 8>{});
+        default: return run(std::integral_constant<Index, 16>{});
+    }
+}
 
 // Calls solve(worker, first function, report, after) for each block. It must call after(iteration, largest relative
 // residual of the block) after each iteration and return the status of this call if that is not ok.

@@ -80,7 +80,7 @@ Status FullApproximation::solve(Rows const& values, const NodalGradient* scheme,
         };
         return solve_in_blocks(*this, values.width, progress, report, fault, solve_block);
     };
-    return iteration.with_width(run);
+    return with_width(iteration, run);
 }
 
 }  // namespace harmorph

@@ -41,7 +41,7 @@ Status Multigrid::solve(Rows const& values, Progress const& progress, IterationR
                                                                        first).run(block_report, after);
                                });
     };
-    return iteration.with_width(run);
+    return with_width(iteration, run);
 }
 
 }  // namespace harmorph

@@ -1,5 +1,7 @@
 #include "harmorph/plan/refinement.hpp"
 
+#include <type_traits>
+
 namespace harmorph {
 namespace {
 

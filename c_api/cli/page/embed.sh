@@ -1,15 +1,17 @@
 #!/bin/sh
 # usage: embed.sh >page_text.cpp
-# Each page behind head.html, which all pages share, with its style sheets and scripts inside, as two C++ strings: what
-# stands before and what stands after the line of data.js, where the program puts its own data. embed.cmake does
-# the same.
+# Each page with its style sheets and scripts inside, as two C++ strings: what stands before and what stands after the
+# line of data.js, where the program puts its own data; and head.html, which all pages begin with, as a third.
+# Indentation and lines of comments stay behind. embed.cmake does the same.
 cd "$(dirname "$0")" || exit 1
-printf '// Made by c_api/cli/page/embed.sh.\n#include "cli/page_text.hpp"\n'
-for page in explore report; do
-    printf '\nconst cli::PageText cli::%s_page = {\n' $page
-    # A short literal for each line: compilers limit them.
+
+# literals FILE: its lines. A short literal for each: compilers limit them.
+literals() {
     awk '
-        function put(line) { print "R\"page(" line; print ")page\"" }
+        function put(line) {
+            sub(/^ +/, "", line)
+            if (line != "" && line !~ /^\/\//) { print "R\"page(" line; print ")page\"" }
+        }
         function put_file(name,    line, found) {
             while ((getline line <name) > 0) { put(line); found = 1 }
             close(name)
@@ -19,6 +21,13 @@ for page in explore report; do
         /^<script src="data.js">/ { print ","; next }
         /^<script src=/ { put("<script>"); put_file(between_quotes($0)); put("</script>"); next }
         /^<link href=/ { put("<style>"); put_file(between_quotes($0)); put("</style>"); next }
-        { put($0) }
-        END { print "};" }' head.html $page.html || exit 1
+        { put($0) }' "$1"
+}
+printf '// Made by c_api/cli/page/embed.sh.\n#include "cli/page_text.hpp"\n\nconst char cli::page_head[] =\n'
+literals head.html || exit 1
+echo ';'
+for page in explore report; do
+    printf '\nconst cli::PageText cli::%s_page = {\n' $page
+    literals $page.html || exit 1
+    echo '};'
 done

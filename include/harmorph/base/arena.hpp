@@ -5,9 +5,6 @@
 //                                                  that a block of the stated size suffices wherever it begins
 #pragma once
 
-#include <limits>
-#include <type_traits>
-
 #include "harmorph/base/span.hpp"
 
 namespace harmorph {
@@ -38,7 +35,7 @@ public:
     // overflown().
     template <class T, class Count>
     void take(Span<T>& out, Count n) noexcept {
-        static_assert(std::is_trivially_destructible<T>::value, "nobody will run destructors");
+        static_assert(__is_trivially_copyable(T), "nobody will run destructors");
         static_assert(alignof(T) <= alignment, "");
         Size const count = static_cast<Size>(n);
         out = {};
@@ -74,7 +71,7 @@ public:
     }
 
 private:
-    static constexpr Size limit = std::numeric_limits<Size>::max() / 2;
+    static constexpr Size limit = SIZE_MAX / 2;
 
     static constexpr Size round_up(Size bytes) noexcept { return (bytes + alignment - 1) / alignment * alignment; }
 

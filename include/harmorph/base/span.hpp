@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstring>
-#include <type_traits>
 
 #include "harmorph/base/types.hpp"
 
@@ -40,7 +39,7 @@ void fill(Span<T> to, T value) noexcept {
 
 template <class T>
 void copy(Span<T> to, Span<const T> from) noexcept {
-    static_assert(std::is_trivially_copyable<T>::value, "copied as bytes");
+    static_assert(__is_trivially_copyable(T), "copied as bytes");
     if (from.size() != 0) std::memcpy(to.data(), from.data(), from.size() * sizeof(T));
 }
 

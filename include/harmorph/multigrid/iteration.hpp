@@ -1,8 +1,6 @@
 // What the iterative engines have in common: options, agglomerated levels, and blocks of functions.
 #pragma once
 
-#include <type_traits>
-
 #include "harmorph/multigrid/agglomeration.hpp"
 #include "harmorph/base/executor.hpp"
 #include "harmorph/base/progress.hpp"
@@ -20,15 +18,6 @@ struct Iteration {
     // The caller's array, or empty: largest relative residual before the first iteration and after each iteration.
     Span<Real> history;
 
-    // Calls run(integral_constant of block_width).
-    template <class Run>
-    Status with_width(Run const& run) const noexcept {
-        switch (block_width) {
-            case 4: return run(std::integral_constant<Index, 4>{});
-            case 8: return run(std::integral_constant<Index, 8>{});
-            default: return run(std::integral_constant<Index, 16>{});
-        }
-    }
     static constexpr bool has_width(Index width) noexcept { return width == 4 || width == 8 || width == 16; }
 };
 

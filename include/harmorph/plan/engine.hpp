@@ -32,7 +32,7 @@ struct AnyEngine {
     AnyEngine() noexcept : direct() {}
     void choose(Engine chosen) noexcept {
         kind = chosen;
-        visit(*this, [](auto& engine) { ::new (&engine) std::decay_t<decltype(engine)>(); });
+        visit(*this, [](auto& engine) { start(engine); });
     }
 
     // Working space that only set_up() or solve() needs lies behind the rest: the arrays laid out next may overlap with
@@ -78,6 +78,10 @@ struct AnyEngine {
     const Agglomeration* levels() const noexcept {
         return visit(*this, [](auto const& engine) { return engine.levels(); });
     }
+
+private:
+    template <class Chosen>
+    static void start(Chosen& engine) noexcept { ::new (&engine) Chosen(); }
 };
 
 }  // namespace harmorph
