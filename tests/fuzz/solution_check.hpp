@@ -1,0 +1,60 @@
+// What a solved problem has to be: functions, morphs, derived bases and safe morphs against what the header says.
+#pragma once
+
+#include "exceptions.hpp"
+#include "reference.hpp"
+#include "solution.hpp"
+
+namespace fuzz {
+
+// All checks of one solution, with one random movement of its control points and bodies.
+class SolutionCheck {
+public:
+    SolutionCheck(Solution& solution, Input& input);
+    void all();
+
+private:
+    using Numbers = std::vector<double>;
+
+    // check_functions.cpp
+    void values();
+    void wall();
+    void derived_bases();
+
+    // check_movement.cpp
+    void displacement();
+    void is_sum(double found, std::size_t point, std::size_t component) const;
+    void pairs_move_alike(Numbers const& dx, Numbers const& dy, double rounding) const;
+    void step(hm_points const& by, std::vector<Point> const& displacement);
+    void quality(hm_points const& to, std::vector<Point> const& at);
+    void adjoint();
+
+    // check_safe_morph.cpp
+    void improvement();
+    void slide(Numbers& x, Numbers& y);
+    void safe_morph();
+    void wall_is_at(std::vector<Point> const& at, Numbers const& reached, double turned_offset);
+
+    double extent() const;
+    std::vector<Point> moved(Numbers const& x, Numbers const& y) const;
+    bool marker_slides(std::int32_t marker) const;
+    auto in_its_blocks() const {
+        return [this](std::size_t bytes) -> Block& { return its_.block(bytes); };
+    }
+    // The sine of a turned corner has rounding errors: smaller sines may have either sign.
+    double rounding_of_turns() const { return problem_.domain.has_polygons ? -1e-15 : 0; }
+    bool is_real() const { return info_.numbers_per_value == 1; }
+
+    Solution& its_;
+    Problem const& problem_;
+    Input& input_;
+    Judged judged_;
+    hm_basis_info info_{};
+    hm_error error_{};
+    std::size_t n_ = 0;
+    Numbers move_;
+    double largest_ = 0;   // of the functions' values
+    std::vector<std::vector<Numbers>> value_;   // of each function, its numbers at each point
+};
+
+}   // namespace fuzz
