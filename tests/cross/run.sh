@@ -13,7 +13,8 @@ dir=$build/cross
 topic=cross log=$dir/log
 . "$(dirname "$0")/../count.sh"
 units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_fixed_sum.cpp tests/base/test_predicates.cpp
-    tests/base/test_sort.cpp tests/simd/test_registers.cpp tests/basis/test_basis.cpp tests/basis/test_single_precision.cpp
+    tests/base/test_sort.cpp tests/simd/test_registers.cpp tests/basis/test_basis.cpp tests/basis/test_refused_bases.cpp
+    tests/basis/test_single_precision.cpp
     tests/morph/test_adjoint.cpp tests/c_api/test_struct_size.cpp"
 core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector -ffp-contract=off"
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Ic_api"

@@ -1,0 +1,209 @@
+// Blocks that are no whole, unchanged basis of this mesh are refused with the reason.
+#include <doctest/doctest.h>
+
+#include <fixtures/basis_copy.hpp>
+#include <fixtures/bodies.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("a basis that is truncated, at any length, is refused with the reason") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    BasisCopy whole(solved);
+    REQUIRE(whole.attach() == HM_OK);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        BasisCopy part(whole.data(), size);   // reading behind it would be noticed
+        CHECK(part.attach() == HM_BAD_BASIS);
+        bool const in_header = size < sizeof(harmorph::BasisHeader);
+        CHECK(part.says(size == 0 ? "not a harmorph basis" : "truncated"));
+        std::size_t const wanted = in_header ? sizeof(harmorph::BasisHeader) : whole.size();
+        if (size > 0) CHECK(part.error.value == static_cast<double>(wanted - size));
+    }
+    // A longer block, as a file with something behind it, is none of its business.
+    std::vector<double> longer(whole.size() / 8 + 10, 3.0);
+    std::memcpy(longer.data(), whole.data(), whole.size());
+    const hm_basis* basis = nullptr;
+    CHECK(hm_basis_attach(&basis, longer.data(), longer.size() * 8, nullptr, nullptr) == HM_OK);
+}
+
+TEST_CASE("a basis with any byte changed, in the header or behind the header, is refused") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    BasisCopy copy(solved);
+    hm_mesh const mesh = its.mesh.view();
+    REQUIRE(copy.attach(&mesh) == HM_OK);
+    for (std::size_t k = 0; k < copy.size(); ++k)
+        for (unsigned const flip : {1u, 0x80u, 0xFFu}) {
+            copy.data()[k] = static_cast<unsigned char>(copy.data()[k] ^ flip);
+            INFO("byte " << k << " flipped by " << flip);
+            CHECK(copy.attach(&mesh) == HM_BAD_BASIS);
+            copy.data()[k] = static_cast<unsigned char>(copy.data()[k] ^ flip);
+        }
+    CHECK(copy.attach(&mesh) == HM_OK);
+}
+
+TEST_CASE("each reason to refuse a basis has a sentence of its own") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    BasisCopy copy(solved);
+    harmorph::BasisHeader const good = copy.header();
+
+    harmorph::BasisHeader bad = good;
+    bad.magic[0] = 'H';
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("not a harmorph basis"));
+    bad = good;
+    bad.byte_order = 0x04030201;
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("byte order"));
+    bad = good;
+    bad.format = 1;
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("format version 1"));
+    bad = good;
+    bad.bytes += 8;
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("truncated: 8"));
+    bad = good;
+    bad.counts.points += 1;
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("contradict"));
+    for (harmorph::Index harmorph::BasisCounts::*count :
+         {&harmorph::BasisCounts::points, &harmorph::BasisCounts::control, &harmorph::BasisCounts::loops}) {
+        for (harmorph::Index const wrong : {-1, 0x7FFFFFFF, -0x7FFFFFFF - 1}) {   // no overflow, no reading far away
+            bad = good;
+            bad.counts.*count = wrong;
+            copy.set(bad);
+            CHECK(copy.attach() == HM_BAD_BASIS);
+            CHECK(copy.says("contradict"));
+        }
+    }
+    bad = good;
+    bad.checksum ^= 1;
+    copy.set(bad);
+    CHECK(copy.attach() == HM_BAD_BASIS);
+    CHECK(copy.says("checksum"));
+    copy.set(good);
+    CHECK(copy.attach() == HM_OK);
+    const hm_basis* basis = nullptr;
+    CHECK(hm_basis_attach(&basis, copy.data() + 4, copy.size(), nullptr, nullptr) == HM_BAD_ARGUMENT);   // misaligned
+    CHECK(basis == nullptr);
+}
+
+TEST_CASE("indices out of range and numbers that are not finite are found in a basis whose checksum is right") {
+    Case its = two_body_case(Cells::hybrid, 4, 3);
+    Solved const solved(its);
+    hm_mesh const mesh = its.mesh.view();
+    BasisCopy copy(solved);
+    harmorph::BasisHeader const good = copy.header();
+    harmorph::Basis const basis = harmorph::Basis::view(static_cast<void*>(copy.data()));
+    auto const attach_sealed = [&] {
+        basis.header->checksum = harmorph::checksum_of(*basis.header);
+        return copy.attach(&mesh);
+    };
+    auto const spoils = [&](auto& number, auto wrong, const char* word) {
+        auto const right = number;
+        number = wrong;
+        CHECK(attach_sealed() == HM_BAD_BASIS);
+        CHECK(copy.says(word));
+        number = right;
+    };
+    for (std::int32_t const far : {-1, 0x7FFFFFFF}) {
+        spoils(basis.indices[3], far, "curves");
+        spoils(basis.shape[1].first_knot, far, "curves");
+        spoils(basis.shape[0].n_indices, far, "curves");
+        spoils(basis.conditions[1].first_curve, far, "conditions");
+        spoils(basis.wall_point[5], far, "points on curves");
+        spoils(basis.wall_curve[5], far, "points on curves");
+        spoils(basis.boundary_point[9], far, "boundary");
+        spoils(basis.loop_start[1], far, "boundary");
+        spoils(basis.header->filled, far, "method");
+        spoils(basis.header->counts.bodies, far, "contradict");
+        spoils(basis.header->counts.combination, far, "contradict");
+    }
+    spoils(basis.knots[4], std::nan(""), "curves");
+    spoils(basis.control[4], std::nan(""), "curves");
+    spoils(basis.wall_u[4], std::nan(""), "points on curves");
+    spoils(basis.value[100], 1e9, "largest");
+    spoils(basis.header->largest, 0.5, "largest");
+    CHECK(attach_sealed() == HM_OK);
+    CHECK(basis.header->checksum == good.checksum);
+
+    // Any word of all that is not values: refused, or of no use to whom would read elsewhere.
+    std::int32_t* const words = reinterpret_cast<std::int32_t*>(copy.data());
+    std::ptrdiff_t const n = reinterpret_cast<std::int32_t*>(basis.value.data()) - words;
+    std::vector<double> const move = some_move(20, 0.1, 1);
+    std::vector<double> x(its.mesh.x.size()), y = x, gradient(40);
+    int accepted = 0;
+    for (std::ptrdiff_t k = sizeof(harmorph::BasisHeader) / 4; k < n; ++k)
+        for (std::int32_t const wrong : {-1, 1 << 30, 0x7FF00000}) {
+            std::int32_t const right = words[k];
+            words[k] = wrong;
+            if (attach_sealed() >= 0) {
+                ++accepted;
+                CHECK(hm_morph(copy.basis, move.data(), &mesh.points, points_out(x, y), nullptr, nullptr) == HM_OK);
+                CHECK(hm_adjoint(copy.basis, &mesh.points, gradient.data(), nullptr, nullptr) == HM_OK);
+            }
+            words[k] = right;
+        }
+    CHECK(accepted > 0);
+    CHECK(accepted < 3 * n);
+}
+
+TEST_CASE("a basis with another mesh is refused; the same mesh with other coordinates is a warning") {
+    Case its = tiny_case();
+    Solved const solved(its);
+    BasisCopy copy(solved);
+
+    Case other = its;
+    other.mesh.add_point({9, 9});
+    hm_mesh view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("another mesh: it has 48 points"));
+    other = its;
+    std::swap(other.mesh.cells[0], other.mesh.cells[2]);   // the same counts
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("the cells differ"));
+    other = its;
+    std::swap(other.mesh.face_markers.front(), other.mesh.face_markers.back());   // a face each on the other's marker
+    REQUIRE(other.mesh.face_markers != its.mesh.face_markers);
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
+    for (std::int32_t& marker : other.mesh.face_markers) marker += 7;   // the same points on markers of other numbers
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_BAD_BASIS);
+    CHECK(copy.says("its markers"));
+    other = its;
+    other.mesh.x[20] += 1e-12;
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_MOVED);
+    CHECK(copy.says("coordinates"));
+    other.mesh.x[20] = std::nan("");
+    CHECK(copy.attach(&view) == HM_BAD_MESH);
+
+    // Numbering, layout and stride are ways of writing the same mesh; so are the order of faces and that of their ends.
+    other = its;
+    std::reverse(other.mesh.faces.begin(), other.mesh.faces.end());
+    std::reverse(other.mesh.face_markers.begin(), other.mesh.face_markers.end());
+    view = other.mesh.view();
+    CHECK(copy.attach(&view) == HM_OK);
+    other = its;
+    other.index_base = 1;
+    CHECK(copy.attach(&other.mesh_view()) == HM_OK);
+    std::vector<std::int32_t> const quads = quads_of(its.mesh);
+    view = its.mesh.view();
+    view.cell_layout = HM_CELLS_QUADS;
+    view.cell_points = quads.data();
+    std::vector<double> xy;
+    for (std::size_t k = 0; k < its.mesh.x.size(); ++k) xy.insert(xy.end(), {its.mesh.x[k], its.mesh.y[k]});
+    view.points = {xy.data(), xy.data() + 1, 2};
+    CHECK(copy.attach(&view) == HM_OK);
+}

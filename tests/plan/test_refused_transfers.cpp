@@ -1,0 +1,100 @@
+// Transfers that are refused: other domains, curves, operators and meshes, and blocks that are too small.
+#include <doctest/doctest.h>
+
+#include <fixtures/bodies.hpp>
+#include <fixtures/transferred.hpp>
+
+using namespace fixtures;
+
+TEST_CASE("transfers between other domains, curves, operators or meshes are refused") {
+    Case coarse = ring_case(4, 32, 0.5, 2), fine = ring_case(9, 70, 0.5, 2);
+    Solved const solved(coarse);
+    auto const refused = [&](Case& its, hm_mesh const& coarse_mesh, hm_options const* options = nullptr) {
+        TransferAttempt attempt;
+        REQUIRE(attempt.open(its.problem(), options));
+        REQUIRE(!attempt.fill_from(solved.basis, coarse_mesh));
+        CHECK(attempt.guards_intact());
+        CHECK(attempt.block->guards_intact());
+        std::vector<double> values(its.mesh.x.size());
+        CHECK(hm_basis_values(attempt.basis, 0, 0, values.data(), nullptr) == HM_BAD_BASIS);   // not solved
+        INFO(attempt.error.text);
+        return attempt.error;
+    };
+    SUBCASE("a larger domain: the point and its distance") {
+        Case larger = ring_case(9, 70, 0.5, 3);
+        larger.index_base = 1;
+        hm_error const error = refused(larger, coarse.mesh_view());
+        CHECK(error.code == HM_BAD_MESH);
+        Point const p = larger.mesh.point(error.item - 1);
+        CHECK(error.value > 0.1);
+        CHECK(error.value == doctest::Approx(std::sqrt(p.x * p.x + p.y * p.y) - 2).epsilon(0.02));
+    }
+    SUBCASE("a wall that is somewhere else") {
+        Case shifted = fine;
+        for (double& x : shifted.mesh.x) x += 0.5;
+        CHECK(refused(shifted, coarse.mesh_view()).code == HM_BAD_MESH);
+    }
+    SUBCASE("other curves") {
+        Case other = fine;
+        other.curves = ring(3, 8, 0.5, 0.500001);
+        CHECK(refused(other, coarse.mesh_view()).code == HM_BAD_BASIS);
+        other.curves = ring(2, 8, 0.5, 0.5);
+        CHECK(refused(other, coarse.mesh_view()).code == HM_BAD_BASIS);
+        other = ring_case(9, 70, 0.5, 2, Cells::quads, 3, 9);
+        CHECK(refused(other, coarse.mesh_view()).code == HM_BAD_BASIS);
+    }
+    SUBCASE("another operator") {
+        hm_options options = laplace();
+        options.operator_kind = HM_WEIGHTED;
+        CHECK(refused(fine, coarse.mesh_view(), &options).code == HM_BAD_BASIS);
+    }
+    SUBCASE("a coarse mesh that is not the one of the coarse basis, or has moved") {
+        CHECK(refused(fine, fine.mesh_view()).code == HM_BAD_BASIS);
+        Case moved_coarse = coarse;
+        moved_coarse.mesh.x[40] += 1e-9;
+        CHECK(refused(fine, moved_coarse.mesh_view()).code == HM_BAD_BASIS);
+    }
+    SUBCASE("a coarse basis that is not solved; a basis of another analysis; NULL") {
+        Attempt unsolved, other;
+        REQUIRE(unsolved.analyse(coarse.problem()));
+        REQUIRE(unsolved.prepare());
+        TransferAttempt attempt;
+        REQUIRE(attempt.open(fine.problem()));
+        CHECK(!attempt.fill_from(unsolved.basis, coarse.mesh_view()));
+        CHECK(attempt.status == HM_BAD_BASIS);
+        hm_mesh const mesh = coarse.mesh_view();
+        std::vector<double> space(attempt.block->size() / 8 + 8);
+        std::size_t const bytes = attempt.block->size();
+        auto const transfer = [&](hm_basis* to, void* block, hm_analysis const* with, hm_basis const* from, hm_mesh const* on) {
+            return hm_transfer(to, block, bytes, with, from, on, nullptr, nullptr);
+        };
+        CHECK(transfer(unsolved.basis, space.data(), attempt.analysis, solved.basis, &mesh) == HM_BAD_BASIS);
+        CHECK(transfer(nullptr, space.data(), attempt.analysis, solved.basis, &mesh) == HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, nullptr, attempt.analysis, solved.basis, &mesh) == HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), nullptr, solved.basis, &mesh) == HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, nullptr, &mesh) == HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, nullptr) == HM_BAD_ARGUMENT);
+        CHECK(transfer(attempt.basis, space.data(), attempt.analysis, solved.basis, &mesh) == HM_OK);
+    }
+}
+
+TEST_CASE("blocks that are too small for a transfer are refused, at any alignment") {
+    Case coarse = ring_case(3, 16, 0.5, 2), fine = ring_case(5, 30, 0.5, 2);
+    Solved const solved(coarse);
+    TransferAttempt attempt;
+    REQUIRE(attempt.open(fine.problem()));
+    hm_mesh const mesh = coarse.mesh_view();
+    std::size_t need = 0;
+    REQUIRE(hm_transfer_size(attempt.analysis, &mesh, &need, nullptr) == HM_OK);
+    for (std::size_t const shift : {0u, 1u, 40u, 63u}) {
+        for (std::size_t give = 0; give <= need; give += give + 200 < need || give == need ? 61 : 1) {
+            Guarded block(give, shift);
+            hm_error error{};
+            hm_status const status =
+                hm_transfer(attempt.basis, block.data(), give, attempt.analysis, solved.basis, &mesh, nullptr, &error);
+            CHECK(status == (give == need ? HM_OK : HM_BLOCK_TOO_SMALL));
+            CHECK(block.guards_intact());
+            if (give < need) CHECK(error.value == static_cast<double>(need - give));
+        }
+    }
+}

@@ -1,0 +1,68 @@
+// Safe given displacements beside other conditions: curves, design variables, and lines along which points slide.
+#include <doctest/doctest.h>
+
+#include <fixtures/derived.hpp>
+#include <fixtures/half_ring.hpp>
+#include <fixtures/safe_displaced.hpp>
+
+using namespace fixtures;
+
+namespace {
+
+double const pi = std::acos(-1.0);
+
+}  // namespace
+
+TEST_CASE("given points beside a curve: both bodies turn, and each wall is where its own description has it") {
+    Case its = two_body_case(Cells::hybrid, 12, 8);
+    its.conditions.pop_back();
+    its.set_given(second_body);
+    hm_options const options = options_of(HM_CONFORMAL);
+    SafeDisplaced safe(its, options);
+    REQUIRE(hm_plan_solve(safe.plan, safe.basis, nullptr, nullptr) == HM_OK);
+    hm_basis_info const info = info_of(safe.basis);
+    Field const start = safe.start();
+    Complex centre = 0;
+    for (Complex const z : start) centre += z / static_cast<double>(start.size());
+    Field const wall = safe.similarity(std::polar(1.0, -50 * pi / 180), centre);
+    std::vector<double> move(2 * static_cast<std::size_t>(info.functions));   // the first curve up
+    for (std::int32_t const i : its.curves.shapes[0].indices) move[2 * static_cast<std::size_t>(i) + 1] = 0.03;
+    std::vector<double> reached(move.size());
+    safe.safe_options.reached = reached.data();
+    REQUIRE_MESSAGE(safe.run(wall, &move) == HM_OK, safe.error.text);
+    CHECK(safe.is_at(wall));
+    CHECK(reached == move);
+    double error = 1;
+    REQUIRE(hm_boundary_error(safe.basis, move.data(), points_in(safe.mesh.x, safe.mesh.y), points_in(safe.x, safe.y),
+                              &error, nullptr, nullptr) == HM_OK);
+    CHECK(std::fabs(error - safe.safe_report.turned_offset) < 1e-14);
+
+    // Design variables instead of control points.
+    Combination const by(info.control_points, 2, 1, 3);
+    Combined const combined(safe.basis, by);
+    REQUIRE(combined.status == HM_OK);
+    std::vector<double> const few = some_move(2, 0.005, 4);
+    safe.safe_options.reached = nullptr;
+    CHECK(safe.run(wall, &few, combined.basis) == HM_OK);
+    CHECK(safe.is_at(wall));
+
+    // Functions by table move the same points.
+    REQUIRE(hm_plan_factor(safe.plan, nullptr, nullptr) == HM_OK);
+    Tabulated const tabulated(safe.plan, safe.basis, {Field(start.size(), Complex(1, 0))}, 2);
+    REQUIRE(tabulated.status == HM_OK);
+    CHECK(safe.run(wall, nullptr, tabulated.basis) == HM_UNSUPPORTED);
+}
+
+TEST_CASE("a wall that ends on a line along which points slide goes straight, and slides with it") {
+    Case its = given_instead(half_ring(8, 16, Cells::quads, 0, 4));
+    for (std::int32_t const kind : {HM_LAPLACE, HM_CONFORMAL}) {
+        SafeDisplaced safe(its, options_of(kind));
+        Field const start = safe.start();
+        Field wall;
+        for (Complex const z : start) wall.push_back(Complex(0.75 * z.real(), -0.4 * z.imag()));
+        REQUIRE_MESSAGE(safe.run(wall) == HM_OK, safe.error.text);
+        CHECK(safe.is_at(wall));
+        for (std::size_t k = 0; k < safe.x.size(); ++k)
+            if (its.mesh.y[k] == 0) CHECK(safe.y[k] == 0);
+    }
+}
