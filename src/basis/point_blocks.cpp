@@ -5,7 +5,7 @@
 namespace harmorph {
 namespace {
 
-constexpr Index least_blocks = 512;  // that are worth a thread
+constexpr Index least_blocks = 128;  // that are worth a thread
 
 // Eight numbers of eight points at a time: the lines of the cache that are written stay few.
 void to_block(const Real* rows, Index n_points, Index numbers, Real* block) noexcept {

@@ -17,7 +17,7 @@ struct Subtree {
 };
 
 struct Subtrees {
-    static constexpr Index per_worker = 4;  // several for each worker, so that subtrees of unequal work balance
+    static constexpr Index per_worker = 2;  // several for each worker, so that subtrees of unequal work balance
 
     Index workers = 1;
     Index count = 0;
