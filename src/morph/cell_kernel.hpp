@@ -10,6 +10,9 @@ using Vector = Registers::Vector;
 using Words = Registers::Words;
 
 constexpr Index lanes = Registers::lanes;
+constexpr Index eight = 8;                           // cells are looked at in eights in all kernels
+constexpr Index few = lanes < 4 ? lanes : 4;         // lanes that are gathered at a time; 8 are no faster
+using Few [[gnu::vector_size(8 * few)]] = Real;
 constexpr unsigned all = (1u << lanes) - 1;  // bits
 
 // harmorph::smaller() and larger() in each lane: a where one of the two is NaN.
@@ -24,26 +27,74 @@ HARMORPH_INLINE Vectors operator-(Vectors a, Vectors b) noexcept { return {a.x -
 HARMORPH_INLINE Vector cross(Vectors a, Vectors b) noexcept { return a.x * b.y - a.y * b.x; }
 HARMORPH_INLINE Vector square(Vectors a) noexcept { return a.x * a.x + a.y * a.y; }
 
-// So many cells as a register has lanes: where their points stand in the caller's arrays.
+// As CellShape and CellCorners of `n` corners, of as many cells as a register has lanes; a triangle has one area.
 template <Index n>
-struct Group {
-    const Index* point;  // [lanes x n]
-    Index index_base;
-    bool reversed;
-    bool side_by_side;   // points in a row of a structured mesh: the coordinates of a corner fill a register
+struct Shapes {
+    Vectors at[n];
 
-    HARMORPH_INLINE Group(CellList const& list, const Index* points) noexcept
-        : point(points), index_base(list.index_base), reversed(list.reversed), side_by_side(n == 4 && is_row(points)) {}
-    HARMORPH_INLINE Index at(Index lane, Index corner) const noexcept {
-        return from_zero(point[lane * n + (reversed ? n - 1 - corner : corner)], index_base);
+    HARMORPH_INLINE void move_by(Shapes const& change) noexcept {
+#pragma GCC unroll 4
+        for (Index k = 0; k < n; ++k) at[k] = at[k] + change.at[k];
     }
+    HARMORPH_INLINE Vector area() const noexcept {
+        return 0.5 * (n == 3 ? cross(at[1] - at[0], at[2] - at[0]) : cross(at[2] - at[0], at[n - 1] - at[1]));
+    }
+};
+
+// Coordinates of points, `most` numbers for each of `n` corners of the cells of a list.
+template <Index n>
+struct Gathered {
+    Real x[n][CellBatches::most], y[n][CellBatches::most];
+};
+
+// The coordinates of the cells of a list, and of what they are displaced by or compared with, `other`. They are
+// gathered for all cells before anything is computed: so the loads, one for each number, run at the speed of the cache.
+// Cells in a row of a structured mesh need not be gathered, as the coordinates of each corner stand side by side.
+template <Index n>
+class Places {
+public:
+    // The last registers are filled up with the last cell.
+    Places(CellList const& cells, Points points, Points other) noexcept
+        : cells_(cells), points_(points), other_(other) {
+        bool const unit = points.stride == 1 && (!other.given() || other.stride == 1);
+        if (n == 4 && unit) find_rows();
+        if (!other.given()) gather<false>(points, other);
+        else if (!unit) gather<true>(points, other);
+        else gather<true>({points.x, points.y, 1}, {other.x, other.y, 1});  // no multiplications by strides
+    }
+    // Of the cells from cell i on.
+    HARMORPH_INLINE Shapes<n> shapes(Index i) const noexcept { return shapes(points_, at_, i); }
+    HARMORPH_INLINE Shapes<n> others(Index i) const noexcept { return shapes(other_, other_at_, i); }
 
 private:
+    CellList const& cells_;
+    Points points_, other_;
+    std::uint64_t rows_ = 0;  // bits of the cells at which a register of cells in a row begins
+    Gathered<n> at_, other_at_;
+
+    HARMORPH_INLINE Index which(Index k) const noexcept { return cells_.reversed ? n - 1 - k : k; }
+    HARMORPH_INLINE Shapes<n> shapes(Points points, Gathered<n> const& gathered, Index i) const noexcept {
+        Shapes<n> shapes = {};
+        bool const is_row = n == 4 && (rows_ >> i & 1) != 0;
+#pragma GCC unroll 4
+        for (Index k = 0; k < n; ++k) {
+            Index const first = is_row ? from_zero(cells_.point[n * i + which(k)], cells_.index_base) : 0;
+            const Real* const x = is_row ? points.x + first : gathered.x[k] + i;
+            const Real* const y = is_row ? points.y + first : gathered.y[k] + i;
+            shapes.at[k] = {Registers::load(x), Registers::load(y)};
+        }
+        return shapes;
+    }
+
     // Is every point the one behind that of the cell before? Words are two points of a cell.
-    static HARMORPH_INLINE bool is_row(const Index* points) noexcept {
-        Words const differs = off_step(points) | off_step(points + 2 * (lanes - 2));
-        Vector const zero = {};
-        return Registers::less(zero, differs != 0 ? zero + 1 : zero) == 0;
+    HARMORPH_INLINE void find_rows() noexcept {
+        for (Index i = 0; i + lanes <= cells_.n; i += lanes) {
+            const Index* const points = cells_.point + n * i;
+            Words const differs = off_step(points) | off_step(points + 2 * (lanes - 2));
+            Vector const zero = {};
+            bool const is_row = Registers::less(zero, differs != 0 ? zero + 1 : zero) == 0;
+            rows_ |= std::uint64_t{is_row} << i;
+        }
     }
     static HARMORPH_INLINE Words off_step(const Index* points) noexcept {
         return (words_at(points + 4) - words_at(points)) ^ 0x0000000100000001;
@@ -53,49 +104,45 @@ private:
         std::memcpy(&words, points, sizeof words);
         return words;
     }
-};
 
-// The points of each corner, wherever they are.
-template <Index n>
-__attribute__((noinline)) void gather(Points points, Group<n> const group, Real* x, Real* y) noexcept {
-    for (Index corner = 0; corner < n; ++corner, x += lanes, y += lanes) {
-        Vector all_x = {}, all_y = {};
-#pragma GCC unroll 8
-        for (Index lane = 0; lane < lanes; ++lane) {
-            std::ptrdiff_t const from = group.at(lane, corner) * points.stride;
-            all_x[lane] = points.x[from];
-            all_y[lane] = points.y[from];
-        }
-        Registers::store(x, all_x);
-        Registers::store(y, all_y);
-    }
-}
-
-// As CellShape and CellCorners of `n` corners; a triangle has one area.
-template <Index n>
-struct Shapes {
-    Vectors at[n];
-
-    HARMORPH_INLINE Shapes(Points points, Group<n> const& group) noexcept {
-        if (!group.side_by_side || points.stride != 1) {
-            Real x[n * lanes], y[n * lanes];
-            gather(points, group, x, y);
-#pragma GCC unroll 4
-            for (Index k = 0; k < n; ++k) at[k] = {Registers::load(x + k * lanes), Registers::load(y + k * lanes)};
-            return;
-        }
-#pragma GCC unroll 4
+    template <bool both>
+    HARMORPH_INLINE void gather(Points points, Points other) noexcept {
+        CellList const cells = cells_;  // copies, as the compiler does not know that no coordinate is written over them
+        std::uint64_t const rows = rows_;
+#pragma GCC unroll 1
         for (Index k = 0; k < n; ++k) {
-            Index const first = group.at(0, k);
-            at[k] = {Registers::load(points.x + first), Registers::load(points.y + first)};
-        }
-    }
-    HARMORPH_INLINE void move_by(Shapes const& change) noexcept {
+            const Index* const corner = cells.point + which(k);
+            Index i = 0;
+#pragma GCC unroll 1
+            for (; i + few <= cells.n; i += few) {
+                if (n == 4 && (rows >> (i & -lanes) & 1) != 0) continue;
+                const Index* point = corner + n * i;
+                Few x = {}, y = {}, other_x = {}, other_y = {};
 #pragma GCC unroll 4
-        for (Index k = 0; k < n; ++k) at[k] = at[k] + change.at[k];
-    }
-    HARMORPH_INLINE Vector area() const noexcept {
-        return 0.5 * (n == 3 ? cross(at[1] - at[0], at[2] - at[0]) : cross(at[2] - at[0], at[n - 1] - at[1]));
+                for (Index lane = 0; lane < few; ++lane, point += n) {
+                    Offset const its = from_zero(*point, cells.index_base), from = its * points.stride;
+                    x[lane] = points.x[from];
+                    y[lane] = points.y[from];
+                    if (!both) continue;
+                    Offset const other_from = its * other.stride;
+                    other_x[lane] = other.x[other_from];
+                    other_y[lane] = other.y[other_from];
+                }
+                std::memcpy(at_.x[k] + i, &x, sizeof x);
+                std::memcpy(at_.y[k] + i, &y, sizeof y);
+                if (!both) continue;
+                std::memcpy(other_at_.x[k] + i, &other_x, sizeof x);
+                std::memcpy(other_at_.y[k] + i, &other_y, sizeof y);
+            }
+            for (; i % eight != 0 || i < cells.n; ++i) {
+                Offset const its = from_zero(corner[n * smaller(i, cells.n - 1)], cells.index_base);
+                at_.x[k][i] = points.x[its * points.stride];
+                at_.y[k][i] = points.y[its * points.stride];
+                if (!both) continue;
+                other_at_.x[k][i] = other.x[its * other.stride];
+                other_at_.y[k][i] = other.y[its * other.stride];
+            }
+        }
     }
 };
 
@@ -127,17 +174,15 @@ struct Corners {
     }
 };
 
-// As skew_quality() and CellMeasure::quality(). Roots come first: they go on while other things are computed. Where a cell
-// is inverted, nothing is divided by its areas: that might raise a floating-point exception. reference_area 0: skew
-// quality alone.
+// As skew_fraction() and CellMeasure::quality(). Roots come first: they go on while other things are computed. Where a
+// cell is inverted, nothing is divided by its areas: that might raise a floating-point exception. Without an area of
+// reference: skew quality.
 template <Index n>
 class Qualities {
 public:
-    HARMORPH_INLINE void begin(Corners<n> const& corners, Vector reference_area) noexcept {
+    HARMORPH_INLINE void begin(Corners<n> const& corners, bool is_compared, Vector reference_area) noexcept {
         Vector const zero = {}, one = zero + 1;
-        Vector size = reference_area < 0 ? -reference_area : reference_area, cell_area = corners.area();
-        size = size != 0 ? size : cell_area;
-        Vector squares[n];
+        Vector cell_area = corners.area(), squares[n];
 #pragma GCC unroll 4
         for (Index k = 0; k < n; ++k) squares[k] = square(corners.side[k]);
 #pragma GCC unroll 4
@@ -145,6 +190,7 @@ public:
         Vector const sum = n == 3 ? squares[0] + squares[1] + squares[2]
                                   : (squares[0] + squares[n / 2]) + (squares[1] + squares[n - 1]);
         smallest = corners.smallest();
+        Vector size = is_compared ? most_of(reference_area, -reference_area) : smallest;
         Vector const least = least_of(size, smallest), most = most_of(sum, size);  // one is NaN where anything is
         regular_ = (Registers::less(zero + smallest_of_products, least) &
                     Registers::less(most, zero + largest_of_products)) == all;
@@ -158,7 +204,6 @@ public:
             cell_area = in_range ? cell_area : one;
             in_range_ = in_range ? one : zero;
         }
-        larger_ = most_of(cell_area, size);
         if (n == 3) {
             sum_ = squares[0] + squares[1] + squares[2];
         } else {
@@ -167,7 +212,8 @@ public:
             root_[1] = Registers::square_root(sum_);
             root_[2] = Registers::square_root(squares[n / 2] * squares[n - 1]);
         }
-        mean_ = Registers::square_root(cell_area * size);
+        mean_ = is_compared ? Registers::square_root(cell_area * size) : one;
+        larger_ = is_compared ? most_of(cell_area, size) : one;
     }
     HARMORPH_INLINE Vector end() const noexcept {
         constexpr Index c = Corners<n>::n_areas / 2, d = Corners<n>::n_areas - 1, b = c / 2;  // 1, 2, 3 of 4
@@ -181,7 +227,7 @@ public:
             under = (root_[0] * root_[1] * area_[c] + sum_ * area_[b]) * last +
                     root_[2] * (root_[1] * area_[0] + root_[0] * area_[d]) * first;
         }
-        Vector const quality = above / under * (mean_ / larger_), zero = {};
+        Vector const quality = above * mean_ / (under * larger_), zero = {};
         if (regular_) return quality;
         return in_range_ > 0 ? quality : smallest > 0 ? zero + ListQuality::not_in_range : zero;
     }
@@ -216,7 +262,7 @@ HARMORPH_INLINE Vector stays_positive(Vector a, Vector b, Vector c, Real step) n
 template <Index n>
 HARMORPH_INLINE unsigned keeps_digits(Corners<n> const& corners) noexcept {
     Vector const product = corners.side[0].x * corners.side[1].y;
-    return Registers::less(1e-9 * (product < 0 ? -product : product), corners.twice_area[0]);
+    return Registers::less(1e-9 * most_of(product, -product), corners.twice_area[0]);
 }
 
 // First a bound of all corners at once: no area is smaller than area + slope s - |curvature| s^2 with the smallest of
@@ -225,15 +271,15 @@ template <Index n>
 HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& change, Real step) noexcept {
     constexpr Index n_areas = Corners<n>::n_areas;
     Vector const zero = {}, *const area = now.twice_area, *const curvature = change.twice_area;
-    Vector slope[n_areas], least = area[0], falls, bends = curvature[0], sum;
+    Vector slope[n_areas], least, falls, bends, sum;
 #pragma GCC unroll 4
     for (Index k = 0; k < n_areas; ++k) {
         Index const before = now.before(k), after = now.after(k);
         slope[k] = cross(now.side[before], change.side[after]) + cross(change.side[before], now.side[after]);
         sum = k == 0 ? area[k] + slope[k] : sum + (area[k] + slope[k]);
         falls = k == 0 ? slope[k] : least_of(falls, slope[k]);
-        least = least_of(least, area[k]);
-        bends = least_of(bends, curvature[k]);
+        least = k == 0 ? area[k] : least_of(least, area[k]);
+        bends = k == 0 ? curvature[k] : least_of(bends, curvature[k]);
     }
     falls = least_of(falls, zero);
     bends = least_of(bends, zero);
@@ -256,22 +302,19 @@ HARMORPH_INLINE std::uint64_t limiting(Corners<n> const& now, Corners<n> const& 
 
 // Looks at as many cells as a register has lanes, from cell i of a list on. Adds their qualities to `sums`.
 template <Index n>
-HARMORPH_INLINE std::uint64_t look_at_group(Group<n> const& group, Index i, CellPlaces const& places,
+HARMORPH_INLINE std::uint64_t look_at_group(Places<n> const& places, Index i, bool moves, bool is_compared,
                                             CellBounds const& bounds, ListQuality* quality, Vector& sums) noexcept {
     Vector const zero = {};
-    bool const moves = places.change.given();
-    Shapes<n> shapes(places.at, group), other = shapes;
+    Shapes<n> shapes = places.shapes(i), other = shapes;
     Corners<n> const now(shapes);
     Vector reference_area = zero;
-    if (moves) {
-        other = Shapes<n>(places.change, group);
-        shapes.move_by(other);
-        reference_area = now.area();
-    } else if (places.reference.given()) {
-        reference_area = Shapes<n>(places.reference, group).area();
+    if (is_compared) {
+        other = places.others(i);
+        reference_area = moves ? now.area() : other.area();
+        if (moves) shapes.move_by(other);
     }
     Qualities<n> qualities;
-    if (quality != nullptr) qualities.begin(Corners<n>(shapes), reference_area);
+    if (quality != nullptr) qualities.begin(Corners<n>(shapes), is_compared, reference_area);
     std::uint64_t const found = moves ? limiting<n>(now, Corners<n>(other), bounds.step) : 0;
     if (quality == nullptr) return found << i;
     Vector const smallest = qualities.smallest, its = qualities.end();
@@ -285,33 +328,30 @@ HARMORPH_INLINE std::uint64_t look_at_group(Group<n> const& group, Index i, Cell
 }
 
 template <Index n>
-std::uint64_t look_at(CellList const& cells, CellPlaces const& places, CellBounds const& bounds,
+std::uint64_t look_at(CellList const& cells, CellPlaces const& its, CellBounds const& bounds,
                       ListQuality* quality) noexcept {
-    constexpr Index step = 8, groups = step / lanes;  // 8 cells, and as many sums, in all kernels
+    if (cells.n == 0) return 0;
+    constexpr Index groups = eight / lanes;  // as many sums in all kernels
+    bool const moves = its.change.given(), is_compared = moves || its.reference.given();
+    Places<n> const places(cells, its.at, moves ? its.change : its.reference);
     std::uint64_t found = 0;
     Vector sums[groups] = {};
-    Real sum[step];
-    for (Index i = 0; i < cells.n; i += step) {
-        const Index* points = cells.point + n * i;
-        Index const left = cells.n - i;
-        Index last[n * step];
-        if (left < step) {  // fills the registers with the last cell
-            for (Index k = 0; k < n * step; ++k) last[k] = points[k < n * left ? k : n * (left - 1) + k % n];
-            points = last;
+    Real sum[eight];
+    for (Index i = 0; i < cells.n; i += eight) {
+        if (cells.n - i < eight) {
             for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
         }
 #pragma GCC unroll 1
         for (Index k = 0; k < groups; ++k) {
-            Group<n> const group(cells, points + n * lanes * k);
-            found |= look_at_group<n>(group, i + lanes * k, places, bounds, quality, sums[k]);
+            found |= look_at_group<n>(places, i + lanes * k, moves, is_compared, bounds, quality, sums[k]);
         }
     }
     std::uint64_t const given = cells.n == CellBatches::most ? ~std::uint64_t{} : (std::uint64_t{1} << cells.n) - 1;
     if (quality != nullptr) {
-        if (cells.n % step == 0) {
+        if (cells.n % eight == 0) {
             for (Index k = 0; k < groups; ++k) Registers::store(sum + k * lanes, sums[k]);
         } else {
-            Index const last = cells.n - cells.n % step;
+            Index const last = cells.n - cells.n % eight;
             for (Index i = last; i < cells.n; ++i) sum[i - last] += larger(quality->quality[i], 0.0);
         }
         quality->sum = ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));

@@ -301,17 +301,76 @@ TEST_CASE("cells of any size have the quality of the same cells in other units")
     }
 }
 
-TEST_CASE("points in pairs give the bits of points in two arrays") {
-    Grid const grid(CellLayout::quads, 0.2, 0.3, 11);
+// As Fortran's xy(2, n) has them.
+std::vector<double> in_pairs(std::vector<double> const& x, std::vector<double> const& y) {
     std::vector<double> pairs;
-    for (std::size_t i = 0; i < grid.x.size(); ++i) pairs.insert(pairs.end(), {grid.x[i], grid.y[i]});
-    for (harmorph::Kernel const kernel : usable_kernels()) {
-        harmorph::Executor executor;
-        executor.kernel = kernel;
-        Assessment const apart = harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
-        Points const at = {pairs.data(), pairs.data() + 1, 2};
-        Assessment const in_pairs = harmorph::assess(grid.cells, at, grid.change(), executor);
-        check_same(in_pairs.limit, apart.limit);
-        check_same(in_pairs.quality, apart.quality);
+    for (std::size_t i = 0; i < x.size(); ++i) pairs.insert(pairs.end(), {x[i], y[i]});
+    return pairs;
+}
+
+TEST_CASE("points or displacements in pairs give the bits of points in two arrays, in all layouts") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        Grid const grid(layout, 0.2, 0.3, 11);
+        std::vector<double> const pairs = in_pairs(grid.x, grid.y), changes = in_pairs(grid.dx, grid.dy);
+        Points const at = {pairs.data(), pairs.data() + 1, 2}, by = {changes.data(), changes.data() + 1, 2};
+        for (harmorph::Kernel const kernel : usable_kernels()) {
+            harmorph::Executor executor;
+            executor.kernel = kernel;
+            Assessment const apart = harmorph::assess(grid.cells, grid.points(), grid.change(), executor);
+            harmorph::Quality const skew = harmorph::measure_quality(grid.cells, grid.points(), {}, executor);
+            for (Points const points : {at, grid.points()}) {
+                for (Points const change : {by, grid.change()}) {
+                    Assessment const found = harmorph::assess(grid.cells, points, change, executor);
+                    check_same(found.limit, apart.limit);
+                    check_same(found.quality, apart.quality);
+                }
+                check_same(harmorph::measure_quality(grid.cells, points, {}, executor), skew);
+            }
+        }
+    }
+}
+
+TEST_CASE("lists of any number of cells, in steps of eight and not, are looked at to the last one") {
+    for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads}) {
+        CAPTURE(static_cast<int>(layout));
+        for (Index n = 1; n <= 40; ++n) {
+            CAPTURE(n);
+            Grid grid(layout, 0.3, 0.3, 17);
+            grid.cells.mesh.n_cells = n;
+            check_all(grid);
+        }
+    }
+}
+
+TEST_CASE("cells whose index base is 1 are the same cells") {
+    for (CellLayout const layout : {CellLayout::rows, CellLayout::triangles, CellLayout::quads, CellLayout::mixed}) {
+        CAPTURE(static_cast<int>(layout));
+        Grid grid(layout, 0.2, 0.3, 13);
+        Assessment const from_zero = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
+        for (std::vector<Index>* const list : {&grid.triangles, &grid.quads, &grid.row_points, &grid.starts})
+            for (Index& index : *list) ++index;
+        grid.cells.mesh.index_base = 1;
+        check_all(grid);
+        Assessment const from_one = harmorph::assess(grid.cells, grid.points(), grid.change(), {});
+        check_same(from_one.limit, from_zero.limit);
+        check_same(from_one.quality, from_zero.quality);
+    }
+}
+
+TEST_CASE("cells that are compared with cells without an area have their skew quality") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        Grid const grid(layout, 0.2, 0, 19);
+        for (harmorph::Kernel const kernel : usable_kernels()) {
+            harmorph::Executor executor;
+            executor.kernel = kernel;
+            harmorph::Quality const skew = harmorph::measure_quality(grid.cells, grid.points(), {}, executor);
+            Points const at = grid.points();
+            check_equal(harmorph::measure_quality(grid.cells, at, grid.change(), executor), skew);
+            harmorph::Quality const unmoved = harmorph::measure_quality(grid.cells, at, at, executor);
+            CHECK(unmoved.min_quality == doctest::Approx(skew.min_quality).epsilon(1e-14));
+            CHECK(unmoved.quality_sum == doctest::Approx(skew.quality_sum).epsilon(1e-14));
+        }
     }
 }
