@@ -36,7 +36,7 @@ function rule(    k, text) { text = "|"; for (k = 1; k <= n; ++k) text = text "-
 /^Functions in single precision/ { head("Double against single precision [ms]:")
     cells("", "mesh", "functions", "double", "single", "ratio", "% of reading"); rule(); next }
 /^Admissible step and quality/ { head("hm_admissible_step, hm_quality, hm_assess [ms]:")
-    cells("mesh", "morph", "step", "quality", "both", "both / morph"); rule(); next }
+    cells("mesh", "morph", "step", "quality", "both", "ns/cell", "both / morph"); rule(); next }
 $1 == "what" || $1 == "mesh" { next }
 /^[A-Z]/ || /^\.\.\./ { section = "" }
 section ~ /^Ordering/ && NF >= 14 {
@@ -46,4 +46,4 @@ section ~ /^Ordering/ && NF >= 14 {
 section ~ /^Structure/ && NF == 15 { cells($1 " " $2, $4, $(NF - 3)) }
 section ~ /^Morph/ && NF == 13 { cells($1, $2 " " $3, $4, $5 " " $6, $7, $11, $12, $13) }
 section ~ /^Double/ && NF == 10 { cells($1, $2 " " $3, $4, $5, $6, $7, $10) }
-section ~ /^hm_adm/ && NF == 8 { cells($1 " " $2, $4, $5, $6, $7, $8) }' "$FILE"
+section ~ /^hm_adm/ && NF == 9 { cells($1 " " $2, $4, $5, $6, $7, $8, $9) }' "$FILE"
