@@ -23,6 +23,13 @@ mkdir -p "$dir"
 sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
 check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall \
     -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
+# A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.
+for file in src/direct/multifrontal_solve.cpp src/ordering/nested_dissection.cpp; do
+    check "$file for a Cortex-M0" $ARM_CXX -mcpu=cortex-m0 -mthumb -ffreestanding -O2 -ffp-contract=off -std=c++17 -fno-exceptions \
+        -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall -Wextra -Wconversion -Werror -Iinclude -Isrc -c \
+        -o "$dir/m0.o" $file
+    check "$file without calls for atomic operations" sh -c '! ${0%g++}nm -u "$1" | grep -e atomic -e sync' "$ARM_CXX" "$dir/m0.o"
+done
 check "a basis solved here" $CC $strict -O2 -o "$dir/here" tests/cross/morphs.c "$build/libharmorph.a" -lm
 check "saved" "$dir/here" save "$dir/basis"
 check "attached here" "$dir/here" attach "$dir/basis"

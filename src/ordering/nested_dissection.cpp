@@ -25,7 +25,7 @@ public:
         for (Index h = 1; h < (2 << level); ++h) {
             if (!part_[h].is_cut) ready_.add(h);
         }
-        executor_.for_each(threads, [&](Index) {
+        executor_.for_each(sharing(threads), [&](Index) {
             for (Index h = ready_.take(); h != none; h = ready_.take()) go_on(h);
         });
         tree_.count = 0;

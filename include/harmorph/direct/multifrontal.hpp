@@ -94,7 +94,7 @@ struct Multifrontal {
     template <class Number, class Body>
     void for_each_subtree(Body const& body) const noexcept {
         NextItem next;
-        executor.for_each(subtrees.count > 0 ? subtrees.workers : 0, [&](Index number) {
+        executor.for_each(subtrees.count > 0 ? sharing(subtrees.workers) : 0, [&](Index number) {
             Worker<Number> const own = worker<Number>(number);
             for (Index k = next.take(); k < subtrees.count; k = next.take()) body(subtrees.all[k].by_work, number, own);
         });
