@@ -229,24 +229,25 @@ typedef struct hm_mesh {
  * cell is divided into triangles without new points, such that the worst triangle is as good as possible; the operators
  * act on these triangles, so linear fields are exact. The division belongs to the analysis, and to the bases made from
  * it, and does not change when the points move. Such a cell is inverted if one of its triangles has an area <= 0, or a
- * corner leaves its range of interior angles: 0 to 180 degrees if it was convex (no convex corner becomes reflex), 45 to
- * 225 if it was flat (a hanging node may bend by 45 degrees towards the inside), 135 to 315 if it was reflex. So the area of
- * a valid cell is positive. Admissible steps, which are exact for this definition, too, quality, the safe morph and
- * hm_improve judge a cell by it; cells are reported in the caller's numbering.
+ * corner leaves its range of interior angles: 0 to 180 degrees if it was convex (no convex corner becomes reflex), 45
+ * to 225 if it was flat (a hanging node may bend by 45 degrees towards the inside), 135 to 315 if it was reflex. So the
+ * area of a valid cell is positive. Admissible steps, which are exact for this definition, too, quality, the safe morph
+ * and hm_improve judge a cell by it; cells are reported in the caller's numbering.
  * Quality of such a cell: with m convex corners of areas A_k between sides a_k and b_k,
- * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a rectangle with hanging
- * nodes; 0 if the cell is inverted. */
+ * m / (sin(2 pi / m) sum_k |a_k| |b_k| / (2 A_k)), at most 1: 1 if all angles are equal, as for a rectangle with
+ * hanging nodes; 0 if the cell is inverted. */
 
 /* ---- Structured blocks in arrays of their own -------------------------------------------------------------------- */
 
 /* Solvers with several blocks mostly have arrays for each of them, often with layers of ghost points around. The mesh
  * (HM_CELLS_BLOCKS) and all calls with points of it have the blocks one after the other: keep one pair of arrays
- * [n_points] for mesh.points, fill the pair by hm_blocks_gather, and hand results back by hm_blocks_scatter: coordinates
- * after hm_morph, displacements, derivatives for hm_adjoint (in which the copies of a point on an interface all count).
+ * [n_points] for mesh.points, fill the pair by hm_blocks_gather, and hand results back by hm_blocks_scatter:
+ * coordinates after hm_morph, displacements, derivatives for hm_adjoint (in which the copies of a point on an interface
+ * all count).
  *
- * The numbers of the point i, j of one block, i and j from 0, are x[i*stride + j*row] and y[i*stride + j*row]. Fortran's
- * x(0:ni+1, 0:nj+1), with the block inside one layer of ghost points: {&x(1,1), &y(1,1), 1, ni + 2}. A C array x[i][j],
- * j the faster index: {x, y, nj, 1}. */
+ * The numbers of the point i, j of one block, i and j from 0, are x[i*stride + j*row] and y[i*stride + j*row].
+ * Fortran's x(0:ni+1, 0:nj+1), with the block inside one layer of ghost points: {&x(1,1), &y(1,1), 1, ni + 2}. A C
+ * array x[i][j], j the faster index: {x, y, nj, 1}. */
 typedef struct hm_block_points {   /* input; 32 bytes for ever */
     const double *x, *y;
     int64_t stride;                /* [doubles] from i to i+1, >= 1; 0 means 1 */
@@ -258,10 +259,10 @@ typedef struct hm_block_points_out { /* output; the same layout. stride and row 
     int64_t stride, row;
 } hm_block_points_out;
 
-/* Copies the blocks first .. first+n-1, from 0, of a mesh with HM_CELLS_BLOCKS: from `blocks` [n] to their places in `to`
- * [n_points], or from `from` [n_points] to `blocks` [n]. All other numbers stay as they are. Only the sizes of the blocks
- * are read of the mesh; mesh.points need not have values yet. Arrays read and arrays written must have no number in
- * common. */
+/* Copies the blocks first .. first+n-1, from 0, of a mesh with HM_CELLS_BLOCKS: from `blocks` [n] to their places in
+ * `to` [n_points], or from `from` [n_points] to `blocks` [n]. All other numbers stay as they are. Only the sizes of the
+ * blocks are read of the mesh; mesh.points need not have values yet. Arrays read and arrays written must have no number
+ * in common. */
 HM_API hm_status hm_blocks_gather(const hm_mesh *mesh, int32_t first, int32_t n, const hm_block_points *blocks,
                                   const hm_points_out *to, hm_error *err);
 HM_API hm_status hm_blocks_scatter(const hm_mesh *mesh, int32_t first, int32_t n, const hm_points *from,
@@ -276,7 +277,8 @@ typedef struct hm_curve {          /* C(u) = sum_k N_k(u) P[indices[k]], u in [k
     const int32_t *indices;        /* [n_indices] NULL: the points in order. Repeated points close a curve: the first
                                       `degree` points again at the end with periodic knots, or the first point again
                                       with clamped knots */
-    const double  *knots;          /* [n_indices + degree + 1] non-decreasing, inner ones at most degree-fold, up to 1e100 */
+    const double  *knots;          /* [n_indices + degree + 1] non-decreasing, inner ones at most degree-fold,
+                                      up to 1e100 */
 } hm_curve;
 
 typedef struct hm_curves {         /* curves with common control points; a point used by two curves belongs to both */
@@ -433,8 +435,8 @@ typedef struct hm_quantity {
  * chord. Integrals are evaluated by Gauss rules that are exact for polynomial curves; for rational curves, and for the
  * curvature variation, intervals are halved until nothing changes but rounding. Derivatives are exact; those of
  * extremes hold while the extreme stays where it is, and are those of one side where two places have the same value.
- * Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no chord, a station where the outline is parallel to
- * the normal of the chord or that the normal meets at less than two points, a leading edge or an outline without
+ * Refused with HM_BAD_CURVE: curves not joined, beyond 1e50, no area, no chord, a station where the outline is parallel
+ * to the normal of the chord or that the normal meets at less than two points, a leading edge or an outline without
  * curvature, a trailing edge without directions. item: the quantity, from 0. Outputs are then unchanged. */
 HM_API hm_status hm_measure(const hm_curves *curves, const hm_section *section, int32_t n,
                             const hm_quantity *quantities, double *values, double *at, double *gradients,
@@ -531,9 +533,9 @@ typedef struct hm_condition {
     double   near_x, near_y;       /* piece: a point near it, at the start coordinates [length] */
     const hm_curves *along;        /* slip: the curves along which the points slide, all of this set; NULL (n_curves 0):
                                       the polyline of the marker, made smooth: straight lines, or the smooth curves
-                                      through its points (see hm_slide). The control points of the curves do not move and
-                                      have no functions. Each piece of the boundary between two corners slides along the
-                                      curve that is nearest to all of its points; a point that is not on the curve keeps
+                                      through its points (see hm_slide). The control points of the curves do not move
+                                      and have no functions. Each piece of the boundary between two corners slides along
+                                      the curve that is nearest to all of its points; a point that is not on the curve keeps
                                       its offset. Corners, where a point is fixed, are the points nearest to the ends of
                                       open curves and to the corner of closed ones, and where another marker begins that
                                       slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a
@@ -544,8 +546,8 @@ typedef struct hm_condition {
                                       `along` is set again. Not for meshes in parts (HM_UNSUPPORTED) */
 } hm_condition;
 /* Fields that belong to another kind must be 0; otherwise HM_BAD_CONDITION, error.item: the condition, from 0. A marker
- * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a piece
- * that two conditions choose, and a condition that other ones leave no piece for. */
+ * has at most one condition without a piece; pieces without any condition are fixed. Refused (HM_BAD_CONDITION): a
+ * piece that two conditions choose, and a condition that other ones leave no piece for. */
 
 typedef struct hm_problem {
     uint64_t struct_size;
@@ -718,8 +720,8 @@ typedef struct hm_mesh_report {
     int32_t  first_inverted;       /* the first inverted cell; -1: none */
     double   min_area;             /* [length^2] smallest signed corner area */
     double   min_quality, mean_quality; /* [0..1] skew quality, see hm_quality */
-    int32_t  polygons, reserved;   /* cells that are divided into triangles, see hm_mesh; they are in neither `triangles`
-                                      nor `quads` */
+    int32_t  polygons, reserved;   /* cells that are divided into triangles, see hm_mesh; they are in neither
+                                      `triangles` nor `quads` */
 } hm_mesh_report;
 
 /* Bytes from the counts alone (points, cells, faces, control points). options NULL: defaults. */
@@ -839,8 +841,8 @@ HM_API hm_status hm_basis_values(const hm_basis *basis, int32_t function, int32_
 /* ---- Functions in single precision ------------------------------------------------------------------------------ */
 
 /* A second basis with the same functions in single precision, in half the memory. hm_morph and hm_adjoint are
- * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.6 to 1.8 times faster and hm_adjoint, which
- * computes more, 1.4 times, both with AVX-512; less with AVX2; hardly faster without either. The
+ * limited by reading the basis; if the basis fits in no cache, hm_morph is 1.6 to 1.8 times faster and hm_adjoint,
+ * which computes more, 1.4 times, both with AVX-512; less with AVX2; hardly faster without either. The
  * first basis must be solved and have all functions (it may be an extract); it is no longer needed afterwards. Points
  * on curves and rigid bodies, and points joined to them by a cut, keep F in double precision: the wall moves bitwise as
  * with the first basis. Fixed points do not move. Elsewhere |F' - F| <= 2^-24 |F| for each number (below 2^-126:
@@ -920,24 +922,25 @@ HM_API hm_status hm_adjoint(const hm_basis *basis, const hm_points *dj, double *
 HM_API hm_status hm_boundary_error(const hm_basis *basis, const double *move, const hm_points *from,
                                    const hm_points *to, double *error, int32_t *point, hm_error *err);
 
-/* ---- Points that slide along curves ------------------------------------------------------------------------------- */
+/* ---- Points that slide along curves ------------------------------------------------------------------------------ */
 
 /* On a straight line the functions keep sliding points (HM_SLIP) on the line. On a curve they move each point along its
  * tangent: hm_morph, hm_displace and their transposes stay linear, and a movement by d leaves the point about
  * d^2 / (2 R) beside the curve, R the radius of curvature. hm_slide puts these points onto the curve, at the nearest
  * place, and moves inner points along, the less the nearer they are to other boundaries. Points on other boundaries
- * keep their bits. hm_morph_safe and hm_displace_safe do so in each of their steps, so all of their checks see the points
- * on the curve; after hm_morph or hm_displace, call hm_slide before hm_quality.
+ * keep their bits. hm_morph_safe and hm_displace_safe do so in each of their steps, so all of their checks see the
+ * points on the curve; after hm_morph or hm_displace, call hm_slide before hm_quality.
  * The curve is given (hm_condition.along), or goes through the marker's points where the analysis had them: cubic
  * segments whose tangents are those of circles through three neighbouring points; straight on behind the ends. Of a
- * given curve, eight cubic segments for each face have its places and tangents. A point of a circle with 24 faces stays on the
- * circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same curve.
+ * given curve, eight cubic segments for each face have its places and tangents. A point of a circle with 24 faces stays
+ * on the circle to 1e-7 of the radius. hm_plan_factor with `at` takes the tangents at the nearest places of the same
+ * curve.
  * to [n_points] may be the arrays of from. Points of a cut or a periodic pair move by the same displacements.
  * Refused (HM_BAD_MESH): a coordinate of a sliding point that is not finite or larger than 1e100. */
 HM_API hm_status hm_slide(const hm_analysis *analysis, const hm_points *from, const hm_points_out *to, hm_error *err);
-/* The transpose of the derivative of hm_slide: from derivatives dj by the points after hm_slide, to derivatives dj_from by
- * those before it, `from`. For the gradient of an objective of the mesh after hm_morph and hm_slide: hm_slide_adjoint,
- * then hm_adjoint. dj_from may be the arrays of dj. */
+/* The transpose of the derivative of hm_slide: from derivatives dj by the points after hm_slide, to derivatives dj_from
+ * by those before it, `from`. For the gradient of an objective of the mesh after hm_morph and hm_slide:
+ * hm_slide_adjoint, then hm_adjoint. dj_from may be the arrays of dj. */
 HM_API hm_status hm_slide_adjoint(const hm_analysis *analysis, const hm_points *from, const hm_points *dj,
                                   const hm_points_out *dj_from, hm_error *err);
 
@@ -951,8 +954,8 @@ HM_API hm_status hm_slide_adjoint(const hm_analysis *analysis, const hm_points *
  * ordering and symbolic factorisation are reused), and give displacements from that position on.
  *
  * Displacements are linear: velocities of wall points give velocities of mesh points. Points on curves, rigid bodies
- * and fixed markers stay where they are. Where curves and bodies move in the same step, move them first, by hm_morph, and
- * give the result as `from`: then the boundary is judged where everything has moved.
+ * and fixed markers stay where they are. Where curves and bodies move in the same step, move them first, by hm_morph,
+ * and give the result as `from`: then the boundary is judged where everything has moved.
  *
  * The wall points of a call are listed in `points` [n] in any order, counted from mesh.index_base; NULL: in the order
  * of hm_given_points, and n is their number. All points of the markers with HM_GIVEN must be there. A point may stand
@@ -1000,8 +1003,8 @@ HM_API hm_status hm_displace_adjoint(hm_plan *plan, int32_t n, const int32_t *po
  * numbers: the amplitude (1, 0) moves the points by (x, y), (0, 1) by the same turned by 90 degrees. Values of the
  * functions are real if those of `basis` and the modes are. move, see hm_morph, has the amplitudes last.
  * The new basis depends on nothing else and is used like any basis: hm_plan_solve solves it again, on moved coordinates
- * too, with the same values at the wall, if it has at most 1024 numbers at a point for its modes. hm_transfer refuses it
- * with HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same analysis as the
+ * too, with the same values at the wall, if it has at most 1024 numbers at a point for its modes. hm_transfer refuses
+ * it with HM_UNSUPPORTED, because a table says nothing between its points. `basis` must be of the same analysis as the
  * plan, complete, in double precision, and solved if it has functions. work: working memory of work_bytes. report may
  * be NULL; functions are fields there. Refused with HM_BAD_CONDITION: no marker with HM_GIVEN, a mode that is zero
  * (item: the mode, from 0), a list that is not that of the given points; with HM_BAD_ARGUMENT: values that are not
@@ -1051,8 +1054,8 @@ typedef struct hm_space_mesh {
     int32_t  n_points;             /* 3 .. 2^30: all points of the mesh of three dimensions */
     hm_space_points points;        /* [n_points] coordinates */
     int32_t  kind;                 /* HM_SPACE_AUTO, HM_PLANES, HM_WEDGE */
-    int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, of 3 to 1024 points; they are the cells
-                                      of the plane's mesh, in this order */
+    int32_t  n_faces;              /* 1 .. 2^29: the faces in one symmetry plane, of 3 to 1024 points; they are the
+                                      cells of the plane's mesh, in this order */
     const int32_t *face_start;     /* [n_faces+1] counted from index_base; NULL: each face has four entries */
     const int32_t *face_points;    /* the points of each face in order; of four entries, a triangle repeats its last
                                       point */

@@ -67,7 +67,9 @@ hm_status hm_analysis_size(const hm_problem* problem, const hm_options* options,
         Request request;
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
-        return count_bytes(bytes, fault, [&](Arena& arena) { made.lay_out(arena, request.problem, request.n_curves, request.n_conditions); });
+        return count_bytes(bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
+        });
     });
 }
 
@@ -78,7 +80,9 @@ hm_status hm_analysis_init(hm_analysis** analysis, void* block, size_t bytes, co
         HARMORPH_TRY(require({{"analysis", analysis}}, fault));
         HARMORPH_TRY(request.read(problem, options, fault));
         InBlock<Analysis> made;
-        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) { made.lay_out(arena, request.problem, request.n_curves, request.n_conditions); }));
+        HARMORPH_TRY(place(block, bytes, fault, [&](Arena& arena) {
+            made.lay_out(arena, request.problem, request.n_curves, request.n_conditions);
+        }));
         HARMORPH_TRY(request.copy_to(made.object.curves, made.object.slip_along, made.object.conditions, fault));
         HARMORPH_TRY(made.object.run(request.problem, fault));
         made.give(analysis);

@@ -12,7 +12,8 @@ constexpr Index most_fields = Index{1} << 20;
 Status check_fields(Plan const& plan, Index n_fields, Fault& fault) noexcept {
     HARMORPH_TRY(require_given_points(plan, fault));
     if (n_fields >= 1 && n_fields <= most_fields) return Status::ok;
-    return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #", Counts::from_zero, n_fields);
+    return fault.refuse(Status::bad_argument, "n_fields must be between 1 and 2^20, not #", Counts::from_zero,
+                        n_fields);
 }
 
 // What both calls have in common: the plan, the list of wall points, and working memory.
@@ -47,7 +48,8 @@ struct DisplaceCall {
         View<Given> views[GivenWall::fields_at_once];
         for (Index first = 0; first < n_fields; first += GivenWall::fields_at_once) {
             Index const n = smaller(n_fields - first, GivenWall::fields_at_once);
-            for (Index i = 0; i < n; ++i) views[i] = {given[first + i].x, given[first + i].y, stride_of(given[first + i].stride)};
+            for (Index i = 0; i < n; ++i)
+                views[i] = {given[first + i].x, given[first + i].y, stride_of(given[first + i].stride)};
             HARMORPH_TRY(body(first, Span<const View<Given>>{views, static_cast<Size>(n)}));
         }
         return Status::ok;
@@ -212,11 +214,15 @@ hm_status hm_tabulate(hm_basis** tabulated, void* block, size_t bytes, hm_plan* 
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_given_list(*call.plan, n, points, call.list, fault));
         if (n > 2 * call.plan->mesh.n_points) {
-            return fault.refuse(Status::bad_argument, "the list is longer than twice the mesh: # points", Counts::from_zero, n);
+            return fault.refuse(Status::bad_argument, "the list is longer than twice the mesh: # points",
+                                Counts::from_zero, n);
         }
         Plan& its = *call.plan;
-        bool const moved = table.basis.header->counts.functions() > 0 && table.basis.header->coordinates != its.coordinates;
-        if (moved) return fault.refuse(Status::bad_basis, "the basis was solved on other coordinates than the plan was factored on");
+        bool const moved =
+            table.basis.header->counts.functions() > 0 && table.basis.header->coordinates != its.coordinates;
+        if (moved)
+            return fault.refuse(Status::bad_basis,
+                                "the basis was solved on other coordinates than the plan was factored on");
         HARMORPH_TRY(place(work, work_bytes, fault, [&](Arena& arena) {
             rows.lay_out(arena, its, 2 * its.mesh.n_points, fields_of(table.basis, n_modes));
         }));

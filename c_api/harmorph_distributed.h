@@ -44,13 +44,13 @@ typedef struct hm_part_mesh {
 
 /* The arrays of `mesh` must exist as long as the part, and must not change before hm_equations_init. Refused
  * (HM_BAD_MESH): what hm_analysis_init refuses of cells, and a global number that is negative, too large or repeated;
- * error.item counts from mesh.index_base. Polygons (HM_CELLS_POLYGONS) are divided as in the whole mesh if each part gives
- * their points in the same order: each is the own cell of one part, which alone divides it. */
+ * error.item counts from mesh.index_base. Polygons (HM_CELLS_POLYGONS) are divided as in the whole mesh if each part
+ * gives their points in the same order: each is the own cell of one part, which alone divides it. */
 HM_API hm_status hm_part_size(const hm_part_mesh *mesh, size_t *bytes, hm_error *err);
 HM_API hm_status hm_part_init(hm_part **part, void *block, size_t bytes, const hm_part_mesh *mesh, hm_error *err);
 /* The own cells as a mesh for hm_quality, hm_admissible_step and hm_assess with the basis of this part (hm_rows_init):
- * HM_CELLS_QUADS, or HM_CELLS_POLYGONS of polygons, counter-clockwise, with the caller's points. cell [n_cells] of this mesh are their numbers in the
- * caller's mesh, or NULL: the same. own->struct_size is set by the caller. */
+ * HM_CELLS_QUADS, or HM_CELLS_POLYGONS of polygons, counter-clockwise, with the caller's points. cell [n_cells] of this
+ * mesh are their numbers in the caller's mesh, or NULL: the same. own->struct_size is set by the caller. */
 HM_API hm_status hm_part_cells(const hm_part *part, hm_mesh *own, const int32_t **cell, hm_error *err);
 
 /* role [n_points]: 2 for points of own cells, 1 for those of ghost cells alone, 0 for points of no cell. */
@@ -79,13 +79,9 @@ typedef struct hm_equations hm_equations;
  * exponent, offset correction, tolerance, kernel, executor; scheme HM_COMPACT, engine HM_DIRECT and HM_DOUBLE alone
  * (HM_UNSUPPORTED otherwise), though no engine is used. edges [n_edges]: what hm_match_edges has left of all parts, in
  * any order, the same edges in all parts. All conditions of HM_DIRECT with HM_COMPACT but HM_ROTATION_PAIR and
- * hm_condition.along (HM_UNSUPPORTED). Points that slide along curves move along the tangents at the start, to d^2 / (2 R)
- * beside the curve for a movement by d, R the radius of curvature; hm_slide is for meshes that are one. The size is an
- * upper bound from the counts of the part and the edges; edges are read by the initialisation alone.
- * Refused: what hm_analysis_init refuses of boundary, conditions and curves; HM_BAD_MESH, an edge with one cell and no
- * marker that is no cut: a gap between parts, or a marker that is missing. Points in these errors are global numbers.
- * Not examined: whether a part of the mesh hangs on nothing, see hm_analysis_init. The part must exist as long as the
- * equations. */
+ * hm_condition.along (HM_UNSUPPORTED). Points that slide along curves move along the tangents at the start, to
+ * d^2 / (2 R) beside the curve for a movement by d, R the radius of curvature; hm_slide is for meshes that are one. The
+ * size is an upper bound from the counts of the part and the edges; edges are read by the initialisation alone. */
 HM_API hm_status hm_equations_size(const hm_part *part, int32_t n_edges, const hm_problem *problem,
                                    const hm_options *options, size_t *bytes, hm_error *err);
 HM_API hm_status hm_equations_init(hm_equations **equations, void *block, size_t bytes, const hm_part *part,

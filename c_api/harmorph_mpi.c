@@ -76,7 +76,8 @@ hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_poi
     if (is_root(&whole)) {
         hm_points start = {whole.from, whole.from + 1, 2};
         for (k = 0; from != NULL && k < whole.mesh.lists.total; ++k) {
-            memcpy(whole.from + 2 * (whole.mesh.points[k] - whole.index_base), whole.mesh.all + 2 * k, 2 * sizeof(double));
+            memcpy(whole.from + 2 * (whole.mesh.points[k] - whole.index_base), whole.mesh.all + 2 * k,
+                   2 * sizeof(double));
         }
         for (field = 0; field < n_fields; ++field) {
             double *const given_here = field_of(whole.at_wall, whole.wall.lists.total, field);
@@ -158,12 +159,13 @@ hm_status hm_mpi_adjoint_f(const hm_basis *rows, const hm_points *dj, double *gr
 hm_status hm_mpi_displace_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
                             const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
                             const hm_points_out *to, int32_t root, MPI_Fint comm, hm_error *err) {
-    return hm_mpi_displace(plan, n_wall, wall_points, n_fields, wall, n, points, from, to, root, MPI_Comm_f2c(comm), err);
+    return hm_mpi_displace(plan, n_wall, wall_points, n_fields, wall, n, points, from, to, root, MPI_Comm_f2c(comm),
+                           err);
 }
 
 hm_status hm_mpi_displace_adjoint_f(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
                                     const hm_points *dj, int32_t n, const int32_t *points,
                                     const hm_points_out *gradient, int32_t root, MPI_Fint comm, hm_error *err) {
-    return hm_mpi_displace_adjoint(plan, n_wall, wall_points, n_fields, dj, n, points, gradient, root, MPI_Comm_f2c(comm),
-                                   err);
+    return hm_mpi_displace_adjoint(plan, n_wall, wall_points, n_fields, dj, n, points, gradient, root,
+                                   MPI_Comm_f2c(comm), err);
 }

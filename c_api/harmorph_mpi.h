@@ -41,20 +41,20 @@ hm_status hm_mpi_adjoint(const hm_basis *rows, const hm_points *dj, double *grad
                          const hm_executor *executor, MPI_Comm comm, hm_error *err);
 
 /* hm_displace for codes that have the mesh in parts: one process, `root`, has the whole mesh and a plan with a factor;
- * plan is NULL on the others, which need neither mesh nor plan. n_wall, wall_points [n_wall], wall [n_fields]: the given
- * points that this process knows, by their numbers in the whole mesh, and their displacements. The lists of all
- * processes together are that of hm_displace: each given point must be in one of them, and may be in several, with equal
- * displacements. n, points [n], to [n_fields]: the points of this process, ghosts too, and what they receive. from [n]:
- * their coordinates; NULL on all processes: `to` receives displacements. With `from` each point of the mesh must be in
- * a list, for the boundary is judged as a whole. n_fields and root are the same on all processes. Results have the bits
- * of hm_displace on one process, for any partition. Communication: lists and fields to root, results back, 16 bytes for
- * each point and field. If the call is refused, `to` is unchanged on all processes. */
+ * plan is NULL on the others, which need neither mesh nor plan. n_wall, wall_points [n_wall], wall [n_fields]: the
+ * given points that this process knows, by their numbers in the whole mesh, and their displacements. The lists of all
+ * processes together are that of hm_displace: each given point must be in one of them, and may be in several, with
+ * equal displacements. n, points [n], to [n_fields]: the points of this process, ghosts too, and what they receive.
+ * from [n]: their coordinates; NULL on all processes: `to` receives displacements. With `from` each point of the mesh
+ * must be in a list, for the boundary is judged as a whole. n_fields and root are the same on all processes. Results
+ * have the bits of hm_displace on one process, for any partition. Communication: lists and fields to root, results
+ * back, 16 bytes for each point and field. If the call is refused, `to` is unchanged on all processes. */
 hm_status hm_mpi_displace(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
                           const hm_points *wall, int32_t n, const int32_t *points, const hm_points *from,
                           const hm_points_out *to, int32_t root, MPI_Comm comm, hm_error *err);
 /* The transpose: dj [n_fields], each of n points, 0 at ghosts, so that every point counts once; gradient [n_fields],
- * each of n_wall points: complete in the first list that has a point, in the order of ranks, and 0 where it is repeated,
- * so that sums over all processes are sums over the wall. */
+ * each of n_wall points: complete in the first list that has a point, in the order of ranks, and 0 where it is
+ * repeated, so that sums over all processes are sums over the wall. */
 hm_status hm_mpi_displace_adjoint(hm_plan *plan, int32_t n_wall, const int32_t *wall_points, int32_t n_fields,
                                   const hm_points *dj, int32_t n, const int32_t *points, const hm_points_out *gradient,
                                   int32_t root, MPI_Comm comm, hm_error *err);

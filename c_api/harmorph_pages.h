@@ -1,5 +1,5 @@
-/* Huge pages (2 MiB) for the blocks of harmorph. Where a basis does not fit into the processor's caches, reading it takes
- * .55 to .9 of the time that it takes in pages of 4 KiB. The memory is the caller's:
+/* Huge pages (2 MiB) for the blocks of harmorph. Where a basis does not fit into the processor's caches, reading it
+ * takes .55 to .9 of the time that it takes in pages of 4 KiB. The memory is the caller's:
  *
  *     void *memory = malloc(hm_pages_room(bytes)), *block = hm_pages_place(memory, bytes);
  *     hm_basis_init(&basis, block, bytes, analysis, &error);
@@ -17,7 +17,8 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #if !defined(MADV_HUGEPAGE) && !defined(__cplusplus)
-extern int madvise(void *address, size_t bytes, int advice); /* <sys/mman.h> hides the call where the language is strict C */
+/* <sys/mman.h> hides the call where the language is strict C. */
+extern int madvise(void *address, size_t bytes, int advice);
 #endif
 #endif
 
@@ -26,8 +27,8 @@ static inline size_t hm_pages_alignment(size_t bytes) {
     return bytes < (size_t)1 << 21 ? 64 : (size_t)1 << 21;
 }
 
-/* Bytes of memory in which an aligned block of `bytes` has room, wherever the memory begins. SIZE_MAX, which no allocator
- * gives, if there are no so many bytes. */
+/* Bytes of memory in which an aligned block of `bytes` has room, wherever the memory begins. SIZE_MAX, which no
+ * allocator gives, if there are no so many bytes. */
 static inline size_t hm_pages_room(size_t bytes) {
     const size_t more = hm_pages_alignment(bytes) - 1;
     return bytes > SIZE_MAX - more ? SIZE_MAX : bytes + more;

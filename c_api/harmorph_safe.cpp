@@ -35,8 +35,8 @@ Status view_safe_options(const hm_safe_options* given, Span<Basis> others, SafeO
     }
     options.heights = o.heights;
     if (o.min_quality != o.min_quality || o.min_quality > 1) {
-        return fault.refuse(Status::bad_argument, "safe options: min_quality must be at most 1, not ~", Counts::from_zero,
-                            none, none, o.min_quality);
+        return fault.refuse(Status::bad_argument, "safe options: min_quality must be at most 1, not ~",
+                            Counts::from_zero, none, none, o.min_quality);
     }
     if (o.min_quality != 0) options.min_quality = larger(o.min_quality, 0.0);
     if (o.max_height_change != o.max_height_change || (o.max_height_change != 0 && o.max_height_change <= 1)) {
@@ -105,8 +105,8 @@ struct SafeCall {
     double* reached_movement = nullptr;
     hm_safe_report* report = nullptr;
 
-    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* its_report, Span<Basis> others,
-                CallFault& fault) noexcept {
+    Status open(const hm_points_out* given, const hm_safe_options* asked, hm_safe_report* its_report,
+                Span<Basis> others, CallFault& fault) noexcept {
         report = its_report;
         HARMORPH_TRY(check_report_if(report, fault));
         HARMORPH_TRY(view_points(given, "to", to, fault));
@@ -127,14 +127,16 @@ struct SafeCall {
 
 // Plan and basis of given displacements: the basis is solved, if it has functions, and none of them is a mode.
 template <class Handle, class Object>
-Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis, CallFault& fault) noexcept {
+Status open_plan_of_given(Handle* handle, Object*& plan, const hm_basis* given, Basis& basis,
+                          CallFault& fault) noexcept {
     HARMORPH_TRY(open_basis(given, basis, fault));
     if (basis.header->counts.functions() > 0) HARMORPH_TRY(open_complete(given, basis, fault));
     HARMORPH_TRY(open_plan(handle, plan, fault));
     HARMORPH_TRY(require_given_points(*plan, fault));
     HARMORPH_TRY(plan->check_fit(basis, fault));
     if (basis.header->counts.modes == 0) return Status::ok;
-    return fault.refuse(Status::unsupported, "the basis has functions by table, which move the same points: hm_morph_safe");
+    return fault.refuse(Status::unsupported,
+                        "the basis has functions by table, which move the same points: hm_morph_safe");
 }
 
 }  // namespace

@@ -94,7 +94,8 @@ Status Request::read_conditions(hm_problem const& p, Fault& fault) noexcept {
         return fault.refuse(Status::unsupported, "schemes of nodal gradients do not go with given displacements");
     }
     if (problem.demands.slip && problem.method.engine == Engine::fas) {
-        return fault.refuse(Status::unsupported, "slipping boundaries go with the direct engine and with multigrid only");
+        return fault.refuse(Status::unsupported,
+                            "slipping boundaries go with the direct engine and with multigrid only");
     }
     if (problem.demands.rotation) HARMORPH_TRY(check_rotation(fault));
     if (!problem.demands.free || !problem.method.conformal()) return Status::ok;

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: rules.sh BUILD   (called by `make rules`, with LEVEL, LOOPS, CALLS, UNITS, FLAGS and so on in the environment)
 # Writes what is joined from sources, and BUILD/rules.mk, the rules of all objects and programs: POSIX make has no rules
-# that lead from one directory to another, and new files shall need no edit. Objects depend on all headers of their part,
-# and on a file that changes when compiler or flags do.
+# that lead from one directory to another, and new files shall need no edit. Objects depend on all headers of their
+# part, and on a file that changes when compiler or flags do.
 #
 # Each file of the library is an object of its own, so that a program links what it calls. Files of the program and of
 # the tests are compiled in groups: the headers that they share, which take most of the time, are read once a group.
@@ -12,8 +12,8 @@ set -e
 build=$1
 in_program=100 in_tests=6   # files a group
 
-# put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run beside
-# each other.
+# put FILE COMMAND...: what it writes takes its place in BUILD at once, if it is another text: several makes may run
+# beside each other.
 put() (
     file=$build/$1; shift
     ("$@") >"$file.$$" || { rm -f "$file.$$"; exit 1; }

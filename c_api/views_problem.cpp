@@ -1,5 +1,5 @@
-// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views, so that a program which
-// only moves meshes does not link them.
+// What a problem consists of beside the mesh, and the options of a fit. Apart from the other views, so that a program
+// which only moves meshes does not link them.
 #include "harmorph/base/range.hpp"
 #include "views.hpp"
 
@@ -237,12 +237,14 @@ Status check_fields(hm_condition const& c, Index number, Fault& fault) noexcept 
     if (wrong != nullptr) return fault.refuse(Status::bad_condition, wrong, Counts::from_zero, number, c.kind);
     if (c.kind != HM_SLIP) return Status::ok;
     if (c.along == nullptr && c.n_curves != 0) {
-        return fault.refuse(Status::bad_condition,
-                            "condition # (from 0) slides along @ curves, but its `along` is NULL: a basis does not keep them",
-                            Counts::from_zero, number, c.n_curves);
+        return fault.refuse(
+            Status::bad_condition,
+            "condition # (from 0) slides along @ curves, but its `along` is NULL: a basis does not keep them",
+            Counts::from_zero, number, c.n_curves);
     }
     hm_curves set;
-    bool const fits = c.along == nullptr || (read_struct(c.along, set) && set.n_curves == c.n_curves && set.n_curves >= 1);
+    bool const fits =
+        c.along == nullptr || (read_struct(c.along, set) && set.n_curves == c.n_curves && set.n_curves >= 1);
     if (fits) return Status::ok;
     return fault.refuse(Status::bad_condition,
                         "condition # (from 0) has n_curves @, but that is not the number of curves in its `along`",

@@ -21,8 +21,8 @@ naca=$meshes/naca0012.su2
 check "fit" "$harmorph" fit "$naca" --marker airfoil -o "$tmp/airfoil.curve"
 check "solve" "$harmorph" solve "$naca" --curve airfoil="$tmp/airfoil.curve" -o "$tmp/airfoil.basis"
 
-# NACA 2412 with a closed trailing edge (I. H. Abbott, A. E. von Doenhoff, Theory of Wing Sections), as files are published:
-# 61 points on each side, their distance cosine-spaced.
+# NACA 2412 with a closed trailing edge (I. H. Abbott, A. E. von Doenhoff, Theory of Wing Sections), as files are
+# published: 61 points on each side, their distance cosine-spaced.
 naca2412() { # naca2412 ORDER (selig, backwards, open, lednicer) SCALE DEGREES DX DY
     awk -v order="$1" -v scale="$2" -v degrees="$3" -v dx="$4" -v dy="$5" 'BEGIN {
         m = .02; p = .4; t = .12; n = 60; pi = atan2(0, -1); turn = degrees * pi / 180
@@ -85,8 +85,9 @@ for order in selig backwards open lednicer; do
         -o "$tmp/by-moves.su2"
     check "to NACA 2412, $order: bit for bit" cmp "$tmp/by-moves.su2" "$tmp/$order.su2"
 done
-# Another chord and place, with and without bringing the edges to where those of the mesh are. The point of NACA 2412 that is
-# farthest from the trailing edge is not quite at the beginning of the camber line, so the result is turned a little.
+# Another chord and place, with and without bringing the edges to where those of the mesh are. The point of NACA 2412
+# that is farthest from the trailing edge is not quite at the beginning of the camber line,
+# so the result is turned a little.
 naca2412 selig 2.5 20 3 -1 >"$tmp/placed.dat"
 check "another chord, turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/placed.dat" --on-chord -o "$tmp/placed.su2"
 edges_meet() { awk '/^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside && n++ < 132 { d = ($1 - 1) ^ 2 + $2 ^ 2; if (d > far) { far = d; x = $1; y = $2 } }
@@ -97,8 +98,8 @@ check "turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-air
 cp "$tmp/log" "$tmp/json"
 check "turned and moved: its points are near the curve" at_most "$(value airfoil_max_error)" 5e-5
 
-# A section that is the mesh's own curve with moved control points: it is met, and the moves come back but for a slide of
-# control points along the curve that leaves its shape.
+# A section that is the mesh's own curve with moved control points: it is met, and the moves come back but for a slide
+# of control points along the curve that leaves its shape.
 printf '3 .01 .02\n7 0 -.01\n12 .002 .004\n16 -.01 .03\n' >"$tmp/known.moves"
 check "known moves" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --move "$tmp/known.moves" --curve-out "$tmp/known.dat"
 check "known moves: back" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/known.dat" --moves-out "$tmp/back.moves" --json
@@ -130,8 +131,9 @@ refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoi
 
 # ---- Rational curves -----------------------------------------------------------------------------------------------------
 
-# A circle as a rational B-spline of degree 2 (The NURBS Book, example 7.2) and a mesh round it. Control points are scaled to
-# an ellipse of half axes 1.2 and .8: so is the circle, and all that leaves the program must be on the ellipse.
+# A circle as a rational B-spline of degree 2 (The NURBS Book, example 7.2) and a mesh round it. Control points are
+# scaled to an ellipse of half axes 1.2 and .8: so is the circle,
+# and all that leaves the program must be on the ellipse.
 awk 'BEGIN {
     n = 48; m = 12; pi = atan2(0, -1)
     print "NDIME= 2\nNELEM= " n * m

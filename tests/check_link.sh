@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: check_link.sh BUILD   (CC, CFLAGS from the environment)
 # The library stands alone: merged into one object, it needs only mem* from outside, keeps no writable data, shows
-# only hm_*; a small program links a small part; and the C compiler, which knows no C++ runtime, links a program with it.
+# only hm_*; a small program links a small part; and the C compiler, which knows no C++ runtime,
+# links a program with it.
 build=$1
 : "${CC:=cc}" "${CFLAGS:=-O2}"
 topic=check-link

@@ -358,8 +358,8 @@ for way in "" --safe; do
         d = $2 - x - c * (p[2] - u) + s * (p[3] - v); e = $3 - y - s * (p[2] - u) - c * (p[3] - v)
         if (d * d + e * e > 1e-16) wrong++; n++ } END { exit wrong > 0 || n < 50 }' BEFORE="$tmp/right.before" "$tmp/right.after"
 done
-# One body goes farther than the gap, and the other one, half as large, away from it: nothing crosses where everything has
-# moved.
+# One body goes farther than the gap, and the other one, half as large, away from it: nothing crosses where everything
+# has moved.
 marker_points "$bodies" left | awk '{ print $1, .85, 0 }' >"$tmp/left.txt"
 refuses "displace: one body into the other" 1 'the moved boundary crosses itself' \
     displace "$bodies" --given left --wall "$tmp/left.txt" -o "$tmp/x"
@@ -544,7 +544,8 @@ runs "--slip on a bent line: morph" 0 morph "$tmp/bent.su2" "$tmp/bent.basis" --
 below() { awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && $2 < .02 && $1 > 4 && $1 < 6 { print $2 }' "$1"; }
 check "--slip on a bent line: points stay near it" sh -c "echo '$(below "$tmp/bent-moved.su2")' | awk '\$1 > 1e-9 || \$1 < -.0101 { bad = 1 } END { exit bad || NR < 2 }'"
 
-# A circle of radius 4 in quarters, rational, and a ring whose sides of 30 degrees are far off the circle between points.
+# A circle of radius 4 in quarters, rational, and a ring whose sides of 30 degrees are far off the circle between
+# points.
 awk 'BEGIN {
     print "degree 2\nclosed tied\npoints 8"
     for (i = 0; i < 8; i++) { t = i * atan2(0, -1) / 4; r = i % 2 ? 4 * sqrt(2) : 4; printf "%.17g %.17g\n", r * cos(t), r * sin(t) }

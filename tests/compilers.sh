@@ -1,9 +1,10 @@
 #!/bin/sh
 # usage: compilers.sh BUILD   (called by `make compilers`)
-# All compilers that are installed take the library without a warning, at each level of optimisation, and as C++20, which
-# makes a difference before anything is optimised;
-# the headers are C89 with long long, C99 and C11, also for small compilers; the Makefile and its scripts work with bmake and
-# with busybox's shell and tools. LEVELS="-O2" and COMPILERS="g++-11 clang++-14" choose; LEVELS=-fsyntax-only is quick.
+# All compilers that are installed take the library without a warning, at each level of optimisation, and as C++20,
+# which makes a difference before anything is optimised;
+# the headers are C89 with long long, C99 and C11, also for small compilers; the Makefile and its scripts work with
+# bmake and with busybox's shell and tools. LEVELS="-O2" and COMPILERS="g++-11 clang++-14" choose;
+# LEVELS=-fsyntax-only is quick.
 : "${LEVELS:=-O0 -O1 -O2 -O3}"
 : "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-13 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
 build=$(cd "$1" && pwd)

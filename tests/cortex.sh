@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: cortex.sh BUILD   (CC from the environment: the compiler of this machine)
-# A bare Cortex-M7, where int32_t is long and pointers have 32 bits: the library compiles without a warning, and a program
-# in 256 KiB of RAM attaches a basis that was solved here, morphs, takes the admissible step and the adjoint, with the
-# same bits as here. ARM_CXX and ARM_EMULATOR say by which compiler and emulator.
+# A bare Cortex-M7, where int32_t is long and pointers have 32 bits: the library compiles without a warning, and a
+# program in 256 KiB of RAM attaches a basis that was solved here, morphs, takes the admissible step and the adjoint,
+# with the same bits as here. ARM_CXX and ARM_EMULATOR say by which compiler and emulator.
 : "${ARM_CXX:=arm-none-eabi-g++}" "${ARM_EMULATOR:=qemu-system-arm}" "${CC:=cc}"
 build=$(cd "$1" && pwd)
 dir=$build/cortex

@@ -6,9 +6,9 @@
 #     passes WHAT STATUS [LOG]  an exit status that is 0; otherwise the file LOG is shown
 #     is_empty WHAT TEXT        nothing offends; otherwise the offenders are shown
 #     ok, fail WHAT [LOG]       what the script judged itself
-# and `skip WHAT REASON` says aloud what is not checked. `finish [FOLDER]` prints the last line, "N passed, M failed"; its
-# status is the script's; the folder of the outputs goes if all passed. What is shown is indented, so that no count in it is
-# added up.
+# and `skip WHAT REASON` says aloud what is not checked. `finish [FOLDER]` prints the last line, "N passed, M failed";
+# its status is the script's; the folder of the outputs goes if all passed. What is shown is indented, so that no count
+# in it is added up.
 passed=0 failed=0 skipped=0
 ok() { passed=$((passed + 1)); }
 fail() {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: dist.sh BUILD   (MAKE from the environment)
-# The tarball of the sources is the same, byte for byte, when it is made twice and when it is made from itself. The manual
-# page has every command and every option, and groff takes it without a warning.
+# The tarball of the sources is the same, byte for byte, when it is made twice and when it is made from itself. The
+# manual page has every command and every option, and groff takes it without a warning.
 : "${MAKE:=make}"
 build=$(cd "$1" && pwd)
 dir=$build/dist-test

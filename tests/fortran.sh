@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: fortran.sh BUILD   (FC, FFLAGS, CC, CFLAGS from the environment)
 # The Fortran module and the legacy calls: compiled without a warning and with all run-time checks (not optimised, which
-# would take most of the time), then with default integers and reals of 8 bytes, and, optimised, with OpenMP; each time all
-# tests run.
+# would take most of the time), then with default integers and reals of 8 bytes, and, optimised, with OpenMP; each time
+# all tests run.
 : "${FC:=gfortran}" "${FFLAGS:=-O2}" "${CC:=cc}" "${CFLAGS:=-O2}"
 build=$(cd "${1:?usage: fortran.sh BUILD}" && pwd)
 dir=$build/fortran

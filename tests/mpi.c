@@ -285,9 +285,11 @@ static void check_displacements(int32_t operator_kind) {
         own_y[k] = its.y[mine.points[k]];
     }
     to[0] = (hm_points_out){to[0].x, to[0].y, 1};
-    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work, bytes, NULL, &error), &error);
+    need(hm_displace(with.plan, n_given, NULL, 1, wall, &(hm_points){its.x, its.y, 1}, to, work, bytes, NULL, &error),
+         &error);
     need(hm_mpi_displace(rank == root ? with.plan : NULL, n_wall, own_wall, 1, on_wall, mine.n, mine.points,
-                         &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, &error),
+                         &(hm_points){own_x, own_y, 1}, &(hm_points_out){own_x, own_y, 1}, root,
+                         MPI_COMM_WORLD, &error),
          &error);
     for (wrong = 0, k = 0; k < mine.n; ++k) {
         wrong += memcmp(&own_x[k], &to[0].x[mine.points[k]], sizeof(double)) != 0;
@@ -302,13 +304,15 @@ static void check_displacements(int32_t operator_kind) {
         hm_plan *const plan = rank == root ? with.plan : NULL;
         memcpy(kept, own_x, 2 * sizeof *kept * (size_t)mine.n);
         #define REFUSED(status, plan, n_wall, list, n_fields, n, points, root) \
-            check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL, &(hm_points_out){own_x, own_y, 1}, \
-                                  root, MPI_COMM_WORLD, &error) == status, "refused: " #status ", " #plan ", " #n_wall)
+            check(hm_mpi_displace(plan, n_wall, list, n_fields, on_wall, n, points, NULL, \
+                                  &(hm_points_out){own_x, own_y, 1}, root, MPI_COMM_WORLD, &error) == status, \
+                  "refused: " #status ", " #plan ", " #n_wall)
         if (rank == 0 && n_wall > 0) b[0] = NAN;
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, own_wall, 1, mine.n, mine.points, root);
         if (n_wall > 0) b[0] = before;
         REFUSED(HM_BAD_CONDITION, plan, rank == 0 ? n_wall / 2 : 0, own_wall, 1, mine.n, mine.points, root);
-        check(rank == root ? strstr(error.text, "not in the list") != NULL : strstr(error.text, "that has the plan") != NULL,
+        check(rank == root ? strstr(error.text, "not in the list") != NULL
+                           : strstr(error.text, "that has the plan") != NULL,
               "a list that leaves points out, and why");
         REFUSED(HM_BAD_ARGUMENT, NULL, n_wall, own_wall, 1, mine.n, mine.points, root);
         REFUSED(HM_BAD_ARGUMENT, plan, n_wall, rank == 0 ? NULL : own_wall, 1, mine.n, mine.points, root);

@@ -1,14 +1,14 @@
 #!/bin/sh
 # Called by `make mutate`: how many small errors in the library the C++ tests find. Each mutant differs from the library
-# in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a mutant
-# that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in the tests
-# of its file, of its room, in random problems, or in the tests of rooms that may use it. What takes long comes last.
-# Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an endless loop, and
-# is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the line; the last line
-# counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are judged at a time.
-# FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun; the next run goes on
-# from there, as build/mutants remembers what became of each mutant of an unchanged file (of those that survive, as long as
-# the tests are the same, too).
+# in one operator or one word of one source file; MUTANTS of these are drawn by SEED. Only that file is compiled; a
+# mutant that compiles to the same instructions is none. A mutant is caught if a check fails or the program crashes: in
+# the tests of its file, of its room, in random problems, or in the tests of rooms that may use it. What takes long
+# comes last. Processor time is limited to twice what the library itself takes; a mutant that needs more is mostly an
+# endless loop, and is counted apart. Those that survive are listed with the reason that tests/mutants.txt gives for the
+# line; the last line counts. At least 95 % of the mutants that end must be caught or have a reason. JOBS mutants are
+# judged at a time. FILES='src/safe/*.cpp': of these files. LIMIT=3600: seconds after which no further mutant is begun;
+# the next run goes on from there, as build/mutants remembers what became of each mutant of an unchanged file (of those
+# that survive, as long as the tests are the same, too).
 : "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${MUTANTS:=200}" "${SEED:=1}" "${LIMIT:=1000000}" "${JOBS:=2}"
 dir=$BUILD/mutants
 known=tests/mutants.txt
@@ -44,7 +44,8 @@ candidates() {
         }
     }' $FILES
 }
-# Drawn by a hash of the file's name, the text of the line and the change: an edit elsewhere does not change what is drawn.
+# Drawn by a hash of the file's name, the text of the line and the change:
+# an edit elsewhere does not change what is drawn.
 candidates | LC_ALL=C awk -F'\t' -v seed="$SEED" '
     BEGIN { for (k = 1; k < 256; ++k) code[sprintf("%c", k)] = k }
     {
@@ -70,15 +71,16 @@ link_fuzzer() {
     $link -o "$1/fuzzer" "$BUILD"/objects/fuzz/*.o "$1/mutant.o" $(cat "$BUILD/objects/program.list") "$BUILD/libharmorph.a"
 }
 
-# All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are done.
+# All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are
+# done.
 "$BUILD/tests" -d=1 >"$dir/out" || { cat "$dir/out"; echo "the tests fail without a mutant"; exit 1; }
 LC_ALL=C awk '
     /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
     /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/out" >"$dir/cases"
 slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
 
-# What may find a mutant, the likeliest and quickest first. Of other rooms, those below in the table of src/README.md: the
-# rest cannot know of the file, but through the C interface, whose tests are among them.
+# What may find a mutant, the likeliest and quickest first. Of other rooms, those below in the table of src/README.md:
+# the rest cannot know of the file, but through the C interface, whose tests are among them.
 rooms="$(sed -n 's/^| `\([a-z]*\)` |.*/\1/p' src/README.md) c_api"
 from_room() {   # room: names of this and the rooms below; of the C interface, all
     seen=no

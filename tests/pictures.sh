@@ -1,5 +1,6 @@
 #!/bin/sh
-# Tests of the pictures of the program and of their tables: sh tests/pictures.sh path/to/harmorph path/to/meshes folder/for/output
+# Tests of the pictures of the program and of their tables:
+# sh tests/pictures.sh path/to/harmorph path/to/meshes folder/for/output
 harmorph=$1 meshes=$2 tmp=$3
 rm -rf "$tmp"
 mkdir -p "$tmp" || exit 2
@@ -17,8 +18,8 @@ check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.
     -o "$tmp/conformal.basis"
 printf '1 .1 .02\n14 -.05 .1\n' >"$tmp/moves.txt"
 
-# Every picture says what it shows, is whole, gives its scale along both axes, and holds its longest texts: a character is
-# nearly half as wide as high.
+# Every picture says what it shows, is whole, gives its scale along both axes, and holds its longest texts: a character
+# is nearly half as wide as high.
 is_picture() { # is_picture FILE TITLE PANELS
     awk -v title="$2" -v panels="$3" '
         /<title>/ { titles += index($0, "<title>" title) > 0 }
@@ -73,8 +74,8 @@ refuses "a table of several functions" "--csv and --vtu take one --function" exp
 refuses "an imaginary part of real functions" "--number" export "$bodies" "$tmp/harmonic.basis" --function 1 --number 2 --svg "$tmp/x"
 if [ -e "$tmp/x" ]; then fail "refused pictures leave a file"; fi
 
-# Contour lines: each point lies on an edge of the mesh, where the function, linear along the edge, has the line's value,
-# which is a multiple of the step; each line of each value is there: as many points as edges that it crosses.
+# Contour lines: each point lies on an edge of the mesh, where the function, linear along the edge, has the line's
+# value, which is a multiple of the step; each line of each value is there: as many points as edges that it crosses.
 contours_are_true() {
     awk -F '[ ,]' '
         FILENAME ~ /values/ { if (FNR > 1) { x[$1] = $2; y[$1] = $3; f[$1] = $4 } next }

@@ -1,4 +1,5 @@
-! read_namelist < FILE: what `harmorph morph --curve-out shape.nml` wrote, one number on a line as read_curves.awk prints it.
+! read_namelist < FILE: what `harmorph morph --curve-out shape.nml` wrote,
+! one number on a line as read_curves.awk prints it.
 program read_namelist
     use, intrinsic :: iso_fortran_env, only: dp => real64, iostat_end
     implicit none

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: read_su2.sh BUILD   (FC, FFLAGS, CC, CFLAGS from the environment)
-# The readers of SU2 files that are source for users, in Fortran and C: compiled without a warning, both find the same in
-# the shipped meshes, and refuse in the same words what is wrong.
+# The readers of SU2 files that are source for users, in Fortran and C: compiled without a warning, both find the same
+# in the shipped meshes, and refuse in the same words what is wrong.
 : "${FC:=gfortran}" "${FFLAGS:=-O2}" "${CC:=cc}" "${CFLAGS:=-O2}"
 build=$(cd "${1:?usage: read_su2.sh BUILD}" && pwd)
 dir=$build/read_su2

@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: readme.sh BUILD   (MAKE, CC, FC, ... from the environment)
-# The programs in README.md, saved as it says, beside the checkout and an empty home; then its shell lines, one block after
-# the other. The programs are also those of the examples. The lines for several processes run inside readme_mpi.f90.
+# The programs in README.md, saved as it says, beside the checkout and an empty home; then its shell lines, one block
+# after the other. The programs are also those of the examples.
+# The lines for several processes run inside readme_mpi.f90.
 : "${MAKE:=make}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${FFLAGS:=-O2}"
 : "${MPICC:=mpicc}" "${MPIFC:=mpifort}" "${MPIRUN:=mpirun}"
 build=$(cd "$1" && pwd)

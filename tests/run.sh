@@ -23,9 +23,9 @@ need pkg-config pkg-config pkg-config --version
 need cmake cmake cmake --version
 if [ $missing -gt 0 ]; then echo "0 passed, $missing failed"; exit 1; fi
 
-# Steps run in two lanes beside each other, which take about as long; those that call make in $BUILD are all in the first
-# one. $durations tells how long each step took. The list of steps is gone through three times: each lane runs its own;
-# the third time tells, in the order of the list, what they said, and adds up the counts. A step that fails without
+# Steps run in two lanes beside each other, which take about as long; those that call make in $BUILD are all in the
+# first one. $durations tells how long each step took. The list of steps is gone through three times: each lane runs its
+# own; the third time tells, in the order of the list, what they said, and adds up the counts. A step that fails without
 # counting a failure, or counts nothing, is a failure.
 step() {   # lane, name, command...
     lane=$1 name=$2 log=$logs/$(echo "$2" | tr ' ' -); shift 2

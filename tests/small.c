@@ -1,4 +1,5 @@
-/* The smallest use of the library: a saved basis, the morph and its transpose. check_link.sh counts the bytes that come along. */
+/* The smallest use of the library: a saved basis, the morph and its transpose.
+ * check_link.sh counts the bytes that come along. */
 #include <harmorph.h>
 
 int small_use(const void *block, size_t bytes, const double *move, const hm_points *from, const hm_points_out *to,

@@ -49,8 +49,8 @@ static double noise(void) {
     return (double)(state >> 8) / 8388608.0 - 1;
 }
 
-/* Rings round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind, chord about
- * 1. Cells are quads; points count from 1, as a Fortran code would have them. */
+/* Rings round a body that Joukowski's mapping makes of a circle: round in front, slender and rounded behind, chord
+ * about 1. Cells are quads; points count from 1, as a Fortran code would have them. */
 static void make_mesh(void) {
     /* cos and sin of 2 pi / AROUND, by which the unit vector turns from column to column */
     const double turn_x = 0.99785892323860348, turn_y = 0.065403129230143069;
@@ -150,10 +150,13 @@ static hm_basis *solve(const hm_problem *problem, void **block) {
     options.progress_user = &stop_in;
     require(hm_analysis_size(problem, &options, &analysis_bytes, &error), "size of the analysis", &error);
     analysis_block = block_of(analysis_bytes);
-    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options, &error) == HM_BLOCK_TOO_SMALL
-              && error.value >= 1, "a block that is a byte too small is refused", &error);
+    check(hm_analysis_init(&analysis, analysis_block, analysis_bytes - 1, problem, &options, &error) ==
+                  HM_BLOCK_TOO_SMALL &&
+              error.value >= 1,
+          "a block that is a byte too small is refused", &error);
     error.code = HM_OK;
-    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error), "the analysis", &error);
+    require(hm_analysis_init(&analysis, analysis_block, analysis_bytes, problem, &options, &error), "the analysis",
+            &error);
     require(hm_plan_size(analysis, &plan_bytes, &error), "size of the plan", &error);
     require(hm_basis_size(analysis, &basis_bytes, &error), "size of the basis", &error);
     plan_block = block_of(plan_bytes);
@@ -200,7 +203,8 @@ static void morph(const hm_basis *basis, const hm_mesh *mesh) {
     check(boundary_error <= 1e-12, "the wall moves as the B-spline does", &error);
     require(hm_quality(basis, mesh, &(hm_points){x_new, y_new, 1}, &(hm_points){x, y, 1}, NULL, &quality,
                        &error), "quality", &error);
-    check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid", &error);
+    check(quality.inverted == 0 && quality.min_area > 0 && quality.self_crossing == 0, "the morphed mesh is valid",
+          &error);
     check(quality.min_quality > 0 && quality.min_quality <= quality.mean_quality, "least and mean quality", &error);
 
     /* <g, F m> = <F^T g, m> */
@@ -315,9 +319,11 @@ static void attach(const hm_basis *basis, const hm_mesh *mesh) {
     require(hm_basis_values(basis, 3, 0, first, &error), "values of the basis", &error);
     require(hm_basis_values(copy, 3, 0, second, &error), "values of the copy", &error);
     check(memcmp(first, second, sizeof first) == 0, "they are the same", &error);
-    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS, "cut short: refused", &error);
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes - 8, mesh, &error) == HM_BAD_BASIS, "cut short: refused",
+          &error);
     bytes[info.bytes / 2] ^= 1;
-    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS, "a bit changed: refused", &error);
+    check(hm_basis_attach(&copy, bytes, (size_t)info.bytes, mesh, &error) == HM_BAD_BASIS, "a bit changed: refused",
+          &error);
     free(bytes);
 }
 

@@ -14,7 +14,8 @@ std::string help_line(const Option& option) {
     constexpr std::size_t column = 26;
     std::string text = std::string("  ") + option.name + (option.value ? std::string(" ") + option.value : "");
     text.resize(std::max(column, text.size() + 2), ' ');
-    for (const char* c = option.help; *c; ++c) text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
+    for (const char* c = option.help; *c; ++c)
+        text += *c == '\n' ? "\n" + std::string(column, ' ') : std::string(1, *c);
     return text + '\n';
 }
 
@@ -140,7 +141,8 @@ void Arguments::refuse(const std::string& message) const {
     throw Failure(exit_usage, name + ": " + message + "\nTry: harmorph " + name + " --help");
 }
 
-const Option threads_option = {"--threads", "N", "threads to compute with (default 1); the result's bits do not depend on it"};
+const Option threads_option = {"--threads", "N",
+                               "threads to compute with (default 1); the result's bits do not depend on it"};
 
 std::int32_t threads_of(const Arguments& arguments) { return arguments.whole("--threads", 1, 1, 256); }
 

@@ -44,7 +44,8 @@ public:
     std::vector<std::string> all(const std::string& option) const; // of an option that may be repeated
     std::string text(const std::string& option) const;             // must be given
     std::int32_t whole(const std::string& option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
-    std::vector<std::int32_t> whole_list(const std::string& option, std::int32_t low, std::int32_t high) const; // "3,5": must be given
+    // "3,5": must be given.
+    std::vector<std::int32_t> whole_list(const std::string& option, std::int32_t low, std::int32_t high) const;
     std::int32_t choice(const std::string& option, const std::vector<Choice>& choices) const; // the first: if not given
     double positive(const std::string& option, double fallback) const;
     double real(const std::string& option, double fallback, double low, double high) const; // low and high are allowed

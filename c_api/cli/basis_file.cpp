@@ -61,8 +61,9 @@ public:
     std::vector<std::string> names() {
         std::int32_t n = 0;
         if (!next_line() || !begins_with(title_of_names) || !parse(rest_behind(title_of_names), n) || n < 0) {
-            throw Failure(exit_file, path_ + ": holds a basis without the names of its mesh's markers, so that it is not "
-                                             "known which are meant: solve it again with harmorph solve");
+            throw Failure(exit_file, path_ +
+                                         ": holds a basis without the names of its mesh's markers, so that it is not "
+                                         "known which are meant: solve it again with harmorph solve");
         }
         std::vector<std::string> names;
         while (names.size() < static_cast<std::size_t>(n) && next_line() && !text_.eof()) names.push_back(line_);
@@ -103,8 +104,10 @@ private:
         return lines;
     }
     [[noreturn]] void refuse_slip_curves() const {
-        throw Failure(exit_file, path_ + ": the curves along which points slide are cut off or damaged: solve it again with "
-                                         "harmorph solve");
+        throw Failure(exit_file,
+                      path_ +
+                          ": the curves along which points slide are cut off or damaged: solve it again with "
+                          "harmorph solve");
     }
 
     std::string path_;
@@ -114,8 +117,8 @@ private:
 
 void refuse_other_markers(const std::vector<std::string>& names, const std::string& path, const Mesh& mesh) {
     if (names == mesh.markers) return;
-    throw Failure(exit_file, path + ": the basis belongs to another mesh: its markers are " + listed(names) + "; those of " +
-                                 mesh.file.path() + " are " + listed(mesh.markers));
+    throw Failure(exit_file, path + ": the basis belongs to another mesh: its markers are " + listed(names) +
+                                 "; those of " + mesh.file.path() + " are " + listed(mesh.markers));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
-// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names of the mesh's markers,
-// which the block has by number only, and the curves along which points slide, which the block does not have:
+// Basis files: the library's block as it is, which hm_basis_attach takes, and behind it the names of the mesh's
+// markers, which the block has by number only, and the curves along which points slide, which the block does not have:
 //
 //     harmorph markers 2        (behind a line feed)
 //     far field                 marker 0

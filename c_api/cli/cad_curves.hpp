@@ -13,8 +13,8 @@ void write_iges(std::ostream& out, const Curves& curves);
 // STEP (ISO 10303-21, AP 203): B_SPLINE_CURVE_WITH_KNOTS, rational ones where there are weights, as a wireframe.
 void write_step(std::ostream& out, const Curves& curves);
 
-// Fortran namelists: &control_points (n, xy(2, n), and weights(n) if the curves are rational), then for each curve &curve
-// (degree, closed, n_indices, indices, knots); all is counted from 1.
+// Fortran namelists: &control_points (n, xy(2, n), and weights(n) if the curves are rational), then for each curve
+// &curve (degree, closed, n_indices, indices, knots); all is counted from 1.
 void write_namelist(std::ostream& out, const Curves& curves);
 
 } // namespace cli

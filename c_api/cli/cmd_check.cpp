@@ -86,7 +86,8 @@ const Command check_command = {
     "check",
     {"MESH"},
     "Checks a mesh and reports its size and quality",
-    "Refused with the line of the first offender: wrong indices, points repeated in a cell, edges of more than two cells,\n"
+    "Refused with the line of the first offender: wrong indices, points repeated in a cell, "
+    "edges of more than two cells,\n"
     "faces that are not boundary edges, boundary edges on no marker. Inverted cells are counted (exit code 1).\n",
     {format_option,
      zone_option,
@@ -94,8 +95,10 @@ const Command check_command = {
      {"--boundaries", nullptr, "--svg shows the boundaries alone"},
      {"--curve", "CURVE", "--svg also shows these B-splines with their control points (may be repeated)"},
      {"--window", "X,Y,X,Y", "lower left and upper right corner of what --svg shows (default: all of the mesh)"},
-     {"--dual-volumes", "P[,Q..]", "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
-     {"--gradient-volumes", "P[,Q..]", "--svg shows the cells round these points, over which gradients at points are formed"},
+     {"--dual-volumes", "P[,Q..]",
+      "--svg shows the control volumes (median dual) round these points, numbered from 0 as in the file"},
+     {"--gradient-volumes", "P[,Q..]",
+      "--svg shows the cells round these points, over which gradients at points are formed"},
      {"--json", nullptr, "print one JSON object: points, cells, triangles, quads, polygons, inverted, min_area,\n"
                          "min_quality, mean_quality, markers (name, faces)"}},
     "  harmorph check naca0012.su2\n",

@@ -142,10 +142,13 @@ const Command curve_command = {
     "curve",
     {"CURVE"},
     "Measures a section; inserts knots into its curve, or raises the degree",
-    "Prints area, centroid, second moments, chord, thickness, camber, radii of curvature, and the angle and gap of the\n"
-    "trailing edge, with the place of each. Lengths are in the unit of the file, angles in degrees. What a section does\n"
+    "Prints area, centroid, second moments, chord, thickness, camber, radii of curvature, and the angle and gap of "
+    "the\n"
+    "trailing edge, with the place of each. Lengths are in the unit of the file, angles in degrees. What a section "
+    "does\n"
     "not have is printed as none with the reason, and left out with --json.\n"
-    "--elevate, --halve and --insert give the curve more control points without changing its shape; they are applied in\n"
+    "--elevate, --halve and --insert give the curve more control points without changing its shape; they are applied "
+    "in\n"
     "this order.\n",
     {{"--stations", "S[,S..]", "also thickness and camber at these stations, 0 to 1 along the chord"},
      {"--box", "X,Y,X,Y,..", "also the distance between the outline and this polygon that is to fit inside"},
@@ -155,7 +158,8 @@ const Command curve_command = {
      {"--halve", nullptr, "insert a knot in the middle of each knot span"},
      {"--insert", "U[,U..]", "insert these knots"},
      {"-o", "CURVE", "file to write\n" CURVE_FORMATS},
-     {"--json", nullptr, "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, clearance"}},
+     {"--json", nullptr,
+      "print one JSON object: points, curves, area, centroid_x, .., thickness_S, camber_S, clearance"}},
     "  harmorph curve airfoil.curve --stations 0.25,0.5\n"
     "  harmorph curve airfoil.curve --halve -o fine.curve\n",
     run_curve};

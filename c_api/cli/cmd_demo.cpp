@@ -44,7 +44,8 @@ void write_admissible_moves(const std::string& mesh_path, const std::string& cur
     const Basis basis(basis_path, mesh);
     std::vector<double> moves = pleasing_moves(read_curves(curve_path));
     const Threads threads(1);
-    const double admissible = admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads).admissible;
+    const double admissible =
+        admissible_step(basis, mesh, displacement(basis, mesh, moves, threads), threads).admissible;
     const double scale = std::min(1.0, admissible / 2);
     for (double& move : moves) move *= scale;
     std::printf("\n# more camber (%s chord) and thickness (%s %%), written to %s\n", brief(camber * scale).c_str(),
@@ -69,8 +70,8 @@ void write_far_moves(const std::string& mesh_path, const std::string& curve_path
         moves[i] = c * x - s * y - x;
         moves[i + 1] = s * x + c * y - y;
     }
-    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n", brief(far_degrees).c_str(), brief(far_x).c_str(),
-                moves_path.c_str());
+    std::printf("\n# a turn by %s degrees about x = %s, written to %s\n", brief(far_degrees).c_str(),
+                brief(far_x).c_str(), moves_path.c_str());
     OutputFiles files;
     write_moves(files.add(moves_path), moves, basis, mesh);
     files.commit();
@@ -111,13 +112,15 @@ void run_demo(const Arguments& arguments) {
     const std::string shipped = arguments.has("--mesh") ? arguments.text("--mesh") : "tests/meshes/naca0012.su2";
     std::error_code error;
     if (!std::filesystem::exists(shipped, error)) {
-        throw Failure(exit_file, shipped + " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
+        throw Failure(exit_file,
+                      shipped + " is not here: run the demo in harmorph's folder, or name the mesh with --mesh");
     }
     std::filesystem::create_directories(folder, error);
     if (error) throw Failure(exit_file, folder.string() + ": cannot be made: " + error.message());
     const auto in_folder = [&folder](const char* name) { return (folder / name).string(); };
-    const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"), basis = in_folder("airfoil.basis"),
-                      moves = in_folder("moves.txt"), far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
+    const std::string mesh = in_folder("mesh.su2"), curve = in_folder("airfoil.curve"),
+                      basis = in_folder("airfoil.basis"), moves = in_folder("moves.txt"),
+                      far_moves = in_folder("far.txt"), fine = in_folder("fine.su2");
     copy_mesh(shipped, mesh);
 
     step("is the mesh sound?", {"check", mesh});
@@ -130,8 +133,8 @@ void run_demo(const Arguments& arguments) {
          {"morph", mesh, basis, "--move", moves, "-o", in_folder("morphed.su2"), "--vtu", in_folder("morphed.vtu"),
           "--svg", in_folder("morph.svg"), "--report", in_folder("report.html")});
     write_far_moves(mesh, curve, basis, far_moves);
-    step("farther than one step can go",
-         {"morph", mesh, basis, "--move", far_moves, "--safe", "-o", in_folder("far.su2"), "--svg", in_folder("far.svg")});
+    step("farther than one step can go", {"morph", mesh, basis, "--move", far_moves, "--safe", "-o",
+                                          in_folder("far.su2"), "--svg", in_folder("far.svg")});
     write_fine_mesh(mesh, curve, fine);
     step("the same functions for a finer mesh", {"transfer", mesh, basis, fine, "-o", in_folder("fine.basis")});
     step("a page on which control points can be dragged", {"explore", mesh, basis, "-o", in_folder("page.html")});
@@ -146,7 +149,8 @@ const Command demo_command = {
     {"DIR"},
     "Goes the whole path on the shipped mesh and leaves all files in DIR",
     "Each step is printed as the command that does the same. In DIR are then, among others: mesh.su2, airfoil.curve,\n"
-    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, one that only --safe does; fine.su2, the\n"
+    "airfoil.basis; moves.txt, a movement that one step follows, and far.txt, one that only --safe does; fine.su2, "
+    "the\n"
     "mesh with each cell divided in four. The commands that --help shows work on them.\n",
     {{"--mesh", "FILE", "mesh with a marker `airfoil` of chord 1 (default tests/meshes/naca0012.su2)"}},
     "  harmorph demo demo-output\n",

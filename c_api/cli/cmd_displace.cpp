@@ -44,19 +44,20 @@ struct Displacement {
 void displace(Solver& solver, const Movement& movement, const hm_points* from, Field& to, Block& work) {
     const hm_points given = movement.wall.read();
     const hm_points_out result = to.write();
-    call(movement.path, hm_displace, solver.plan(), movement.wall.count(), movement.wall.points.data(), 1, &given, from, &result,
-         work.data(), work.size(), nullptr);
+    call(movement.path, hm_displace, solver.plan(), movement.wall.count(), movement.wall.points.data(), 1, &given, from,
+         &result, work.data(), work.size(), nullptr);
 }
 
 // Displacements of the mesh by control points and bodies alone; nothing if there are none.
-void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement, const Threads& threads, Field& to) {
+void displace_by_moves(const Mesh& mesh, const Solver& solver, const Movement& movement, const Threads& threads,
+                       Field& to) {
     if (movement.moves.empty()) return;
     const hm_points_out result = to.write();
     call(mesh, hm_morph, solver.basis(), movement.moves.data(), nullptr, &result, threads.executor());
 }
 
-// The given walls start from where control points and bodies have moved the mesh: whether the boundary crosses itself is
-// judged where everything has moved.
+// The given walls start from where control points and bodies have moved the mesh: whether the boundary crosses itself
+// is judged where everything has moved.
 void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::int32_t repeats, const Threads& threads,
              Displacement& found) {
     std::size_t bytes = 0;
@@ -83,7 +84,8 @@ void at_once(const Mesh& mesh, Solver& solver, const Movement& movement, std::in
     }
 }
 
-void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm_safe_options& options, Displacement& found) {
+void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm_safe_options& options,
+            Displacement& found) {
     std::size_t bytes = 0;
     call(mesh, hm_displace_safe_size, solver.plan(), solver.basis(), &bytes);
     Block work(bytes);
@@ -94,9 +96,9 @@ void safely(const Mesh& mesh, Solver& solver, const Movement& movement, const hm
     const hm_points_out to = found.moved.write();
     hm_error error = {};
     const Stopwatch watch;
-    const hm_status status = hm_displace_safe(solver.plan(), solver.basis(), movement.moves.empty() ? nullptr : movement.moves.data(),
-                                              movement.wall.count(), movement.wall.points.data(), &given, &to, work.data(), bytes,
-                                              &options, &*found.safe, &error);
+    const hm_status status = hm_displace_safe(
+        solver.plan(), solver.basis(), movement.moves.empty() ? nullptr : movement.moves.data(), movement.wall.count(),
+        movement.wall.points.data(), &given, &to, work.data(), bytes, &options, &*found.safe, &error);
     found.displace_seconds = watch.seconds();
     if (status < 0) refuse(error, mesh);
     (status == HM_SHORT ? found.refusal : found.warning) = status != HM_OK ? error.text : "";
@@ -131,7 +133,8 @@ Displacement displacement_of(const Arguments& arguments, const Mesh& mesh, Solve
 
 void write_files(const Arguments& arguments, const Mesh& mesh, const Displacement& found) {
     OutputFiles files;
-    if (arguments.has("-o")) write_moved(files.add(arguments.text("-o")), mesh, found.moved.x.data(), found.moved.y.data());
+    if (arguments.has("-o"))
+        write_moved(files.add(arguments.text("-o")), mesh, found.moved.x.data(), found.moved.y.data());
     if (arguments.has("--vtu")) {
         PointData data = {"displacement", 3, {}};
         for (std::size_t point = 0; point < found.by.x.size(); ++point) {
@@ -156,13 +159,15 @@ void print_json(const Displacement& found) {
 void print_for_people(const Displacement& found) {
     if (found.safe) print_target(*found.safe);
     std::printf("inverted cells   %d\n", found.quality.inverted);
-    if (!found.safe) std::printf("admissible step  %s\n",
-                std::isinf(found.step.admissible) ? "unlimited" : (brief(found.step.admissible) + " of this one").c_str());
+    if (!found.safe)
+        std::printf("admissible step  %s\n", std::isinf(found.step.admissible)
+                                                 ? "unlimited"
+                                                 : (brief(found.step.admissible) + " of this one").c_str());
     std::printf("quality          %s at least, %s on average (size and skew, relative to the mesh as it was)\n",
                 brief(found.quality.min_quality).c_str(), brief(found.quality.mean_quality).c_str());
     if (found.safe) print_worst_cells(*found.safe);
-    std::printf("seconds          %s for analysis and factor, %s for the displacement\n", brief(found.factor_seconds).c_str(),
-                brief(found.displace_seconds).c_str());
+    std::printf("seconds          %s for analysis and factor, %s for the displacement\n",
+                brief(found.factor_seconds).c_str(), brief(found.displace_seconds).c_str());
 }
 
 std::string reason(const Displacement& found, const Mesh& mesh) {
@@ -190,7 +195,8 @@ Movement movement_of(const Arguments& arguments, const Mesh& mesh, const Task& t
 void run_displace(const Arguments& arguments) {
     if (!arguments.has("--given")) arguments.refuse("--given is missing");
     for (const char* const option : {"--min-quality", "--max-height-change", "--strict", "--heights"}) {
-        if (!arguments.has("--safe") && arguments.has(option)) arguments.refuse(std::string(option) + " goes with --safe");
+        if (!arguments.has("--safe") && arguments.has(option))
+            arguments.refuse(std::string(option) + " goes with --safe");
     }
     const Mesh mesh = read_mesh(arguments, 0);
     const Task task = task_of(arguments, mesh);
@@ -217,10 +223,14 @@ const Command displace_command = {
     "displace",
     {"MESH"},
     "Moves the points of a wall as a file says, and the mesh with them",
-    "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, each with its displacement. Points\n"
-    "are counted from 0 in the order of the mesh file, as SU2 files count them; `#` starts a comment. They move by exactly\n"
-    "these displacements; the other points follow as they follow a curve in `harmorph morph`. Markers on curves (--curve) and\n"
-    "of rigid bodies (--rigid) move as the file of --move says; markers that are not named are fixed. A mesh with inverted\n"
+    "FIELD is a text file with lines \"point dx dy\": all points of the markers of --given, "
+    "each with its displacement. Points\n"
+    "are counted from 0 in the order of the mesh file, as SU2 files count them; `#` starts a comment. "
+    "They move by exactly\n"
+    "these displacements; the other points follow as they follow a curve in `harmorph morph`. "
+    "Markers on curves (--curve) and\n"
+    "of rigid bodies (--rigid) move as the file of --move says; markers that are not named are fixed. "
+    "A mesh with inverted\n"
     "cells is not written, and a wall that would cross itself is refused.\n",
     std::vector<Option>{
      {"--given", "A[,B..]", "markers whose displacements FIELD has (required; may be repeated)"},
@@ -235,9 +245,10 @@ const Command displace_command = {
      {"--force", nullptr, "write the files even if cells are inverted (exit code 1 all the same)"},
      format_option,
      zone_option,
-     {"--json", nullptr, "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, min_quality,\n"
-                         "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
-                         "admissible_step but the keys of `harmorph morph --safe`"}},
+     {"--json", nullptr,
+      "print one JSON object: inverted, admissible_step (null: unlimited), self_crossing, min_quality,\n"
+      "mean_quality, factor_seconds (analysis included), displace_seconds; with --safe no\n"
+      "admissible_step but the keys of `harmorph morph --safe`"}},
     "  harmorph displace mesh.su2 --given airfoil --wall field.txt -o moved.su2\n"
     "  harmorph displace mesh.su2 --given airfoil --wall large.txt --safe -o moved.su2\n",
     run_displace};

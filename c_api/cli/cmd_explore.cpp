@@ -20,8 +20,8 @@ void refuse_inverted_cells(const Mesh& mesh, const Basis& basis) {
     call(mesh, hm_quality, basis.get(), &view, nullptr, nullptr, nullptr, &quality);
     if (quality.inverted == 0) return;
     const std::size_t line = mesh.cell_offset[static_cast<std::size_t>(quality.first_inverted)];
-    throw Failure(exit_unusable, mesh.file.path() + " has " + plural(quality.inverted, "inverted cell") + ", the first at " +
-                                     mesh.file.place(line));
+    throw Failure(exit_unusable, mesh.file.path() + " has " + plural(quality.inverted, "inverted cell") +
+                                     ", the first at " + mesh.file.place(line));
 }
 
 void run_explore(const Arguments& arguments) {
@@ -59,14 +59,19 @@ const Command explore_command = {
     "explore",
     {"MESH", "BASIS"},
     "Writes a page to drag control points on while the mesh follows",
-    "One self-contained file for any browser, without a network: control points, rigid bodies and design variables to drag;\n"
-    "inverted cells, admissible step, quality, heights and angles at the wall, the section's thickness and area, as they\n"
-    "become. It saves and loads MOVES as `harmorph morph` reads them. Points on the page are those of `harmorph morph`\n"
+    "One self-contained file for any browser, without a network: control points, "
+    "rigid bodies and design variables to drag;\n"
+    "inverted cells, admissible step, quality, heights and angles at the wall, the section's thickness and area, "
+    "as they\n"
+    "become. It saves and loads MOVES as `harmorph morph` reads them. Points on the page are those of `harmorph "
+    "morph`\n"
     "within 2^-24 sum |F_i| |dP_i|: functions are in single precision there, all else in double precision.\n"
-    "Points that slide along curves (--slip) move along the tangents on the page; `harmorph morph` puts them onto the curves.\n",
+    "Points that slide along curves (--slip) move along the tangents on the page; "
+    "`harmorph morph` puts them onto the curves.\n",
     {{"-o", "PAGE", "page to write, HTML (required)"},
-     {"--points", "N", "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
-                       "for drawing (default 20000)"},
+     {"--points", "N",
+      "how many points nearest to the body are shown with all their cells; farther away the mesh is thinned\n"
+      "for drawing (default 20000)"},
      {"--move", "MOVES", "movement of the control points to begin with"},
      format_option,
      zone_option},

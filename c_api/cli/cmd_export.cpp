@@ -42,7 +42,8 @@ PointData point_data(const std::vector<Column>& columns) {
 // The levels are made once more, as the basis does not keep them.
 std::vector<Level> levels_of(const Arguments& arguments, const Mesh& mesh, const Basis& basis) {
     Task task = task_of(basis);
-    if (task.options.engine == HM_DIRECT) arguments.refuse("--level: the basis was solved by the direct engine, without levels");
+    if (task.options.engine == HM_DIRECT)
+        arguments.refuse("--level: the basis was solved by the direct engine, without levels");
     set_agglomeration(arguments, task.options);
     task.options.levels = 20;
     const Threads threads(1);
@@ -65,7 +66,8 @@ void export_levels(const Arguments& arguments) {
     const Basis basis(arguments.operand(1), mesh);
     const std::optional<Box> window = window_of(arguments);
     OutputFiles files;
-    files.add(path) << level_picture(mesh, basis.curves(), levels_of(arguments, mesh, basis), window ? *window : function_window(mesh, basis));
+    files.add(path) << level_picture(mesh, basis.curves(), levels_of(arguments, mesh, basis),
+                                     window ? *window : function_window(mesh, basis));
     files.commit();
 }
 
@@ -76,7 +78,8 @@ void add_panels(const Arguments& arguments, const Basis& basis, const Mesh& mesh
     if (arguments.has("--number")) shown = arguments.whole_list("--number", 1, 4);
     for (const std::int32_t function : arguments.whole_list("--function", 1, basis.functions())) {
         for (const std::int32_t number : shown) {
-            if (number <= numbers) panels.push_back({&basis, function - 1, number - 1, basis.values(function - 1, number - 1, mesh)});
+            if (number <= numbers)
+                panels.push_back({&basis, function - 1, number - 1, basis.values(function - 1, number - 1, mesh)});
         }
     }
 }
@@ -104,7 +107,8 @@ void write_pictures(const Arguments& arguments, const Mesh& mesh, const Basis& b
 void run_export(const Arguments& arguments) {
     if (arguments.has("--level")) return export_levels(arguments);
     arguments.text("--function"); // there is no default
-    if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") && !arguments.has("--contour-csv")) {
+    if (!arguments.has("--csv") && !arguments.has("--vtu") && !arguments.has("--svg") &&
+        !arguments.has("--contour-csv")) {
         arguments.refuse("nothing to write: name a file after --csv, --vtu, --svg or --contour-csv");
     }
     const Mesh mesh = read_mesh(arguments, 0);
@@ -115,7 +119,8 @@ void run_export(const Arguments& arguments) {
     if (arguments.has("--number") && !arguments.has("--beside")) {
         const std::int32_t numbers = basis.info().numbers_per_value;
         if (arguments.whole_list("--number", 1, 4)[0] > numbers) {
-            arguments.refuse("--number " + arguments.text("--number") + ": a value of these functions has " + plural(numbers, "number"));
+            arguments.refuse("--number " + arguments.text("--number") + ": a value of these functions has " +
+                             plural(numbers, "number"));
         }
     }
     if (has_table && functions.size() > 1) arguments.refuse("--csv and --vtu take one --function");
@@ -123,7 +128,8 @@ void run_export(const Arguments& arguments) {
     if (has_table) {
         const std::vector<Column> columns = columns_of(basis, mesh, functions[0] - 1);
         if (arguments.has("--csv")) write_csv(files.add(arguments.text("--csv")), mesh, columns);
-        if (arguments.has("--vtu")) write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
+        if (arguments.has("--vtu"))
+            write_vtu(files.add(arguments.text("--vtu")), mesh, mesh.x, mesh.y, point_data(columns));
     }
     if (arguments.has("--svg") || arguments.has("--contour-csv")) write_pictures(arguments, mesh, basis, files);
     files.commit();
@@ -135,13 +141,15 @@ const Command export_command = {
     "export",
     {"MESH", "BASIS"},
     "Writes one function of a basis for other programs and as a picture",
-    "Functions are numbered from 1 as their control points are. With --level: the volumes that agglomeration merges instead,\n"
+    "Functions are numbered from 1 as their control points are. With --level: the volumes that agglomeration merges "
+    "instead,\n"
     "for a basis solved with --engine multigrid or fas. Lists make pictures of several panels with one scale.\n",
     {format_option,
      zone_option,
      {"--function", "I[,J..]", "which functions (required without --level)"},
-     {"--csv", "FILE", "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
-                       "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
+     {"--csv", "FILE",
+      "table with the columns point,x,y and value (real), value,imaginary (complex: conformal) or\n"
+      "xx,xy,yx,yy (matrix: with slip); points as numbered in the mesh file"},
      {"--vtu", "FILE", "mesh and function for ParaView, its numbers as components"},
      {"--svg", "FILE", "picture: colours and labelled contour lines, a panel for each function"},
      {"--contour-csv", "FILE", "these contour lines as a table: panel, value, line, x, y"},

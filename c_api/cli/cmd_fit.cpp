@@ -84,7 +84,8 @@ std::string reason_for_people(const Fit& fit, const Outline& outline) {
     const auto first = static_cast<std::size_t>(fit.report.first_point);
     const std::string at = "x = " + brief(outline.x[first]) + ", y = " + brief(outline.y[first]);
     switch (fit.report.reason) {
-    case HM_FIT_BASE: return "there is a straight blunt base of " + plural(fit.report.base_points, "point") + " from " + at;
+    case HM_FIT_BASE:
+        return "there is a straight blunt base of " + plural(fit.report.base_points, "point") + " from " + at;
     case HM_FIT_CORNER: return plural(fit.report.corners, "corner") + " and no blunt base; it begins at " + at;
     case HM_FIT_NO_CORNER: return "no corner was found";
     default: return reason_name(fit.report.reason);
@@ -168,20 +169,23 @@ const Command fit_command = {
     "The points of the markers, which must form one piece of boundary, are approximated by least squares. The curve\n"
     "and its control points go to a small text file that `harmorph solve` reads. Errors are distances of the mesh's\n"
     "points from the curve: in chords (the boundary's largest extent) for people, in the mesh's unit with --json.\n"
-    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or Lednicer's order, or a file .curve, as fit and\n"
+    "In place of MESH: a file .dat with an airfoil's coordinates in Selig's or Lednicer's order, or a file .curve, "
+    "as fit and\n"
     "morph write them, of which points are taken.\n",
     {{"--marker", "A[,B..]", "markers of the boundary (required with a mesh); A@X:Y: its piece nearest to (X, Y)"},
      {"--degree", "P", "degree of the curve, 1 to 5 (default 3)"},
      {"--points", "N", "number of control points (default 20)"},
-     {"--closed", "HOW", "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"
-                         "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
-                         "away from the nose: open, with a second curve over the base; else tied at the sharpest corner"},
+     {"--closed", "HOW",
+      "periodic: smooth all round; tied: both ends are one control point, for a sharp trailing edge;\n"
+      "auto (default): no corner: periodic; a straight blunt base between two corners at the end\n"
+      "away from the nose: open, with a second curve over the base; else tied at the sharpest corner"},
      {"-o", "CURVE", "file to write (required)\n" CURVE_FORMATS},
      format_option,
      zone_option,
-     {"--json", nullptr, "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, the\n"
-                         "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
-                         "backtracks (the curve runs back between two points), max_error, rms_error"}},
+     {"--json", nullptr,
+      "print one JSON object: points, degree, closed (open, tied, periodic), reason (asked for, the\n"
+      "boundary is not closed, no corner, corner, blunt base), corners, base_points,\n"
+      "backtracks (the curve runs back between two points), max_error, rms_error"}},
     "  harmorph fit naca0012.su2 --marker airfoil --points 20 -o airfoil.curve\n"
     "  harmorph fit rae2822.dat -o rae2822.curve\n",
     run_fit};

@@ -169,19 +169,25 @@ const Command solve_command = {
     "solve",
     {"MESH"},
     "Solves the harmonic functions of all control points",
-    "Each control point's function has the values of its B-spline basis function on the curve and 0 on fixed boundaries,\n"
-    "and is harmonic in between. Together they are the basis, from which `harmorph morph` moves the mesh. Markers that are\n"
+    "Each control point's function has the values of its B-spline basis function on the curve and 0 on fixed "
+    "boundaries,\n"
+    "and is harmonic in between. Together they are the basis, from which `harmorph morph` moves the mesh. "
+    "Markers that are\n"
     "not named are fixed. Control points of a second --curve are numbered on after those of the first.\n"
     "\n"
-    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, `points N` and N lines `x y`, `knots K` and K numbers\n"
-    "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, open N);\n"
-    "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, and\n"
+    "CURVE is a text file: `degree P`, `closed periodic|tied|open`, `points N` and N lines `x y`, "
+    "`knots K` and K numbers\n"
+    "(K: P + 1 more than the curve has control points, counted with their repeats: periodic N + P, tied N + 1, "
+    "open N);\n"
+    "where needed `indices M` and the M control points the curve uses in turn (from 1), `weights N` and N numbers, "
+    "and\n"
     "`curve` before degree, closed, indices and knots of another curve over the same points. `#` starts a comment.\n",
     task_options() + engine_options() +
     std::vector<Option>{
      {"--given", "A[,B..]", "markers whose points move by the tables of --mode (may be repeated)"},
-     {"--mode", "FIELD", "a function whose values at the points of --given are a table: lines \"point x y\", points counted\n"
-                        "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude y]\")"},
+     {"--mode", "FIELD",
+      "a function whose values at the points of --given are a table: lines \"point x y\", points counted\n"
+      "from 0 (may be repeated; `morph` moves it by lines \"mode K amplitude [amplitude y]\")"},
      {"--repeat", "N", "solve N times after a warm-up, in memory, and report median times (default 1, no warm-up)"},
      storage_option,
      threads_option,
@@ -189,10 +195,11 @@ const Command solve_command = {
      {"--force", nullptr, "write the basis even if it has not converged (exit code 1 all the same)"},
      format_option,
      zone_option,
-     {"--json", nullptr, "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
-                         "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
-                         "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes,\n"
-                         "storage"}},
+     {"--json", nullptr,
+      "print one JSON object: points, cells, functions, boundary_error, partition_defect, min_value,\n"
+      "max_value, residual, iterations, sweeps (over the finest level), levels, setup_seconds,\n"
+      "factor_seconds (engines that iterate: of agglomeration), solve_seconds, plan_bytes, basis_bytes,\n"
+      "storage"}},
     "  harmorph solve naca0012.su2 --curve airfoil=airfoil.curve -o airfoil.basis\n"
     "  harmorph solve wing.su2 --curve upper,lower=wing.curve --curve flap=flap.curve --slip symmetry -o wing.basis\n",
     run_solve};

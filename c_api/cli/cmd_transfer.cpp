@@ -137,9 +137,12 @@ const Command transfer_command = {
     "transfer",
     {"MESH", "BASIS", "FINE_MESH"},
     "Interpolates solved functions to a denser mesh of the same domain",
-    "Both meshes have the same markers; curves, conditions and operator are those of BASIS. Points on curves get their basis\n"
-    "functions themselves, so the fine mesh moves with the B-spline as exactly as the coarse one does, and the points near\n"
-    "them move along. Points a little beyond a curved boundary take the nearest cell's functions; farther ones than half a\n"
+    "Both meshes have the same markers; curves, conditions and operator are those of BASIS. "
+    "Points on curves get their basis\n"
+    "functions themselves, so the fine mesh moves with the B-spline as exactly as the coarse one does, "
+    "and the points near\n"
+    "them move along. Points a little beyond a curved boundary take the nearest cell's functions; "
+    "farther ones than half a\n"
     "cell's side are refused.\n",
     {{"-o", "BASIS", "file to write, for FINE_MESH (required)"},
      storage_option,

@@ -17,7 +17,8 @@ const Command* const commands[] = {&fit_command,    &solve_command, &morph_comma
                                    &convert_command, &curve_command, &variables_command, &demo_command};
 
 constexpr const char* introduction =
-    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every point\n"
+    "harmorph morphs an airfoil and its mesh together: the airfoil is a B-spline, and its control points move every "
+    "point\n"
     "of the mesh through harmonic functions that are solved once.\n\n"
     "Usage: harmorph COMMAND ...\n\n"
     "Commands:\n";
@@ -77,7 +78,8 @@ Mesh read_mesh(const std::string& path, const ReadOptions& options) {
     return mesh;
 }
 
-const Option format_option = {"--format", "NAME", "format of the mesh, if its content does not tell: `harmorph --help` has them"};
+const Option format_option = {"--format", "NAME",
+                              "format of the mesh, if its content does not tell: `harmorph --help` has them"};
 const Option zone_option = {"--zone", "Z", "which zone of a file of several; the others stay as they are"};
 
 Mesh read_mesh(const Arguments& arguments, std::size_t operand) {

@@ -22,8 +22,8 @@ Curves read_curves(const std::string& path, std::string text); // text: instead 
 void write_curves(std::ostream& out, const Curves& curves);
 
 // In the format that the path ends with; for the help of commands.
-#define CURVE_FORMATS                                                                                                    \
-    "the name's end chooses: .igs, .iges IGES (entity 126); .stp, .step STEP; .nml Fortran namelists;\n"                   \
+#define CURVE_FORMATS \
+    "the name's end chooses: .igs, .iges IGES (entity 126); .stp, .step STEP; .nml Fortran namelists;\n" \
     ".dat points on the curve as Selig's files have them; else the text file that solve --curve reads"
 bool ends_with(const std::string& path, const std::string& ending); // in either case of letters
 void write_curve_file(OutputFiles& files, const std::string& path, const Curves& curves);

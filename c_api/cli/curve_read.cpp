@@ -159,7 +159,8 @@ template <class Number> std::vector<Number> CurveReader::numbers(std::int32_t n,
     std::vector<Number> values;
     const auto wanted = static_cast<std::size_t>(n);
     while (values.size() < wanted) {
-        const std::string next = std::string(what) + " " + std::to_string(values.size() + 1) + " of " + std::to_string(n);
+        const std::string next =
+            std::string(what) + " " + std::to_string(values.size() + 1) + " of " + std::to_string(n);
         if (!lines_.next()) lines_.expected(next);
         for (const std::string_view word : lines_.words()) {
             values.push_back(number<Number>(word, next.c_str()));

@@ -29,7 +29,8 @@ struct Box {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
     }
     Box common(const Box& other) const { // of two that overlap
-        return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)}, {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
+        return {{std::max(low.x, other.low.x), std::max(low.y, other.low.y)},
+                {std::min(high.x, other.high.x), std::min(high.y, other.high.y)}};
     }
     Box widened(double margin) const {
         return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};

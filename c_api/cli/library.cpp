@@ -34,7 +34,8 @@ std::string place_named_in(const std::string& sentence, const Mesh& mesh) {
                                                         : kind == "point" || kind == "points" ? &mesh.point_offset
                                                                                               : nullptr;
         std::int32_t number = -1;
-        if (offsets != nullptr && parse(word, number) && number >= 0 && static_cast<std::size_t>(number) < offsets->size()) {
+        if (offsets != nullptr && parse(word, number) && number >= 0 &&
+            static_cast<std::size_t>(number) < offsets->size()) {
             return mesh.file.place((*offsets)[static_cast<std::size_t>(number)]);
         }
         kind = word;
@@ -62,7 +63,8 @@ void refuse(const hm_error& error, const std::string& path) {
 }
 
 void refuse(const hm_error& error, const Mesh& mesh) {
-    const bool of_the_mesh = error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
+    const bool of_the_mesh =
+        error.code == HM_BAD_MESH || error.code == HM_NOT_POSITIVE || error.code == HM_BAD_CONDITION;
     throw Failure(exit_code(error.code), (of_the_mesh ? place_named_in(error.text, mesh) + ": " : std::string()) +
                                              name_markers(error.text, mesh.markers));
 }

@@ -1,4 +1,5 @@
-// Calls of the library: refusals become failures of the program that say which file, and if possible which line, is meant.
+// Calls of the library: refusals become failures of the program that say which file, and if possible which line,
+// is meant.
 #pragma once
 
 #include "commands.hpp"

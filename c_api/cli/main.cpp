@@ -19,7 +19,8 @@ int complain(ExitCode code, const std::string& message) {
 }
 
 void run(const std::vector<std::string>& words) {
-    if (hm_abi_version() != HM_ABI) throw Failure(exit_unusable, "the program and its library are of different versions");
+    if (hm_abi_version() != HM_ABI)
+        throw Failure(exit_unusable, "the program and its library are of different versions");
     run_command(words);
     if (std::fflush(stdout) != 0) {
         throw Failure(exit_file, std::string("standard output cannot be written: ") + std::strerror(errno));

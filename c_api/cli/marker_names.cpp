@@ -34,7 +34,8 @@ private:
 void number_by_name(Mesh& mesh) {
     std::vector<std::size_t> order(mesh.markers.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return mesh.markers[a] < mesh.markers[b]; });
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return mesh.markers[a] < mesh.markers[b]; });
     std::vector<std::int32_t> number(order.size());
     std::vector<std::string> names;
     for (const std::size_t marker : order) {

@@ -118,7 +118,9 @@ void Mesh::refuse_polygons(const std::string& who) const {
 }
 
 void Mesh::find_polygons() {
-    const auto at = [this](std::int32_t i) { return static_cast<std::size_t>(cell_points[static_cast<std::size_t>(i)]); };
+    const auto at = [this](std::int32_t i) {
+        return static_cast<std::size_t>(cell_points[static_cast<std::size_t>(i)]);
+    };
     for (std::size_t cell = 0; cell + 1 < cell_start.size() && !has_polygons; ++cell) {
         const std::int32_t first = cell_start[cell], n = cell_start[cell + 1] - first;
         has_polygons = n > 4;

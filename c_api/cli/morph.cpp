@@ -78,7 +78,8 @@ Morph::Morph(const Basis& basis, const Mesh& mesh, const std::vector<double>& ta
     options.reached = moves.data(); // stays 0 where the target is refused
     const hm_points_out to = moved.write();
     hm_error error = {};
-    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes, &options, &safe, &error);
+    const hm_status status = hm_morph_safe(solver.plan(), basis.get(), target.data(), &to, nullptr, work.data(), bytes,
+                                           &options, &safe, &error);
     if (status < 0 && status != HM_CROSSING) refuse(error, mesh);
     impossible = status == HM_CROSSING;
     if (status == HM_POOR || status == HM_NOT_CONVERGED) {
@@ -109,7 +110,8 @@ void Morph::improve(const Basis& basis, const Mesh& mesh, const Threads& threads
     std::size_t bytes = 0;
     call(mesh, hm_improve_size, solver.plan(), &bytes);
     Block work(bytes);
-    if (slips(task)) solver.slide(moved, displacement); // as rounded they may be beside their curves, where they are held
+    // As rounded they may be beside their curves, where they are held.
+    if (slips(task)) solver.slide(moved, displacement);
     const hm_points from = moved.read();
     const hm_points_out to = moved.write();
     call(mesh, hm_improve, solver.plan(), &from, &to, work.data(), bytes, nullptr, nullptr);
@@ -129,7 +131,8 @@ Curves Morph::moved_curves(const Basis& basis) const {
     std::vector<hm_curve> curve(n, sized<hm_curve>());
     auto view = sized<hm_curves>();
     std::vector<double> control(2 * static_cast<std::size_t>(basis.curves().n_control));
-    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(), basis.info().curves);
+    call(basis.path(), hm_moved_curves, basis.get(), moves.data(), control.data(), &view, curve.data(),
+         basis.info().curves);
     return copied(view);
 }
 

@@ -23,8 +23,8 @@ void print_json(const Morph& morph, bool safe, const Companions& written, const 
 }
 
 void print_airfoil(const std::string& path, const ToAirfoil& airfoil) {
-    std::printf("airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n", path.c_str(),
-                plural(airfoil.points, "point").c_str(), brief(airfoil.max_error / airfoil.chord).c_str(),
+    std::printf("airfoil          %s: its %s are %s chord off the moved curve at most (point %d), %s rms\n",
+                path.c_str(), plural(airfoil.points, "point").c_str(), brief(airfoil.max_error / airfoil.chord).c_str(),
                 airfoil.worst_point, brief(airfoil.rms_error / airfoil.chord).c_str());
 }
 
@@ -48,8 +48,10 @@ void print_for_people(const Morph& morph, bool safe, const Companions& written) 
     if (morph.refusal.empty()) {
         std::printf("\n");
     } else {
-        std::printf(": the movement that the mesh has, which is not %s %% of each line of the file, as bodies turn on the way\n",
-                    brief(100 * morph.safe.step_fraction).c_str());
+        std::printf(
+            ": the movement that the mesh has, which is not %s %% of each line of the file, as bodies turn on the "
+            "way\n",
+            brief(100 * morph.safe.step_fraction).c_str());
     }
 }
 
@@ -66,8 +68,8 @@ std::string why_not_valid(const Morph& morph, const Mesh& mesh) {
     if (morph.quality.self_crossing != 0) {
         const std::int32_t* points = morph.quality.crossing_points;
         text += (text.empty() ? "" : "; ") + std::string("the boundary crosses itself between points ") +
-                std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " + std::to_string(points[2]) + ", " +
-                std::to_string(points[3]);
+                std::to_string(points[0]) + ", " + std::to_string(points[1]) + " and " + std::to_string(points[2]) +
+                ", " + std::to_string(points[3]);
     }
     return text;
 }

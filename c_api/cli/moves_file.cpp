@@ -51,7 +51,8 @@ private:
         const auto& words = lines_.words();
         if (words.size() < 5 || words.size() > 6) lines_.expected("rigid MARKER dx dy degrees [scale]");
         const auto function = static_cast<std::size_t>(function_of(std::string(words[1])));
-        if (moved_[function]) lines_.fail("the body of " + in_quotes(std::string(words[1])) + " is moved a second time");
+        if (moved_[function])
+            lines_.fail("the body of " + in_quotes(std::string(words[1])) + " is moved a second time");
         moved_[function] = true;
         const double angle = number(words[4]) * pi / 180, scale = words.size() > 5 ? number(words[5]) : 1;
         if (!(scale > 0)) lines_.expected("a scale above 0", words[5]);
@@ -102,7 +103,8 @@ private:
 
 std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh) {
     const TextFile file(path);
-    if (trimmed(file.text()).empty()) file.fail(0, "the file is empty: a file of moves without any says so by a comment, as in `# nothing moves`");
+    if (trimmed(file.text()).empty())
+        file.fail(0, "the file is empty: a file of moves without any says so by a comment, as in `# nothing moves`");
     return MovesReader(file, movable, mesh).read();
 }
 
@@ -122,9 +124,9 @@ void write_moves(std::ostream& out, const std::vector<double>& moves, const Basi
         if (condition.kind != HM_RIGID || written[static_cast<std::size_t>(condition.body)]) continue;
         written[static_cast<std::size_t>(condition.body)] = true; // another marker of the same body says no more
         const double* const its = &moves[2 * (n_control + 2 * static_cast<std::size_t>(condition.body))];
-        out << "# body, dx, dy, degrees, scale\nrigid " << mesh.markers[static_cast<std::size_t>(condition.marker)] << ' '
-            << exact(its[0]) << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi) << ' '
-            << exact(std::hypot(1 + its[2], its[3])) << '\n';
+        out << "# body, dx, dy, degrees, scale\nrigid " << mesh.markers[static_cast<std::size_t>(condition.marker)]
+            << ' ' << exact(its[0]) << ' ' << exact(its[1]) << ' ' << exact(std::atan2(its[3], 1 + its[2]) * 180 / pi)
+            << ' ' << exact(std::hypot(1 + its[2], its[3])) << '\n';
     }
 }
 

@@ -19,7 +19,8 @@ struct Movable {
     std::int32_t functions() const { return n_control + 2 * n_bodies + n_modes; }
 };
 
-std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh); // pairs [2*functions]
+// Pairs [2*functions].
+std::vector<double> read_moves(const std::string& path, const Movable& movable, const Mesh& mesh);
 std::vector<double> read_moves(const std::string& path, const Basis& basis, const Mesh& mesh);
 void write_moves(std::ostream& out, const std::vector<double>& moves, const Basis& basis, const Mesh& mesh);
 

@@ -100,11 +100,11 @@ void OneCellThick::find_planes(std::int32_t cell) {
         if (spread(face, plane, cells)) ++n;
     }
     if (n < 2) {
-        mesh_.file.fail(cell_offset_[at(cell)],
-                        "the mesh has three dimensions and is not one cell thick: there are no two planes in which each "
-                        "cell has a face; cell " +
-                            std::to_string(cell + 1) + " begins at " +
-                            place(cells_.faces[at(cells_.start[at(cell)])].points[0]));
+        mesh_.file.fail(
+            cell_offset_[at(cell)],
+            "the mesh has three dimensions and is not one cell thick: there are no two planes in which each "
+            "cell has a face; cell " +
+                std::to_string(cell + 1) + " begins at " + place(cells_.faces[at(cells_.start[at(cell)])].points[0]));
     }
     bool swapped = false;
     if (is_first) { // the plane of the lower coordinates
@@ -141,8 +141,8 @@ void OneCellThick::find_planes(std::int32_t cell) {
 void OneCellThick::finish() {
     const std::int32_t third = cells_.connect(space_.points.points());
     if (third >= 0) {
-        mesh_.file.fail(cell_offset_[at(cells_.faces[at(third)].cell)], "three cells have a common face; it begins at " +
-                                                                            place(cells_.faces[at(third)].points[0]));
+        mesh_.file.fail(cell_offset_[at(cells_.faces[at(third)].cell)],
+                        "three cells have a common face; it begins at " + place(cells_.faces[at(third)].points[0]));
     }
     for (PlaneFaces& plane : planes_) plane.assign(at(cells_.cells()), -1);
     for (std::int32_t cell = 0; cell < cells_.cells(); ++cell) {
@@ -156,7 +156,8 @@ void OneCellThick::finish() {
     for (const Side& side : sides_) {
         const std::int32_t face = cells_.find(side.points.data(), side.n);
         if (face < 0) {
-            mesh_.file.fail(side.offset, "a face of the boundary is that of no cell; it begins at " + place(side.points[0]));
+            mesh_.file.fail(side.offset,
+                            "a face of the boundary is that of no cell; it begins at " + place(side.points[0]));
         }
         const auto cell = at(cells_.faces[at(face)].cell);
         if (planes_[0][cell] == face || planes_[1][cell] == face) continue;

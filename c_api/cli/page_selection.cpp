@@ -84,7 +84,8 @@ public:
         if (selection_.cells.size() < place(mesh_.cells())) thin_the_rest();
         for (std::int32_t face = 0; face < mesh_.faces(); ++face) {
             const std::int32_t* ends = mesh_.face_points.data() + 2 * face;
-            if (slot_[place(ends[0])] != unselected && slot_[place(ends[1])] != unselected) selection_.faces.push_back(face);
+            if (slot_[place(ends[0])] != unselected && slot_[place(ends[1])] != unselected)
+                selection_.faces.push_back(face);
         }
         return std::move(selection_);
     }
@@ -133,7 +134,8 @@ private:
         const auto less = [](Edge one, Edge other) { return one.a != other.a ? one.a < other.a : one.b < other.b; };
         const auto same = [](Edge one, Edge other) { return one.a == other.a && one.b == other.b; };
         std::sort(selection_.edges.begin(), selection_.edges.end(), less);
-        selection_.edges.erase(std::unique(selection_.edges.begin(), selection_.edges.end(), same), selection_.edges.end());
+        selection_.edges.erase(std::unique(selection_.edges.begin(), selection_.edges.end(), same),
+                               selection_.edges.end());
     }
 
     // Grid squares of about `share` of the distance to the body, which is not 0: those points have been selected.

@@ -75,10 +75,12 @@ private:
             points_.push_back(middle(middle(old_point(corner(0)), old_point(corner(1))),
                                      middle(old_point(corner(2)), old_point(corner(3)))));
         } else {
-            cells_.push_back({between(corner(0), corner(1)), between(corner(1), corner(2)), between(corner(2), corner(0))});
+            cells_.push_back(
+                {between(corner(0), corner(1)), between(corner(1), corner(2)), between(corner(2), corner(0))});
         }
         for (std::size_t k = 0; k < n; ++k) {
-            const std::int32_t before = between(corner(k + n - 1), corner(k)), after = between(corner(k), corner(k + 1));
+            const std::int32_t before = between(corner(k + n - 1), corner(k)),
+                               after = between(corner(k), corner(k + 1));
             cells_.push_back({corner(k), after});
             if (n == 4) cells_.back().push_back(centre);
             cells_.back().push_back(before);
@@ -93,7 +95,8 @@ private:
 
 } // namespace
 
-void write_refined(std::ostream& out, const Mesh& mesh, const std::function<Point(std::int32_t, Point, Point)>& on_boundary) {
+void write_refined(std::ostream& out, const Mesh& mesh,
+                   const std::function<Point(std::int32_t, Point, Point)>& on_boundary) {
     Refined refined(mesh);
     refined.place_boundary(on_boundary);
     refined.write(out);

@@ -57,8 +57,8 @@ private:
             double x = 0, y = 0;
             const bool found = lines_.next();
             if (!found || !read_pair(x, y)) {
-                lines_.expected("x and y of point " + std::to_string(point) + " of " + brief(count) + " of the " + side +
-                                " side");
+                lines_.expected("x and y of point " + std::to_string(point) + " of " + brief(count) + " of the " +
+                                side + " side");
             }
             add(x, y);
         }

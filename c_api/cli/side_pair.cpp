@@ -55,7 +55,8 @@ std::optional<Sides> sides_of(const Mesh& mesh, std::int32_t marker, std::int32_
         const auto place = [&mesh](std::int32_t point) {
             return Complex(mesh.x[static_cast<std::size_t>(point)], mesh.y[static_cast<std::size_t>(point)]);
         };
-        for (std::size_t k = 0; k < a.points.size(); ++k) { // both have the mesh on their left: they run against each other
+        // Both have the mesh on their left: they run against each other.
+        for (std::size_t k = 0; k < a.points.size(); ++k) {
             sides.from.push_back(place(a.points[k]));
             sides.to.push_back(place(b.points[b.points.size() - 1 - k]));
         }

@@ -83,9 +83,10 @@ void take_flat(Mesh& mesh, const SpacePoints& points, const std::vector<SpaceCop
         if (normal == 3 && k >= values.size()) normal = d;
     }
     if (normal == 3) {
-        mesh.file.fail(points.offset[0][offender], "the points must lie in a plane x, y or z = constant, as cells of two "
-                                                   "dimensions do; point " +
-                                                       std::to_string(offender + 1) + " does not");
+        mesh.file.fail(points.offset[0][offender],
+                       "the points must lie in a plane x, y or z = constant, as cells of two "
+                       "dimensions do; point " +
+                           std::to_string(offender + 1) + " does not");
     }
     const std::size_t axes[2] = {normal == 0 ? 1u : 0u, normal == 2 ? 1u : 2u};
     mesh.x = points.x[axes[0]];

@@ -46,7 +46,8 @@ private:
     long last_ = 0;
 };
 
-std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve, const std::vector<std::string>& points) {
+std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve,
+                      const std::vector<std::string>& points) {
     const Knots knots(curve.knots);
     const auto logical = [](bool value) { return std::string(value ? ".T." : ".F."); };
     const std::string control =
@@ -59,7 +60,8 @@ std::string put_curve(StepWriter& step, const Curves& curves, const Curve& curve
     const std::string weights = list_of(
         curve.indices, [&](std::int32_t index) { return scientific(curves.weights[static_cast<std::size_t>(index)]); });
     return step.put("(BOUNDED_CURVE()B_SPLINE_CURVE(" + shape + ")B_SPLINE_CURVE_WITH_KNOTS(" + spans +
-                    ")CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(" + weights + ")REPRESENTATION_ITEM(''))");
+                    ")CURVE()GEOMETRIC_REPRESENTATION_ITEM()RATIONAL_B_SPLINE_CURVE(" + weights +
+                    ")REPRESENTATION_ITEM(''))");
 }
 
 // The product whose shape the curves are, as programs expect one.
@@ -69,14 +71,16 @@ void put_product(StepWriter& step, const std::string& set) {
     const std::string steradian = step.put("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
     const std::string accuracy =
         step.put("UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-9)," + metre + ",'distance_accuracy_value','')");
-    const std::string context =
-        step.put("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" + accuracy +
-                 "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + metre + "," + radian + "," + steradian + "))REPRESENTATION_CONTEXT('',''))");
+    const std::string context = step.put("(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((" +
+                                         accuracy + "))GLOBAL_UNIT_ASSIGNED_CONTEXT((" + metre + "," + radian + "," +
+                                         steradian + "))REPRESENTATION_CONTEXT('',''))");
     const std::string shape =
         step.put("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION('',(" + set + ")," + context + ")");
-    const std::string application = step.put("APPLICATION_CONTEXT('configuration controlled 3d designs of mechanical parts and "
-                                             "assemblies')");
-    step.put("APPLICATION_PROTOCOL_DEFINITION('international standard','config_control_design',1994," + application + ")");
+    const std::string application = step.put(
+        "APPLICATION_CONTEXT('configuration controlled 3d designs of mechanical parts and "
+        "assemblies')");
+    step.put("APPLICATION_PROTOCOL_DEFINITION('international standard','config_control_design',1994," + application +
+             ")");
     const std::string mechanical = step.put("MECHANICAL_CONTEXT(''," + application + ",'mechanical')");
     const std::string product = step.put("PRODUCT('harmorph','harmorph','',(" + mechanical + "))");
     step.put("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',(" + product + "))");

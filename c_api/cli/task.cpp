@@ -98,7 +98,8 @@ void centre_of(const Mesh& mesh, const std::vector<MarkerPiece>& pieces, double&
 }
 
 // binding: "A[,B..]" or "A[,B..]=X,Y", the markers of one body and what it turns about.
-void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding, std::int32_t body) {
+void make_rigid(const Arguments& arguments, const Mesh& mesh, Task& task, const std::string& binding,
+                std::int32_t body) {
     const std::size_t equals = binding.find('=');
     const std::vector<MarkerPiece> pieces = mesh.find_pieces(binding.substr(0, equals));
     double x = 0, y = 0;
@@ -172,21 +173,26 @@ Task::Task() : options(sized<hm_options>()) {}
 
 std::vector<Option> task_options() {
     return {
-    {"--curve", "A[,B..]=CURVE", "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
-                                 "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
-    {"--rigid", "A[,B..][=X,Y]", "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
-                                 "point that it is near to) and scales (may be repeated)"},
+    {"--curve", "A[,B..]=CURVE",
+     "markers, and the file with the curves they lie on (may be repeated). A@X:Y is the piece\n"
+     "of marker A nearest to (X, Y): one of several bodies or sides, here and below"},
+    {"--rigid", "A[,B..][=X,Y]",
+     "markers of a body that only moves, turns about X,Y (default: its middle; of a piece, the\n"
+     "point that it is near to) and scales (may be repeated)"},
     {"--slip", "C[,D..][=CURVE]", "markers along which points slide, straight or curved without corners, or along the\n"
                                   "curves of a file, which BASIS keeps (may be repeated)"},
-    {"--periodic", "E:F", "a pair of markers, one the other moved: their points move alike; or one the other turned, as\n"
-                          "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
+    {"--periodic", "E:F",
+     "a pair of markers, one the other moved: their points move alike; or one the other turned, as\n"
+     "the sides of a passage of an annulus: then their points move turned (may be repeated)"},
     {"--free", "G[,H..]", "markers whose points may move off their line (may be repeated; not with conformal)"},
     {"--operator", "OPERATOR", "conformal (default): keeps angles near the wall, takes large movements; laplace: the\n"
                                "harmonic functions of the paper; weighted: harmonic with a conductivity 1/d^Q"},
-    {"--exponent", "Q", "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
-    {"--scheme", "SCHEME", "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so that\n"
-                           "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by averaged\n"
-                           "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
+    {"--exponent", "Q",
+     "of the distance d to what moves, 0 to 4 in steps of 1/4\n(default 1.5 for conformal, 1 for weighted)"},
+    {"--scheme", "SCHEME",
+     "compact (default): on the mesh's cells; bounded: on Delaunay triangles of its points, so that\n"
+     "laplace and weighted functions stay between 0 and 1; nodal-gradient: laplace by averaged\n"
+     "gradients, engines direct and fas; nodal-gradient-plain: the paper's text, engine fas"},
     {"--offset-correction", nullptr, "conformal: what the mesh is off its curve turns with the curve"},
     {"--tol", "T", "largest relative residual that counts as converged (default 1e-10)"}};
 }

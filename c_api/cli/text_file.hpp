@@ -14,7 +14,8 @@ namespace cli {
 class TextFile {
 public:
     explicit TextFile(const std::string& path); // reads it whole
-    TextFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {} // instead of what is there
+    // Instead of what is there.
+    TextFile(const std::string& path, std::string text) : path_(path), text_(std::move(text)) {}
 
     const std::string& path() const { return path_; }
     const std::string& text() const { return text_; }

@@ -1,5 +1,5 @@
-/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points, one set for each time step,
- * as a coupling library hands them over: here as text, see bend.awk. */
+/* usage: coupling MESH.su2 MARKER <DISPLACEMENTS   The mesh follows displacements of wall points, one set for each time
+ * step, as a coupling library hands them over: here as text, see bend.awk. */
 #include "read_su2.h"
 #include <harmorph.h>
 #include <stdio.h>
@@ -36,7 +36,8 @@ int main(int argc, char **argv) {
     int32_t *points = calloc((size_t)n, sizeof *points);
     double *wall = calloc(2 * (size_t)n, sizeof *wall), *x = malloc(2 * sizeof *x * (size_t)mesh.n_points), worst = 1;
     void *work = malloc(bytes);
-    for (int i = 0; i < n; ++i) if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
+    for (int i = 0; i < n; ++i)
+        if (scanf("%d", &points[i]) != 1) exit((fprintf(stderr, "point %d is missing\n", i), 1));
     for (; scanf("%lf", &wall[k]) == 1; k = (k + 1) % (2 * n)) {
         if (k < 2 * n - 1) continue;
         hm_quality_report quality = {.struct_size = sizeof quality};

@@ -1,6 +1,6 @@
-/* An airfoil that pitches about its quarter chord, as a time-dependent solver moves it: 1000 steps, two periods. Every mesh
- * is made from the first one, so nothing adds up: at angle 0 the first mesh is back, bit by bit. Mesh velocities are the
- * same product on the control points' velocities. */
+/* An airfoil that pitches about its quarter chord, as a time-dependent solver moves it: 1000 steps, two periods. Every
+ * mesh is made from the first one, so nothing adds up: at angle 0 the first mesh is back, bit by bit. Mesh velocities
+ * are the same product on the control points' velocities. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>

@@ -48,7 +48,8 @@ static const char *value_of(const char *line, const char *key) {
 
 static int read_count(reader *from, const char *value, int32_t *n) {
     long found;
-    if (sscanf(value, "%ld", &found) != 1 || found < 0 || found > 1 << 30) return refuse(from, "expected a number behind =", "");
+    if (sscanf(value, "%ld", &found) != 1 || found < 0 || found > 1 << 30)
+        return refuse(from, "expected a number behind =", "");
     *n = (int32_t)found;
     return 0;
 }
@@ -116,7 +117,8 @@ static int read_marker(reader *from, const char *tag, su2_mesh *mesh) {
     if (markers != NULL) mesh->face_markers = markers;
     void *names = grown(mesh->names, (size_t)mesh->n_markers, 1, sizeof *mesh->names);
     if (names != NULL) mesh->names = names;
-    if (points == NULL || markers == NULL || names == NULL) return refuse(from, "no memory for the faces of marker ", name);
+    if (points == NULL || markers == NULL || names == NULL)
+        return refuse(from, "no memory for the faces of marker ", name);
     for (int32_t k = 0; k < n; ++k) {
         int kind, found, p[2];
         if (need_line(from, what, k, n)) return 1;

@@ -1,9 +1,10 @@
-/* Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the library; MIT licence.
+/* Reads two-dimensional meshes in SU2's format. Source to compile with your code, not a part of the library;
+ * MIT licence.
  *
- * Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS with lines (3), in any
- * order, comments (%), further numbers at the ends of lines. Left out: markers of single points (1), as SEND_RECEIVE has
- * them, and keywords of other kinds. Refused: three dimensions, several zones, what is cut off or names points that the
- * file has not. */
+ * Taken: NDIME= 2, NELEM with triangles (5) and quads (9), NPOIN, NMARK, MARKER_TAG, MARKER_ELEMS with lines (3), in
+ * any order, comments (%), further numbers at the ends of lines. Left out: markers of single points (1), as
+ * SEND_RECEIVE has them, and keywords of other kinds. Refused: three dimensions, several zones, what is cut off or
+ * names points that the file has not. */
 #ifndef READ_SU2_H
 #define READ_SU2_H
 
@@ -16,7 +17,8 @@ extern "C" {
 typedef struct su2_mesh {           /* arrays by malloc; points count from 0 */
     int32_t n_points, n_cells, n_faces, n_markers;
     double *x, *y;                  /* [n_points] */
-    int32_t *cell_start;            /* [n_cells+1] the points of cell k: cell_points[cell_start[k]] .. [cell_start[k+1]-1] */
+    int32_t *cell_start;            /* [n_cells+1] the points of cell k: cell_points[cell_start[k]] ..
+                                       [cell_start[k+1]-1] */
     int32_t *cell_points;
     int32_t *face_points;           /* [2*n_faces] */
     int32_t *face_markers;          /* [n_faces] numbers of names, from 0 */

@@ -1,6 +1,6 @@
-/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient by the mesh points in,
- * gradient by the control points out, the exact admissible step, the morph. The objective is one that needs no flow: the
- * body's area is to become 10 % larger, with the smallest movement of its control points. */
+/* One step of a shape optimisation, as an adjoint solver does it, and what goes round it: gradient by the mesh points
+ * in, gradient by the control points out, the exact admissible step, the morph. The objective is one that needs no
+ * flow: the body's area is to become 10 % larger, with the smallest movement of its control points. */
 #include <harmorph.h>
 #include <math.h>
 #include <stdio.h>
@@ -93,7 +93,8 @@ int main(void) {
         if (fabs(missing) < 1e-10 * wanted) break;
 
         double move[2 * CONTROL], square = 0;
-        check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);   /* the area's gradient by the control points */
+        check(hm_adjoint(basis, &by_points, move, NULL, &error), &error);   /* the area's gradient by the control points
+                                                                               */
         for (int k = 0; k < 2 * CONTROL; ++k) square += move[k] * move[k];
         for (int k = 0; k < 2 * CONTROL; ++k) move[k] *= missing / square;
         check(hm_morph(basis, move, NULL, &to_displacement, NULL, &error), &error);

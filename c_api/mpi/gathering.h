@@ -32,7 +32,8 @@ static hm_status gather_points(gathering *g, int32_t n, const int32_t *points, i
     MPI_Type_commit(&g->pair);
     numbers = room_for(2 * (size_t)g->n_processes, sizeof *numbers);
     g->own = room_for(2 * (size_t)n, sizeof *g->own);
-    if (numbers == NULL || g->own == NULL) status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for a list of points");
+    if (numbers == NULL || g->own == NULL)
+        status = refuse(err, HM_BAD_ARGUMENT, "there is no memory for a list of points");
     g->lists.count = numbers;
     g->lists.start = numbers != NULL ? numbers + g->n_processes : NULL;
     status = agree(status, comm, err);

@@ -47,7 +47,8 @@ static hm_status make_room(whole_fields *whole, const hm_plan *plan, int needs_a
     }
     for (k = 0; k < whole->n_points && missing < 0; ++k) missing = seen[k] ? -1 : k;
     free(seen);
-    if (wrong >= 0) return refuse_point(err, "a process has point ", whole->mesh.points[wrong], ", which the mesh has not");
+    if (wrong >= 0)
+        return refuse_point(err, "a process has point ", whole->mesh.points[wrong], ", which the mesh has not");
     if (!needs_all || missing < 0) return HM_OK;
     return refuse_point(err, "point ", (int32_t)missing + whole->index_base, " is in the list of no process");
 }
@@ -65,8 +66,8 @@ static void free_whole(whole_fields *whole) {
 
 /* Arguments that all processes must have alike, and arrays that must be there. Then the lists, and memory on root. */
 static hm_status begin_whole(whole_fields *whole, hm_plan *plan, int32_t n_wall, const int32_t *wall_points,
-                             int32_t n_fields, int arrays_given, int32_t n, const int32_t *points, int has_from, int32_t root,
-                             MPI_Comm comm, hm_error *err) {
+                             int32_t n_fields, int arrays_given, int32_t n, const int32_t *points, int has_from,
+                             int32_t root, MPI_Comm comm, hm_error *err) {
     int32_t own[6] = {n_fields, -n_fields, root, -root, has_from, -has_from}, least[6];
     int rank, size;
     hm_status status = HM_OK;

@@ -1,7 +1,8 @@
 #!/bin/sh
 # usage: describe.sh LIBRARY DIR   (CC from the environment; in the top directory)
-# The binary interface of the C headers and the library, as text: exported calls with their declarations, structs with the
-# places and sizes of all fields, constants. The headers themselves are taken apart: nothing of them can be forgotten here.
+# The binary interface of the C headers and the library, as text: exported calls with their declarations, structs with
+# the places and sizes of all fields, constants. The headers themselves are taken apart:
+# nothing of them can be forgotten here.
 : "${CC:=cc}"
 library=$1 dir=$2
 headers=$(grep -l '^HM_API' c_api/*.h)

@@ -1,9 +1,9 @@
 #!/bin/sh
-# usage: run.sh BUILD [quick]   (MAKE, CC, CXX from the environment; RELEASE: a tarball of `make dist`; BASE: a revision)
-# The interface that programs are compiled against: calls, structs, constants as tests/abi/interface.txt has them; the
-# shared library exports these calls, all of the version HARMORPH_ABI, and a C program runs with it. Without `quick` also
-# abidiff against the last release: RELEASE, or BASE, or the last tag v*, of which the tarball is made from git's
-# history.
+# usage: run.sh BUILD [quick]   (MAKE, CC, CXX from the environment; RELEASE: a tarball of `make dist`; BASE: a
+# revision) The interface that programs are compiled against: calls, structs, constants as tests/abi/interface.txt has
+# them; the shared library exports these calls, all of the version HARMORPH_ABI, and a C program runs with it. Without
+# `quick` also abidiff against the last release: RELEASE, or BASE, or the last tag v*, of which the tarball is made from
+# git's history.
 : "${MAKE:=make}" "${CC:=cc}" "${CXX:=c++}" "${CFLAGS:=-O2}" "${RELEASE=}" "${BASE=}"
 build=$(cd "$1" && pwd)
 dir=$build/abi

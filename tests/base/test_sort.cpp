@@ -27,9 +27,13 @@ TEST_CASE("the sort by insertion sorts, and keeps the order of equal keys") {
         for (int kind = 0; kind < 4; ++kind) {
             std::vector<std::pair<int, int>> items;
             for (int k = 0; k < n; ++k)
-                items.push_back({kind == 0 ? k : kind == 1 ? -k : static_cast<int>(random() % (kind == 2 ? 5 : 100000)), k});
+                items.push_back({kind == 0   ? k
+                                 : kind == 1 ? -k
+                                             : static_cast<int>(random() % (kind == 2 ? 5 : 100000)),
+                                 k});
             std::vector<std::pair<int, int>> expected = items;
-            std::stable_sort(expected.begin(), expected.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
+            std::stable_sort(expected.begin(), expected.end(),
+                             [](auto const& a, auto const& b) { return a.first < b.first; });
             harmorph::sort_by_insertion(span(items), [](auto const& a, auto const& b) { return a.first < b.first; });
             CHECK(items == expected);
         }

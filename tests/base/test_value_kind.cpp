@@ -16,10 +16,13 @@ struct Kind {
     bool rigid, slip;
     std::int32_t least_numbers;   // fewer cannot express the values
 };
-constexpr Kind kinds[] = {{"Laplace", HM_LAPLACE, false, false, 1},       {"weighted", HM_WEIGHTED, false, false, 1},
-                          {"Laplace, rigid body", HM_LAPLACE, true, false, 2}, {"conformal", HM_CONFORMAL, false, false, 2},
+constexpr Kind kinds[] = {{"Laplace", HM_LAPLACE, false, false, 1},
+                          {"weighted", HM_WEIGHTED, false, false, 1},
+                          {"Laplace, rigid body", HM_LAPLACE, true, false, 2},
+                          {"conformal", HM_CONFORMAL, false, false, 2},
                           {"conformal, rigid body", HM_CONFORMAL, true, false, 2},
-                          {"Laplace, slip", HM_LAPLACE, false, true, 4}, {"conformal, slip", HM_CONFORMAL, true, true, 4}};
+                          {"Laplace, slip", HM_LAPLACE, false, true, 4},
+                          {"conformal, slip", HM_CONFORMAL, true, true, 4}};
 
 Case case_of(Kind const& kind) {
     Case out;
@@ -155,7 +158,7 @@ TEST_CASE("zero movement keeps every bit, and a movement that is not finite is r
     }
 }
 
-TEST_CASE("saved and attached, values of all kinds are the same; truncated at any length or with a changed byte, refused") {
+TEST_CASE("values of all kinds are the same after saving and attaching; damaged values are refused") {
     for (Kind const& kind : kinds) {
         INFO(kind.name);
         Case its = case_of(kind);
@@ -289,7 +292,8 @@ TEST_CASE("sizes are exact for all kinds: every block at any alignment, and one 
             hm_plan* plan = nullptr;
             hm_basis* basis = nullptr;
             Guarded less_plan(attempt.plan_block->size() - 64), less_basis(attempt.basis_block->size() - 64);
-            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis, nullptr) == HM_BLOCK_TOO_SMALL);
+            CHECK(hm_plan_init(&plan, less_plan.data(), less_plan.size(), attempt.analysis, nullptr) ==
+                  HM_BLOCK_TOO_SMALL);
             CHECK(hm_basis_init(&basis, less_basis.data(), less_basis.size(), attempt.analysis, nullptr) ==
                   HM_BLOCK_TOO_SMALL);
             CHECK(less_plan.guards_intact());

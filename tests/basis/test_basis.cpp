@@ -1,4 +1,5 @@
-// A basis is one block that may be copied, written to a file and attached again, and gives back what it was solved with.
+// A basis is one block that may be copied, written to a file and attached again,
+// and gives back what it was solved with.
 #include <doctest/doctest.h>
 
 #include <fixtures/basis_copy.hpp>

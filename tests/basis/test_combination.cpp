@@ -59,7 +59,8 @@ TEST_CASE("combined functions move points, curves and gradients as the control p
                 REQUIRE(hm_moved_curves(k == 0 ? combined.basis : solved.basis, k == 0 ? move.data() : whole.data(),
                                         control[k].data(), &curves[k], curve[k], 2, nullptr) == HM_OK);
             }
-            for (std::size_t k = 0; k < control[0].size(); ++k) CHECK(control[0][k] == doctest::Approx(control[1][k]).epsilon(1e-14));
+            for (std::size_t k = 0; k < control[0].size(); ++k)
+                CHECK(control[0][k] == doctest::Approx(control[1][k]).epsilon(1e-14));
 
             // g_j = sum_i conj(M_ij) G_i; and work done by both is the same.
             Gradient const g(problem.its.mesh.x.size(), 3);
@@ -113,7 +114,8 @@ TEST_CASE("combined functions are extracted, written, attached, stored in single
         Rows const rows(combined.basis, points);
         REQUIRE(rows.status == HM_OK);
         Moved const part = displaced(rows.basis, move);
-        for (std::size_t k = 0; k < points.size(); ++k) CHECK(part.x[k] == expected.x[static_cast<std::size_t>(points[k])]);
+        for (std::size_t k = 0; k < points.size(); ++k)
+            CHECK(part.x[k] == expected.x[static_cast<std::size_t>(points[k])]);
         double error = 1;
         Numbers const zero(points.size());
         REQUIRE(hm_boundary_error(rows.basis, move.data(), points_in(zero, zero), points_in(part.x, part.y), &error,

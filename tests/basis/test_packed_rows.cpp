@@ -182,7 +182,8 @@ TEST_CASE("a function's bits do not depend on the engine's blocks: any share, an
             std::vector<double> const expected = values_in_shares(all, n);
             INFO("operator " << method.operator_kind << ", scheme " << method.scheme << ", engine " << method.engine
                              << ", problem " << &problem - &problems[0]);
-            CHECK(same_bits(std::vector<double>(expected.begin(), expected.begin() + all.info().points), all.values(0)));
+            CHECK(
+                same_bits(std::vector<double>(expected.begin(), expected.begin() + all.info().points), all.values(0)));
             for (std::int32_t const width : {3, 7}) CHECK(same_bits(values_in_shares(all, width), expected));
             std::ptrdiff_t const numbers = static_cast<std::ptrdiff_t>(expected.size()) / n;
             for (std::int32_t const alone : {0, n / 2, n - 1}) {

@@ -17,7 +17,8 @@ double number_of(Index point, Index k) { return 1 + 1000.0 * point + k; }
 std::vector<double> rows(Index n_points, Index numbers) {
     std::vector<double> out(static_cast<std::size_t>(harmorph::whole_blocks(n_points) * numbers), -1);
     for (Index point = 0; point < n_points; ++point)
-        for (Index k = 0; k < numbers; ++k) out[static_cast<std::size_t>(Offset{point} * numbers + k)] = number_of(point, k);
+        for (Index k = 0; k < numbers; ++k)
+            out[static_cast<std::size_t>(Offset{point} * numbers + k)] = number_of(point, k);
     return out;
 }
 

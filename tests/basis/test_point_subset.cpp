@@ -23,7 +23,7 @@ Moved morphed(const hm_basis* basis, Numbers const& move, Moved const& from) {
 
 }  // namespace
 
-TEST_CASE("values, morph, curves and points of the wall are those of the whole, with ghosts, repeats, and index base 1") {
+TEST_CASE("values, morph, curves and wall points of a subset are those of the whole, with ghosts and repeats") {
     for (KindOfProblem& problem : kinds_of_problems())
         for (std::int32_t const base : {0, 1}) {
             problem.its.index_base = base;

@@ -1,5 +1,5 @@
-// Functions in single precision: the wall moves as with double ones, the rest to the stated bound, and the adjoint is the
-// transpose of that.
+// Functions in single precision: the wall moves as with double ones, the rest to the stated bound, and the adjoint is
+// the transpose of that.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -46,7 +46,7 @@ TEST_CASE("each number is the nearest one of single precision, and on the wall t
     }
 }
 
-TEST_CASE("a morph moves the wall bit by bit as the double functions do, fixed points not at all, others to the bound") {
+TEST_CASE("a morph moves the wall bit by bit as double functions do, fixed points not at all, others to the bound") {
     for (KindOfProblem& problem : problems_and_a_cut()) {
         Mesh const& mesh = problem.its.mesh;
         Solved const solved(problem.its, &problem.options);
@@ -108,7 +108,8 @@ TEST_CASE("both sides of a cut move as one, on the wall and off it") {
     Solved const solved(its);
     CHECK(solved.info().curve_points == 30);   // 31 points of the mesh are on the curve
     Single const single(solved.basis);
-    std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};   // the wall's other side, and not the side with the parameter
+    // The wall's other side, and not the side with the parameter.
+    std::vector<std::int32_t> copy_alone = {30, 61, 5, 30};
     Rows const rows(single.basis, copy_alone);
     CHECK(info_of(rows.basis).curve_points == 2);
     Numbers const move = some_move(8, 0.05, 2);

@@ -35,7 +35,7 @@ TEST_CASE("copied, attached, truncated, damaged: like any basis") {
     }
 }
 
-TEST_CASE("values that single precision does not reach: too large ones are refused, tiny ones keep the absolute bound") {
+TEST_CASE("values beyond the range of single precision: large ones are refused, tiny ones keep the bound") {
     Case its = tiny_case();
     Solved const solved(its);
     harmorph::Basis const view = harmorph::Basis::view(static_cast<void*>(solved.basis));
@@ -77,8 +77,10 @@ TEST_CASE("calls that need the functions in double precision refuse single ones"
 
     REQUIRE(hm_transfer_size(solved.analysis, &mesh, &bytes, nullptr) == HM_OK);
     std::vector<unsigned char> work(bytes);
-    CHECK(refused(hm_transfer(solved.basis, work.data(), bytes, solved.analysis, single.basis, &mesh, nullptr, &error), error));
-    CHECK(refused(hm_transfer(single.basis, work.data(), bytes, solved.analysis, solved.basis, &mesh, nullptr, &error), error));
+    CHECK(refused(hm_transfer(solved.basis, work.data(), bytes, solved.analysis, single.basis, &mesh, nullptr, &error),
+                  error));
+    CHECK(refused(hm_transfer(single.basis, work.data(), bytes, solved.analysis, solved.basis, &mesh, nullptr, &error),
+                  error));
 
     REQUIRE(hm_morph_safe_size(solved.plan, nullptr, &bytes, nullptr) == HM_OK);
     work.resize(bytes);

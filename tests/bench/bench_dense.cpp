@@ -137,8 +137,9 @@ void bench_dense(Settings const& settings, Limits const& limits, Report& report)
     }
     if (blas() != nullptr) blas()->set_threads(settings.threads);
     else table.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
-    table.notes.push_back("factor: dpotrf and dtrsm; update: dsyrk; solve: dtrsm and dgemm. Flops are those of the plain "
-                          "algorithm on both sides. Peak: multiply-adds in registers, as above.");
+    table.notes.push_back(
+        "factor: dpotrf and dtrsm; update: dsyrk; solve: dtrsm and dgemm. Flops are those of the plain "
+        "algorithm on both sides. Peak: multiply-adds in registers, as above.");
     table.notes.push_back(others.text());
     report.finish(table);
 }

@@ -23,7 +23,8 @@ constexpr Operator operators[] = {{"laplace", HM_LAPLACE, 0.12}, {"conformal", H
 // An analysis and a plan with one condition on the body.
 class Plan {
 public:
-    Plan(Case const& its_case, Workspace& workspace, Settings const& settings, Index operator_kind, hm_curves const* curves)
+    Plan(Case const& its_case, Workspace& workspace, Settings const& settings, Index operator_kind,
+         hm_curves const* curves)
         : workspace_(workspace) {
         hm_condition condition{};
         condition.struct_size = sizeof condition;
@@ -97,8 +98,9 @@ public:
         std::size_t bytes = 0;
         done(hm_displace_size(plan_, fields, &bytes, &error_), "hm_displace_size");
         void* const block = work_.give(bytes);
-        done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(), nullptr, to_.data(), block,
-                         bytes, nullptr, &error_), "hm_displace");
+        done(hm_displace(plan_, static_cast<Index>(points_.size()), nullptr, fields, given_.data(), nullptr, to_.data(),
+                         block, bytes, nullptr, &error_),
+             "hm_displace");
     }
     // Of what displace() has left in the fields.
     void adjoint(Index fields) {
@@ -107,8 +109,9 @@ public:
         void* const block = work_.give(bytes);
         std::vector<double> gradient(2 * points_.size());
         std::vector<hm_points_out> const to(at(fields), {gradient.data(), gradient.data() + points_.size(), 1});
-        done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields, dj_.data(), to.data(), block, bytes,
-                                 nullptr, &error_), "hm_displace_adjoint");
+        done(hm_displace_adjoint(plan_, static_cast<Index>(points_.size()), nullptr, fields, dj_.data(), to.data(),
+                                 block, bytes, nullptr, &error_),
+             "hm_displace_adjoint");
     }
     std::vector<Index> const& points() const { return points_; }
     std::vector<double> const& wall() const { return wall_; }
@@ -131,11 +134,17 @@ private:
 void bench_displace(Settings const& settings, Report& report) {
     std::string const threads = " (threads: " + std::to_string(settings.threads) + ")";
     Table ours{"One displacement of the wall [s]" + threads,
-               {"mesh", "operator", "factor", "20 functions", "displacement", "% of both", "allowed %", "adjoint", "12 fields",
-                "us/node", "growth"}, {}, {}};
-    Table against{"Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky to 1e-6 [s]" + threads,
-                  {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement", "ratio of displacements",
-                   "ratio with set-up"}, {}, {}};
+               {"mesh", "operator", "factor", "20 functions", "displacement", "% of both", "allowed %", "adjoint",
+                "12 fields", "us/node", "growth"},
+               {},
+               {}};
+    Table against{
+        "Against linear elasticity, stiffness 1/area, conjugate gradients with incomplete Cholesky to 1e-6 [s]" +
+            threads,
+        {"mesh", "set-up", "iterations", "solution", "our factor", "our displacement", "ratio of displacements",
+         "ratio with set-up"},
+        {},
+        {}};
     ours.begin();
     std::map<std::string, double> first;   // per node, of the smallest mesh of a kind
     Others others;
@@ -166,12 +175,13 @@ void bench_displace(Settings const& settings, Report& report) {
                           {1e6 * one / nodes, "%.3f"}, ratio(one / nodes / per_node)});
                 if (its.number != HM_LAPLACE || size > settings.elasticity) continue;
                 ElasticTimes const elastic = solve_elasticity(its_case, movement.points(), movement.wall());
-                against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations), seconds(elastic.solve),
-                             seconds(factor), seconds(one), ratio(elastic.solve / one),
+                against.add({its_case.name(), seconds(elastic.set_up), count(elastic.iterations),
+                             seconds(elastic.solve), seconds(factor), seconds(one), ratio(elastic.solve / one),
                              ratio((elastic.set_up + elastic.solve) / (factor + one))});
             }
         }
-    ours.notes.push_back("Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of the kind.");
+    ours.notes.push_back(
+        "Medians, warm. 20 functions: hm_plan_solve. growth: us/node against the smallest mesh of the kind.");
     ours.notes.push_back(others.text());
     against.notes.push_back(elasticity_note());
     against.notes.push_back("On meshes of at most " + std::to_string(settings.elasticity)

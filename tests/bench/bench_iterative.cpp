@@ -33,8 +33,10 @@ double difference(hm_basis const* a, hm_basis const* b, Index functions, std::si
 
 void bench_iterative(Settings const& settings, Report& report) {
     Table table{"Engines, to 1e-10 (threads: " + std::to_string(settings.threads) + ", functions in blocks of 4)",
-                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds", "plan B/node", "residual",
-                 "from direct"}, {}, {}};
+                {"mesh", "functions", "engine", "levels", "iterations", "fine sweeps", "seconds", "plan B/node",
+                 "residual", "from direct"},
+                {},
+                {}};
     table.begin();
     Index const functions = settings.functions[0];
     for (std::string const& kind : settings.kinds) {
@@ -59,8 +61,9 @@ void bench_iterative(Settings const& settings, Report& report) {
             }
         }
     }
-    table.notes.push_back("Seconds: direct: ordering, symbolic pass, factor and solution; others: levels and solution. One cold "
-                          "run, so only roughly.");
+    table.notes.push_back(
+        "Seconds: direct: ordering, symbolic pass, factor and solution; others: levels and solution. One cold "
+        "run, so only roughly.");
     table.notes.push_back("FAS: up to 300000 points.");
     report.finish(table);
 }

@@ -44,7 +44,8 @@ public:
     // Against the fastest of the ways to store F and the coordinates that suit dgemm; the least of calls in turn.
     Pairs against(Blas const& its) {
         Block memory_by_node(pages_), memory_by_function(pages_);
-        double *const by_node = memory_by_node.numbers(m_ * n_), *const by_function = memory_by_function.numbers(m_ * n_);
+        double *const by_node = memory_by_node.numbers(m_ * n_), *const by_function =
+                                                                     memory_by_function.numbers(m_ * n_);
         for (std::size_t k = 0; k < m_; ++k) {
             done(hm_basis_values(basis_, static_cast<Index>(k), 0, &by_function[k * n_], &error_), "hm_basis_values");
             for (std::size_t i = 0; i < n_; ++i) by_node[i * m_ + k] = by_function[k * n_ + i];
@@ -248,12 +249,15 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
         add_step(its_case, settings, steps);
     }
     if (blas() == nullptr) products.notes.push_back("OpenBLAS: not installed (libopenblas-dev)");
-    products.notes.push_back("Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Reading: of the basis "
-                             "[GB/s], in turn with the product, in the same pages.");
-    products.notes.push_back("dgemm: the best of three ways to store F and the coordinates, in the same pages; the least of calls in turn.");
+    products.notes.push_back(
+        "Bytes: 8 m + 32 a node for the morph, in place; 8 m + 16 for the adjoint. Reading: of the basis "
+        "[GB/s], in turn with the product, in the same pages.");
+    products.notes.push_back(
+        "dgemm: the best of three ways to store F and the coordinates, in the same pages; the least of calls in turn.");
     products.notes.push_back(others.text());
-    storage.notes.push_back("In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint. Reading: of the "
-                            "narrow basis [GB/s], in turn with the product.");
+    storage.notes.push_back(
+        "In turn, the least of each. Bytes: 4 m + 32 a node for the morph, 4 m + 16 for the adjoint. Reading: of the "
+        "narrow basis [GB/s], in turn with the product.");
     storage.notes.push_back(others.text());
     steps.notes.push_back("Morph and both at once: in turn, the least of each; step and quality: medians.");
     report.finish(products);

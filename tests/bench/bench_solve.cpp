@@ -31,11 +31,15 @@ void bench_solve(Settings const& settings, Report& report) {
     std::string const factor = settings.precision == HM_SINGLE ? "; our factor in single precision" : "";
     std::string const threads = " (threads: " + std::to_string(settings.threads) + factor + ")";
     Table against{"Ordering, symbolic pass, factorisation, solution [s]" + threads,
-                  {"mesh", "functions", "ours", "peer", "analysis", "factor", "solve", "theirs", "ratio", "our plan B/node",
-                   "their B/node", "our residual", "their residual"}, {}, {}};
+                  {"mesh", "functions", "ours", "peer", "analysis", "factor", "solve", "theirs", "ratio",
+                   "our plan B/node", "their B/node", "our residual", "their residual"},
+                  {},
+                  {}};
     Table phases{"Our phases [s]" + threads,
-                 {"mesh", "nodes", "functions", "structure", "assembly", "ordering", "symbolic", "factor", "solve", "engine",
-                  "around %", "plan B/node", "factor B/node", "analysis B/node"}, {}, {}};
+                 {"mesh", "nodes", "functions", "structure", "assembly", "ordering", "symbolic", "factor", "solve",
+                  "engine", "around %", "plan B/node", "factor B/node", "analysis B/node"},
+                 {},
+                 {}};
     Table trials{"Their orderings, tried once they are warm [s]" + threads,
                  {"mesh", "peer", "analysis", "factor", "with the first solve"}, {}, {}};
     Table growth{"Growth of our time per node, from each size to the next" + threads,
@@ -57,8 +61,9 @@ void bench_solve(Settings const& settings, Report& report) {
             disturbed += comparison.disturbed();
         }
     }
-    phases.notes.push_back("engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init, and solve the refinement "
-                           "of a factor in single precision. around: structure and assembly, in % of all.");
+    phases.notes.push_back(
+        "engine = ordering + symbolic + factor + solve; symbolic includes hm_plan_init, and solve the refinement "
+        "of a factor in single precision. around: structure and assembly, in % of all.");
     for (SolverPackage const& package : solver_packages())
         if (package.make == nullptr) against.notes.push_back(package.name + ": " + presence(package));
     against.notes.push_back("Residual: the worst function's |b - A x| / |b|, with one matrix assembled here. Medians, "

@@ -91,7 +91,8 @@ Fit::Fit(Case const& its_case, Index n_control) {
     require(hm_fit_size(its_case.wall_points, &options, &bytes, &error), error, "hm_fit_size");
     block_.reset(new unsigned char[bytes]);
     hm_points const wall{x.data(), y.data(), 1};
-    hm_status const status = hm_fit(&curves_, block_.get(), bytes, &wall, its_case.wall_points, 1, &options, nullptr, &error);
+    hm_status const status =
+        hm_fit(&curves_, block_.get(), bytes, &wall, its_case.wall_points, 1, &options, nullptr, &error);
     require(status, error, "hm_fit");
 }
 

@@ -119,8 +119,8 @@ std::pair<std::vector<double>, std::vector<double>> in_turn(One one, Other other
     return seconds;
 }
 
-// What run() returns. While others have the processor too, one thread's run is repeated, twice at most; the least disturbed
-// counts. disturbed: how many were so even then.
+// What run() returns. While others have the processor too, one thread's run is repeated, twice at most; the least
+// disturbed counts. disturbed: how many were so even then.
 template <class Run>
 auto undisturbed(Run run, int threads, int& disturbed) {
     double const enough = 0.97;

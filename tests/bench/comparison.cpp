@@ -53,7 +53,8 @@ void Comparison::run_peer(Candidate& candidate) {
     auto const run = [&] { return candidate.peer->run(matrix_, b_, x_); };
     candidate.runs.push_back(undisturbed(run, settings_.threads, disturbed_));
     if (!candidate.residual.empty()) return;
-    for (std::size_t set = 0; set < sets(); ++set) candidate.residual.push_back(matrix_.worst_residual(b_[set], x_[set]));
+    for (std::size_t set = 0; set < sets(); ++set)
+        candidate.residual.push_back(matrix_.worst_residual(b_[set], x_[set]));
 }
 
 // Tries all orderings and ways to use threads, once the package's memory is warm.

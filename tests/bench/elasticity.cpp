@@ -50,7 +50,8 @@ private:
         Index point[3];
     };
 
-    // Plane strain, Young's modulus 1/area: gradients of the shape functions are g / (2 area), so the area cancels once.
+    // Plane strain, Young's modulus 1/area: gradients of the shape functions are g / (2 area),
+    // so the area cancels once.
     void add_triangle(Triangle const& triangle) {
         double g[3][2];
         auto const x = [&](int k) { return mesh_.x[at(triangle.point[k % 3])]; };
@@ -89,7 +90,8 @@ private:
 
 }  // namespace
 
-ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& points, std::vector<double> const& displacement) {
+ElasticTimes solve_elasticity(Case const& its_case, std::vector<Index> const& points,
+                              std::vector<double> const& displacement) {
     std::vector<double> known(2 * its_case.mesh.x.size(), 0);
     for (std::size_t k = 0; k < points.size(); ++k)
         for (std::size_t i = 0; i < 2; ++i) known[2 * at(points[k]) + i] = displacement[2 * k + i];

@@ -1,6 +1,7 @@
 #!/bin/sh
-# `make bench PARTS=files`: a mesh of a million points from each format to SU2, by harmorph and, where it is installed, by gmsh.
-# Seconds of processor time (user and system), so that other work on the machine counts little; MB/s of the file read.
+# `make bench PARTS=files`: a mesh of a million points from each format to SU2, by harmorph and, where it is installed,
+# by gmsh. Seconds of processor time (user and system), so that other work on the machine counts little;
+# MB/s of the file read.
 : "${BUILD:=build}" "${CC:=cc}" "${ROUND:=1000}" "${OUTWARDS:=1000}"
 out=$BUILD/bench harmorph=$BUILD/harmorph
 mkdir -p "$out" || exit 1

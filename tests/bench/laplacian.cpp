@@ -129,7 +129,8 @@ Columns Laplacian::right_hand_sides(hm_basis const* basis, hm_curves const& curv
         Index const k = place[at(c.point)];
         Index control[6];
         double values[6];
-        hm_status const status = hm_curve_basis(&curves, info.point_curve[k], info.point_u[k], 0, control, values, &error);
+        hm_status const status =
+            hm_curve_basis(&curves, info.point_curve[k], info.point_u[k], 0, control, values, &error);
         require(status, error, "hm_curve_basis");
         for (Index i = 0; i <= curves.curve[info.point_curve[k]].degree; ++i)
             b[at(control[i] - curves.index_base)][c.unknown] -= c.value * values[i];

@@ -22,7 +22,8 @@ namespace {
 
 char const* const usage =
     "usage: bench [--parts \"dense solve iterative displace morph\"] [--sizes \"10000 100000 1000000\"]\n"
-    "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] [--repeats N]\n"
+    "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] "
+    "[--repeats N]\n"
     "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json FILE]\n";
 
 template <class T>

@@ -22,8 +22,8 @@ public:
 
     PeerTimes run(Laplacian const& matrix, std::vector<Columns> const& b, std::vector<Columns>& x) override {
         using Sparse = Eigen::SparseMatrix<double>;
-        Eigen::Map<Sparse const> const a(matrix.n, matrix.n, static_cast<Index>(matrix.value.size()), matrix.start.data(),
-                                         matrix.column.data(), matrix.value.data());
+        Eigen::Map<Sparse const> const a(matrix.n, matrix.n, static_cast<Index>(matrix.value.size()),
+                                         matrix.start.data(), matrix.column.data(), matrix.value.data());
         PeerTimes times;
         Stopwatch watch;
         Eigen::SimplicialLLT<Sparse, Eigen::Upper> solver;

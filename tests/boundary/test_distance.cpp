@@ -109,7 +109,8 @@ TEST_CASE("only the chosen faces count, and moved coordinates count when the tre
 
 TEST_CASE("feet: the nearest place, whichever group is tried first, also where two faces are equally near") {
     FaceLoops loops;
-    std::vector<Point> stairs;   // corners at whole numbers, so that distances from both faces there are the same to the bit
+    // Corners at whole numbers, so that distances from both faces there are the same to the bit.
+    std::vector<Point> stairs;
     for (int k = 0; k < 40; ++k) stairs.insert(stairs.end(), {{1.0 * k, 1.0 * k}, {k + 1.0, 1.0 * k}});
     loops.add(stairs);
     FaceTree const tree(loops);

@@ -42,7 +42,8 @@ TEST_CASE("weights: powers of the distance from the mean of the corners, on all 
     CHECK(tree.unit <= 1);
     CHECK(tree.unit > 0.49);
     std::vector<double> distance;
-    for (Index cell = 0; cell < mesh.n_cells(); ++cell) distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
+    for (Index cell = 0; cell < mesh.n_cells(); ++cell)
+        distance.push_back(by_trying_all(loops, barycentre(mesh, cell)));
     for (Index quarters = 0; quarters <= 16; ++quarters) {
         std::vector<double> const k = weights_of(mesh, tree, quarters);
         double worst = 0;   // in what rounding may do

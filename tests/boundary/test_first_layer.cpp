@@ -66,7 +66,8 @@ TEST_CASE("rigid motion and scaling change no angle; heights scale") {
 TEST_CASE("shear of a flat wall: the angle and the point are known; walls may end") {
     Mesh mesh = square(8, Cells::quads);   // all of its boundary is the far field
     for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)
-        if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0) mesh.face_markers[k] = body;
+        if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0)
+            mesh.face_markers[k] = body;
     Walls walls(mesh);
     CHECK(walls.layer.wall.count == 9);
     walls.deform([](Point p) { return Point{p.x + 0.3 * p.y, 2 * p.y}; });
@@ -86,7 +87,7 @@ TEST_CASE("shear of a flat wall: the angle and the point are known; walls may en
     CHECK(one.mean_angle == doctest::Approx(45.0 / 9));
 }
 
-TEST_CASE("a conformal map keeps angles and scales heights with the stretch of the wall, to first order in the height") {
+TEST_CASE("a conformal map keeps angles and scales heights with the stretch of the wall, to first order") {
     double last[2] = {1, 1};
     for (int const n : {60, 120, 240}) {
         Walls walls(annulus(8, n, 1, 1 + 8.0 / n));

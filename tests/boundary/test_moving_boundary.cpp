@@ -20,7 +20,8 @@ Case on_curve(Spline const& spline, int n_t) {
 std::map<std::int32_t, std::pair<std::int32_t, double>> parameters(Solved const& solved) {
     std::map<std::int32_t, std::pair<std::int32_t, double>> out;
     hm_basis_info const info = solved.info();
-    for (std::int32_t k = 0; k < info.curve_points; ++k) out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
+    for (std::int32_t k = 0; k < info.curve_points; ++k)
+        out[info.curve_point[k]] = {info.point_curve[k], info.point_u[k]};
     CHECK(out.size() == static_cast<std::size_t>(info.curve_points));   // every point once
     return out;
 }

@@ -211,7 +211,8 @@ TEST_CASE("slip lines of two directions at the ends of a pair: the point that is
         Solved const solved(its, &options);
         Field const moved = displacement(solved, some_move(4, 0.2, 14));
         std::vector<std::int32_t> const roof = points_on(its.mesh, top);
-        Complex const a = moved[static_cast<std::size_t>(roof.front())], b = moved[static_cast<std::size_t>(roof.back())];
+        Complex const a = moved[static_cast<std::size_t>(roof.front())],
+                      b = moved[static_cast<std::size_t>(roof.back())];
         CHECK(a == b);
         CHECK((slope == 0 ? std::abs(a) > 1e-4 : a == 0.0));
         Complex const beside = moved[static_cast<std::size_t>(roof[1])];

@@ -67,7 +67,7 @@ TEST_CASE("a passage that is one cell wide in places, where its two sides are on
             }
 }
 
-TEST_CASE("thin cells along the hub and along the sides, also with a factor in single precision: one passage is the annulus") {
+TEST_CASE("thin cells at the hub and the sides, also with a single-precision factor: one passage gives the annulus") {
     int const n = 5;
     for (bool const at_sides : {false, true})
         for (std::int32_t const operator_kind : operators)

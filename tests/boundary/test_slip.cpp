@@ -107,7 +107,8 @@ TEST_CASE("kinds of points: corners of two lines are fixed, what is stronger win
 
     its = tiny_case();   // one line over two markers
     for (std::size_t face = 0; face < its.mesh.face_markers.size(); ++face)
-        if (its.mesh.face_markers[face] == bottom && its.mesh.x[static_cast<std::size_t>(its.mesh.faces[2 * face])] > 2.5)
+        if (its.mesh.face_markers[face] == bottom &&
+            its.mesh.x[static_cast<std::size_t>(its.mesh.faces[2 * face])] > 2.5)
             its.mesh.face_markers[face] = 40;
     its.set_slip(bottom);
     its.set_slip(40);
@@ -155,7 +156,8 @@ TEST_CASE("all sides of a channel slip, two bodies, one of them rigid: everythin
             Complex const d = moved[static_cast<std::size_t>(point)] / std::polar(1.0, 0.7);
             CHECK(std::fmin(std::fabs(d.real()), std::fabs(d.imag())) < 1e-15);
             Complex const at = (to_complex(its.mesh.point(point)) - Complex(1, 2)) / std::polar(1.5, 0.7);
-            bool const corner = (at.real() < 1e-9 || at.real() > 2 - 1e-9) && (at.imag() < 1e-9 || at.imag() > 1 - 1e-9);
+            bool const corner =
+                (at.real() < 1e-9 || at.real() > 2 - 1e-9) && (at.imag() < 1e-9 || at.imag() > 1 - 1e-9);
             if (corner) CHECK(d == 0.0);
             most = std::fmax(most, std::abs(d));
         }
@@ -202,7 +204,8 @@ TEST_CASE("corners: a jump of the direction that the points beside do not share,
                                            PointKind::slip};
     CHECK(kinds_of(0.05) == corner);
 
-    for (int const faces : {8, 24, 120}) {   // a circle: its corners of 45 degrees are corners, those of 15 and 3 are not
+    // A circle: its corners of 45 degrees are corners, those of 15 and 3 are not.
+    for (int const faces : {8, 24, 120}) {
         Case ring = ring_case(6, faces, 0.5, 2);
         ring.set_slip(far_field);
         hm_options const options = options_of(HM_CONFORMAL);

@@ -173,7 +173,8 @@ TEST_CASE("curves that do not fit are refused, with the point") {
     corners.condition();
     error = refusal(corners);
     CHECK(error.code == HM_BAD_CONDITION);
-    CHECK(std::string(error.text).find("and those after it should slide has a corner between them") != std::string::npos);
+    CHECK(std::string(error.text).find("and those after it should slide has a corner between them") !=
+          std::string::npos);
 
     Along of(circle(2, 0));
     of.condition().n_curves = 2;

@@ -1,4 +1,5 @@
-// Curves through points of the boundary: they keep circles and straight lines, and the nearest place is the nearest one.
+// Curves through points of the boundary: they keep circles and straight lines,
+// and the nearest place is the nearest one.
 #include <doctest/doctest.h>
 
 #include <harmorph/boundary/slip_curves.hpp>

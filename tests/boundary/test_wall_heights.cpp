@@ -152,7 +152,8 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
     double largest = 0;
     for (Index slot = 0; slot < wall.count; ++slot) {
         Point const here = walls.mesh.point(wall.point[slot]);
-        if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);   // 1.1019 * 0.12^2 at the nose
+        if (std::hypot(here.x, here.y) < 0.002) CHECK(walls.heights.reach[slot] < 0.018);   // 1.1019 * 0.12^2 at the
+                                                                                            // nose
         if (here.x == 1) CHECK(walls.heights.reach[slot] < 0.01);                           // the sharp edge
         largest = std::fmax(largest, walls.heights.reach[slot]);
         Index const next = wall.slot[wall.next[slot]];
@@ -164,7 +165,8 @@ TEST_CASE("the reach: within the radius of curvature and a quarter of the extent
 
     Mesh mesh = square(8, Cells::quads);
     for (std::size_t k = 0; k < mesh.face_markers.size(); ++k)
-        if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0) mesh.face_markers[k] = body;
+        if (mesh.point(mesh.faces[2 * k]).y == 0 && mesh.point(mesh.faces[2 * k + 1]).y == 0)
+            mesh.face_markers[k] = body;
     Walls open(mesh);
     open.restore();
     for (Index slot = 0; slot < open.heights.wall.count; ++slot) {

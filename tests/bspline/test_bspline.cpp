@@ -27,7 +27,8 @@ std::vector<double> parameters(Curve const& curve) {
 }
 
 Spline with_weights(Spline spline) {
-    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k) spline.weights.push_back(0.5 + 0.37 * (k % 5));
+    for (int k = 0; 2 * k < static_cast<int>(spline.control.size()); ++k)
+        spline.weights.push_back(0.5 + 0.37 * (k % 5));
     return spline;
 }
 
@@ -84,7 +85,8 @@ TEST_CASE("at a clamped end the curve is at its control point, exactly") {
 TEST_CASE("derivatives agree with central differences") {
     double const step = 1e-5;
     for (int degree = 2; degree <= 5; ++degree)
-        for (Spline const& spline : {fixtures::clamped(degree, 10, 6), with_weights(fixtures::clamped(degree, 10, 7))}) {
+        for (Spline const& spline :
+             {fixtures::clamped(degree, 10, 6), with_weights(fixtures::clamped(degree, 10, 7))}) {
             Curve const curve = spline.curve();
             for (int span = degree; span < curve.n_indices; ++span) {
                 double const u = 0.5 * (curve.knots[span] + curve.knots[span + 1]);

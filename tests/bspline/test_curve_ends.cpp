@@ -38,8 +38,8 @@ Chosen choose(std::vector<Vec2> const& points, Closure wanted, bool is_loop = tr
     return out;
 }
 
-// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that choice, with the first
-// point as in the list given.
+// Chosen alike wherever the loop begins, whichever way it runs, and however it lies: returns that choice, with the
+// first point as in the list given.
 Chosen choose_always(std::vector<Vec2> points) {
     auto const n = static_cast<Index>(points.size());
     Vec2 centre;
@@ -82,8 +82,9 @@ TEST_CASE("no corner: periodic; one: tied at it; a blunt base: open, the long wa
         CHECK(sharp.course.closure == Closure::tied);
         CHECK(sharp.course.first == (60 - places) % 60);
         CHECK(sharp.corners.empty());
-        auto const blunt = choose(turned_by(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4)), places),
-                                  Closure::automatic);  // 64 points, 5 of them on the base
+        auto const blunt =
+            choose(turned_by(fixtures::vectors(fixtures::naca4({0, 0.4, 0.12, true}, 30, 0.8, 4)), places),
+                   Closure::automatic);   // 64 points, 5 of them on the base
         CHECK(blunt.course.closure == Closure::open);
         CHECK(blunt.course.first == (68 - places) % 64);
         CHECK(blunt.course.base_points == 5);
@@ -123,8 +124,8 @@ TEST_CASE("the caller's wish is followed") {
 
 namespace {
 
-// NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight facet across the nose that
-// is `longer` times as long as the ones beside it.
+// NACA 00xx, closed, with points in geometric progression from the trailing edge, and one straight facet across the
+// nose that is `longer` times as long as the ones beside it.
 std::vector<Vec2> with_nose_facet(double thickness, int n_side, double longer) {
     fixtures::Naca4 const shape{0, 0.4, thickness, false};
     std::vector<Vec2> points = {{1, 0}};
@@ -156,7 +157,9 @@ std::vector<Vec2> blade(double turning, double thickness, double tail, int n_sid
         double const a = turning * (s - 0.5);
         return Vec2{radius * std::sin(a), radius * std::cos(a)};
     };
-    auto const half_of = [&](double s) { return tail + (thickness - tail) * std::sin(pi * s) + 0.03 * (1 - s) * (1 - s); };
+    auto const half_of = [&](double s) {
+        return tail + (thickness - tail) * std::sin(pi * s) + 0.03 * (1 - s) * (1 - s);
+    };
     auto const normal = [&](double s) {
         double const a = turning * (s - 0.5);
         return Vec2{std::sin(a), std::cos(a)};

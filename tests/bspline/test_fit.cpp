@@ -35,7 +35,8 @@ FitOptions options(Index degree, Index n_control, Closure closure = Closure::aut
 // Largest distance between the control points of two fits, those of the second listed backwards where `reversed`.
 double difference(FitRun const& a, FitRun const& b, int n, int shift, bool reversed) {
     double out = 0;
-    for (int i = 0; i < n; ++i) out = std::fmax(out, length(a.control(i) - b.control(reversed ? (n - i + shift) % n : i)));
+    for (int i = 0; i < n; ++i)
+        out = std::fmax(out, length(a.control(i) - b.control(reversed ? (n - i + shift) % n : i)));
     return out;
 }
 
@@ -47,7 +48,8 @@ std::vector<Vec2> sampled(fixtures::Spline const& spline, int n, bool with_end) 
     return out;
 }
 
-void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_loop, std::string const& word, Index item) {
+void refused(std::vector<Vec2> const& points, FitOptions const& wish, bool is_loop, std::string const& word,
+             Index item) {
     FitRun const run(points, wish, is_loop);
     CHECK(run.status == Status::bad_curve);
     CHECK_MESSAGE(std::string(run.fault.sentence).find(word) != std::string::npos, run.fault.sentence);
@@ -99,7 +101,8 @@ TEST_CASE("what is reported is what was made") {
     }
     CHECK(run.report.max_error == largest);
     CHECK(run.report.rms_error == doctest::Approx(std::sqrt(sum / static_cast<double>(points.size()))));
-    CHECK(std::fmin(project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance, 1) == largest);
+    CHECK(std::fmin(project(wing, points[static_cast<std::size_t>(run.report.max_error_point)]).distance, 1) ==
+          largest);
 }
 
 TEST_CASE("a tied curve begins and ends in one control point; a periodic one repeats as many as its degree") {
@@ -124,7 +127,8 @@ TEST_CASE("a tied curve begins and ends in one control point; a periodic one rep
 
 TEST_CASE("corners on the way are kept: polygons are reproduced") {
     for (Index degree = 1; degree <= 5; ++degree) {
-        CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20), options(degree, 24)) < 1e-13);
+        CHECK(max_error(fixtures::polygon({{1, 0}, {0.5, 0.05}, {0, 0}, {0.5, -0.05}}, 20), options(degree, 24)) <
+              1e-13);
         CHECK(max_error(fixtures::polygon({{0, 0}, {2, 0}, {2, 1}, {0, 1}}, 15), options(degree, 22)) < 1e-12);
     }
     std::vector<Vec2> bend;
@@ -302,16 +306,20 @@ TEST_CASE("curves through airfoils do not run back") {
 
 TEST_CASE("points whose distance is lost in rounding of the arc length are refused") {
     std::vector<Vec2> const points = {
-        {0, 0}, {1.0000000000000001e-17, 9.9999999999999998e-17}, {0, 0}, {1, 0.1000000000000001}, {1, 0.10000000000000001},
+        {0, 0}, {1.0000000000000001e-17, 9.9999999999999998e-17}, {0, 0},
+        {1, 0.1000000000000001}, {1, 0.10000000000000001},
         {1, 0.1000000000000001}, {2, 0.40000000000000002}, {2, 0.40000000000000013}, {2, 0.40000000000000002},
-        {3, 0.90000000000000013}, {3, 0.90000000000000002}, {3, 0.90000000000000013}, {2.9999999999999996, 1.6000000000000001},
+        {3, 0.90000000000000013}, {3, 0.90000000000000002}, {3, 0.90000000000000013},
+        {2.9999999999999996, 1.6000000000000001},
         {4, 1.6000000000000001}};
     CHECK(FitRun(points, options(1, 11), false).status == Status::bad_curve);
 }
 
 TEST_CASE("random points: a fit that is not refused is made of well-formed curves, whose control points are in range") {
     std::mt19937 random(34);
-    auto const between = [&](double low, double high) { return low + (high - low) * (static_cast<double>(random()) / 4294967296.0); };
+    auto const between = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+    };
     int fitted = 0, warned = 0, not_fitted = 0;
     for (int trial = 0; trial < 600; ++trial) {
         int const n = 6 + static_cast<int>(random() % 20), degree = 1 + trial % 5;

@@ -75,7 +75,8 @@ TEST_CASE("a corner gets as many knots as the degree, and every section a span")
         for (std::size_t k = 0; k < 6; ++k) sites.mass[k] = 1e-3;
         std::vector<double> const knots = sites.place(degree, 3 * degree + 8, false);
         CHECK(is_well_formed(knots, degree));
-        for (std::size_t const corner : {6u, 30u}) CHECK(std::count(knots.begin(), knots.end(), sites.u[corner]) == degree);
+        for (std::size_t const corner : {6u, 30u})
+            CHECK(std::count(knots.begin(), knots.end(), sites.u[corner]) == degree);
         CHECK(sites.section_spans[0] == 1);
         CHECK(std::accumulate(sites.section_spans.begin(), sites.section_spans.end(), 0) == 10);
         CHECK(corners_possible(degree, 3 * degree + 1) == 2);

@@ -35,7 +35,8 @@ struct Problem {
     }
     double largest_difference(std::vector<double> const& control) const {
         double out = 0;
-        for (std::size_t k = 0; k < control.size(); ++k) out = std::fmax(out, std::fabs(squares.control[k] - control[k]));
+        for (std::size_t k = 0; k < control.size(); ++k)
+            out = std::fmax(out, std::fabs(squares.control[k] - control[k]));
         return out;
     }
 };
@@ -105,7 +106,8 @@ TEST_CASE("solving and correcting in turn finds the parameters, too") {
         Problem problem(spline, 60);
         double travelled = 0;
         std::vector<double> arc{0};
-        for (std::size_t k = 1; k < 60; ++k) arc.push_back(travelled += length(problem.points[k] - problem.points[k - 1]));
+        for (std::size_t k = 1; k < 60; ++k)
+            arc.push_back(travelled += length(problem.points[k] - problem.points[k - 1]));
         for (Index k = 0; k < 60; ++k) problem.squares.u[k] = arc[static_cast<std::size_t>(k)] / travelled;
         problem.squares.pinned[0] = 0;
         problem.squares.pinned[degree] = 59;

@@ -1,5 +1,5 @@
-// Every argument of every call is looked at: NULL is refused by the argument's name, a struct without its size, coordinates
-// without an array or with a negative stride, and a block that is one byte too short are refused, too.
+// Every argument of every call is looked at: NULL is refused by the argument's name, a struct without its size,
+// coordinates without an array or with a negative stride, and a block that is one byte too short are refused, too.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -89,7 +89,8 @@ TEST_CASE("curves and fits") {
     variables.kind = HM_FFD;
     variables.degree_x = variables.degree_y = 1;
     std::int32_t n = 0;
-    check_arguments("curves, ?section, variables, n, bytes", hm_variables_size, &curves, &section, &variables, &n, &bytes);
+    check_arguments("curves, ?section, variables, n, bytes", hm_variables_size, &curves, &section, &variables, &n,
+                    &bytes);
     Guarded work(bytes);
     check_arguments("curves, ?section, variables, work, bytes, matrix, ?error", hm_variables_map, &curves, &section,
                     &variables, work.data(), bytes, map.data(), values);
@@ -126,7 +127,8 @@ TEST_CASE("from the problem to the basis") {
     check_arguments("analysis, -, -, first, n", hm_share_of, analysis, 0, 2, &first, &g.n);
     check_arguments("analysis, -, -, bytes", hm_share_size, analysis, 0, 2, &g.bytes);
     Guarded shared(g.bytes);
-    check_arguments("share, block, bytes, analysis, -, -", hm_share_init, &basis, shared.data(), g.bytes, analysis, 0, 2);
+    check_arguments("share, block, bytes, analysis, -, -", hm_share_init, &basis, shared.data(), g.bytes, analysis, 0,
+                    2);
 }
 
 TEST_CASE("what a basis is asked for") {
@@ -178,8 +180,8 @@ TEST_CASE("movements, gradients, quality") {
     check_arguments("analysis, from, dj, dj_from", hm_slide_adjoint, g.analysis, &g.at, &g.at, &g.to);
     check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled", hm_admissible_step, g.basis,
                     &g.mesh, &g.at, &g.still, &g.executor, &step);
-    check_arguments("basis, mesh, ?at, ?reference, ?executor, a struct to be filled", hm_quality, g.basis, &g.mesh, &g.at,
-                    &g.at, &g.executor, &quality);
+    check_arguments("basis, mesh, ?at, ?reference, ?executor, a struct to be filled", hm_quality, g.basis, &g.mesh,
+                    &g.at, &g.at, &g.executor, &quality);
     check_arguments("basis, mesh, ?from, displacement, ?executor, a struct to be filled, a struct to be filled",
                     hm_assess, g.basis, &g.mesh, &g.at, &g.still, &g.executor, &step, &quality);
 
@@ -190,7 +192,8 @@ TEST_CASE("movements, gradients, quality") {
     hm_basis* rows = nullptr;
     check_arguments("basis, -, bytes", hm_extract_size, g.basis, 2, &g.bytes);
     Guarded extract(g.bytes);
-    check_arguments("rows, block, -, basis, -, points", hm_extract_init, &rows, extract.data(), g.bytes, g.basis, 2, points);
+    check_arguments("rows, block, -, basis, -, points", hm_extract_init, &rows, extract.data(), g.bytes, g.basis, 2,
+                    points);
 
     hm_basis* share = nullptr;   // of all functions
     REQUIRE(hm_share_size(g.analysis, 0, 4, &g.bytes, nullptr) == HM_OK);
@@ -239,7 +242,8 @@ TEST_CASE("given displacements") {
                     d.points.data(), 1, &wall, &from, &to, work.data(), bytes, &report);
     check_arguments("plan, -, ?points, -, dj, gradient, block, bytes, ?report", hm_displace_adjoint, d.plan, n,
                     d.points.data(), 1, &from, &to, work.data(), bytes, &report);
-    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1, &bytes, &work_bytes);
+    check_arguments("plan, basis, -, -, bytes, work_bytes", hm_tabulate_size, d.plan, d.basis, 1, 1, &bytes,
+                    &work_bytes);
     Guarded block(bytes), room(work_bytes);
     hm_basis* tabulated = nullptr;
     check_arguments("tabulated, block, bytes, plan, basis, -, ?points, -, -, modes, block, bytes, ?report", hm_tabulate,
@@ -270,7 +274,8 @@ TEST_CASE("a mesh one cell thick") {
                     &g.executor);
     check_arguments("plane, basis, dj, gradient, ?executor", hm_plane_adjoint, plane, g.basis, &at, g.numbers.data(),
                     &g.executor);
-    check_arguments("plane, displacement, ?from, to, ?executor", hm_plane_spread, plane, &g.still, &at, &to, &g.executor);
+    check_arguments("plane, displacement, ?from, to, ?executor", hm_plane_spread, plane, &g.still, &at, &to,
+                    &g.executor);
     check_arguments("plane, dj, plane_dj, ?executor", hm_plane_gather, plane, &at, &g.to, &g.executor);
 }
 
@@ -318,7 +323,8 @@ TEST_CASE("a part of a mesh, and its equations") {
         check_arguments("edges, n", hm_match_edges, edges.data(), &n_open);
         hm_equations* equations = nullptr;
         hm_equations_info info = with_size<hm_equations_info>();
-        check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges, &problem, &options, &bytes);
+        check_arguments("part, -, problem, ?options, bytes", hm_equations_size, part, n_edges, &problem, &options,
+                        &bytes);
         Guarded of_equations(bytes);
         check_arguments("equations, block, bytes, part, -, edges, problem, ?options", hm_equations_init, &equations,
                         of_equations.data(), bytes, part, n_edges, edges.data(), &problem, &options);

@@ -1,4 +1,5 @@
-// Every kind of bad input is refused with a sentence that names the first offender; the caller's arrays stay as they are.
+// Every kind of bad input is refused with a sentence that names the first offender;
+// the caller's arrays stay as they are.
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -376,7 +377,8 @@ TEST_CASE("a part of the mesh that hangs on no known value is refused") {
             Case its = tiny_case();
             Mesh const island = square(n, kind);
             std::int32_t const first = its.mesh.n_points();
-            for (std::size_t k = 0; k < island.x.size(); ++k) its.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
+            for (std::size_t k = 0; k < island.x.size(); ++k)
+                its.mesh.add_point({10 + island.x[k], 1 + 0.7 * island.y[k]});
             for (std::size_t cell = 0; cell + 1 < island.cell_start.size(); ++cell) {
                 for (std::int32_t k = island.cell_start[cell]; k < island.cell_start[cell + 1]; ++k)
                     its.mesh.cells.push_back(first + island.cells[static_cast<std::size_t>(k)]);

@@ -115,7 +115,8 @@ TEST_CASE("safe morphs and better cells") {
     REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);
     auto const morph = [&](hm_safe_options const& options, hm_error* e) {
-        return hm_morph_safe(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(), bytes, &options, nullptr, e);
+        return hm_morph_safe(solved.plan, solved.basis, move.data(), &to, nullptr, work.data(), bytes, &options,
+                             nullptr, e);
     };
     using S = hm_safe_options;
     check_changes<S>(with_size<S>(),
@@ -146,8 +147,8 @@ TEST_CASE("safe morphs and better cells") {
         hm_basis *basis, *derivative;
     } const pairs[] = {{share, nullptr}, {solved.basis, rest}};
     for (auto const& pair : pairs) {
-        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(), work.size(), nullptr,
-                            nullptr, &error) == HM_BAD_BASIS);
+        CHECK(hm_morph_safe(solved.plan, pair.basis, move.data(), &to, pair.derivative, work.data(), work.size(),
+                            nullptr, nullptr, &error) == HM_BAD_BASIS);
         CHECK(std::string(error.text) == "a share of the functions cannot move the mesh: all of them are needed");
     }
     CHECK(x == its.mesh.x);
@@ -165,7 +166,8 @@ TEST_CASE("levels of a plan") {
     for (std::int32_t const level : {-1, levels + 1}) {
         hm_error error{};
         CHECK(hm_plan_level(solved.plan, level, cells.data(), &n, &error) == HM_BAD_ARGUMENT);
-        CHECK(std::string(error.text).find("there is no level " + std::to_string(level) + " (from 0): the plan has ") == 0);
+        CHECK(std::string(error.text).find("there is no level " + std::to_string(level) + " (from 0): the plan has ") ==
+              0);
     }
     check_arguments("plan, -, cells, n_cells", hm_plan_level, solved.plan, 0, cells.data(), &n);
 }
@@ -187,7 +189,8 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     };
     for (double const u : {not_a_number, HUGE_VAL})
         says(hm_curve_basis(&set.view(), 0, u, 0, control.data(), values.data(), &error), HM_BAD_ARGUMENT, "u");
-    says(hm_curve_basis(&set.view(), 0, 0.5, -1, control.data(), values.data(), &error), HM_BAD_ARGUMENT, "derivatives");
+    says(hm_curve_basis(&set.view(), 0, 0.5, -1, control.data(), values.data(), &error), HM_BAD_ARGUMENT,
+         "derivatives");
     hm_fit_options few = with_size<hm_fit_options>();
     few.n_control = 1;
     const hm_curves* fitted = nullptr;
@@ -219,7 +222,8 @@ TEST_CASE("what else a call finds wrong in its numbers") {
     hm_mesh broken = its.mesh_view();
     broken.cell_points = nullptr;
     hm_quality_report quality = with_size<hm_quality_report>();
-    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error), HM_BAD_ARGUMENT, "cell_points");
+    says(hm_quality(solved.basis, &broken, nullptr, nullptr, nullptr, &quality, &error), HM_BAD_ARGUMENT,
+         "cell_points");
 
     hm_improve_options improve = with_size<hm_improve_options>();
     hm_points const no_y{x.data(), nullptr, 1};

@@ -208,7 +208,8 @@ TEST_CASE("curves: each field of the set and of a curve") {
     for (bool const has_size : {false, true}) {
         if (has_size) its_curves[1].struct_size = sizeof(hm_curve), its_curves[1].knots = nullptr;
         else its_curves[1].struct_size = 0;
-        std::string const text = has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is not set";
+        std::string const text =
+            has_size ? "knots of curve 1 (from 0) is NULL" : "struct_size of curve 1 (from 0) is not set";
         std::size_t bytes = 0;
         double at[2];
         REQUIRE(hm_analysis_size(&problem, nullptr, &bytes, nullptr) == HM_OK);
@@ -250,7 +251,8 @@ TEST_CASE("fits and finer curves") {
     std::size_t bytes = 0;
     auto const refine = [&](std::int32_t curve, std::int32_t n, const double* knots) {
         hm_error error{};
-        CHECK(hm_refine_size(&set.view(), curve, n, knots, &bytes, &error) == (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
+        CHECK(hm_refine_size(&set.view(), curve, n, knots, &bytes, &error) ==
+              (curve == 0 && n == 0 ? HM_OK : HM_BAD_ARGUMENT));
         return std::string(error.text);
     };
     CHECK(refine(0, 0, nullptr) == "");

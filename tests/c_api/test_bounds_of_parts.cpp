@@ -84,9 +84,11 @@ TEST_CASE("columns and unknowns of a part's equations") {
         says(hm_equations_size(part, count, &problem, &options, &bytes, &error),
              "n_edges must be between 0 and 2^29, not " + std::to_string(count));
     REQUIRE(hm_rows_finish(equations, rows, 1, &error) == HM_OK);
-    says(hm_rows_get(equations, rows, 0, numbers.data(), &error), "the rows are finished: make new ones by hm_rows_init");
+    says(hm_rows_get(equations, rows, 0, numbers.data(), &error),
+         "the rows are finished: make new ones by hm_rows_init");
     Solved const whole(its, &options);
-    says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error), "the rows are finished: make new ones by hm_rows_init");
+    says(hm_rows_get(equations, whole.basis, 0, numbers.data(), &error),
+         "the rows are finished: make new ones by hm_rows_init");
     Case two = two_body_case(Cells::hybrid, 4, 3);
     Solved const elsewhere(two, &options);
     says(hm_rows_get(equations, elsewhere.basis, 0, numbers.data(), &error), "the rows were made of other equations");

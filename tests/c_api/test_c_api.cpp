@@ -185,8 +185,8 @@ TEST_CASE("reports and sentences count as the caller does") {
         x[8] = -1;
         hm_quality_report quality{};
         quality.struct_size = sizeof quality;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &quality, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &quality,
+                           nullptr) == HM_OK);
         CHECK(quality.first_inverted == base);
         CHECK(quality.min_quality_cell == base);
         CHECK(quality.crossing_points[0] == -1);
@@ -266,8 +266,10 @@ TEST_CASE("boundaries by markers: pieces, loops, and room for the points") {
     std::int32_t const sides[] = {bottom, right, top, left}, two[] = {bottom, top};
     std::int32_t points[24], n = -1, is_loop = -1;
     hm_error error{};
-    auto const get = [&](std::int32_t n_markers, const std::int32_t* markers, std::int32_t piece, std::int32_t capacity) {
-        return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity, &n, &is_loop, &error);
+    auto const get = [&](std::int32_t n_markers, const std::int32_t* markers, std::int32_t piece,
+                         std::int32_t capacity) {
+        return hm_analysis_boundary(attempt.analysis, n_markers, markers, piece, points, capacity, &n, &is_loop,
+                                    &error);
     };
     REQUIRE(get(4, sides, 0, 24) == HM_OK);
     REQUIRE(n == 24);

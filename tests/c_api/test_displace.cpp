@@ -79,9 +79,12 @@ TEST_CASE("spoiled arguments of displacements and of the adjoint") {
         {HM_BAD_ARGUMENT, "to", -1, Call::displace, [](Arguments& a) { a.to[1].x = nullptr; }},
         {HM_BAD_ARGUMENT, "dj", -1, Call::adjoint, [](Arguments& a) { a.dj[1].x = nullptr; }},
         {HM_BAD_ARGUMENT, "gradient", -1, Call::adjoint, [](Arguments& a) { a.gradient[1].x = nullptr; }},
-        {HM_BAD_ARGUMENT, "in field 1 (from 0) is not finite", any, Call::displace, [](Arguments& a) { a.wall[17] = not_a_number; }},
-        {HM_BAD_ARGUMENT, "in field 0 (from 0) is beyond 1e100", any, Call::displace, [](Arguments& a) { a.wall[2] = 2e100; }},
-        {HM_BAD_ARGUMENT, "in field 0 (from 0) is not finite", 9, Call::adjoint, [](Arguments& a) { a.mesh[9] = not_a_number; }},
+        {HM_BAD_ARGUMENT, "in field 1 (from 0) is not finite", any, Call::displace,
+         [](Arguments& a) { a.wall[17] = not_a_number; }},
+        {HM_BAD_ARGUMENT, "in field 0 (from 0) is beyond 1e100", any, Call::displace,
+         [](Arguments& a) { a.wall[2] = 2e100; }},
+        {HM_BAD_ARGUMENT, "in field 0 (from 0) is not finite", 9, Call::adjoint,
+         [](Arguments& a) { a.mesh[9] = not_a_number; }},
     };
     for (Spoiled const& bad : all)
         for (Call const call : {Call::displace, Call::adjoint}) {

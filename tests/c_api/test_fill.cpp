@@ -1,5 +1,6 @@
-// What lay in a block before decides nothing: every call of the C interface gives the same bits, whatever bytes its block
-// and its outputs held; and no call that succeeds raises a floating-point exception that a debugging build would trap.
+// What lay in a block before decides nothing: every call of the C interface gives the same bits, whatever bytes its
+// block and its outputs held; and no call that succeeds raises a floating-point exception that a debugging build would
+// trap.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -168,19 +169,22 @@ TEST_CASE("problems of each kind of value: morph, adjoint, measures, shares, par
         REQUIRE(solved.status >= 0);
         hm_mesh const& mesh = its.mesh_view();
         std::size_t const n = its.mesh.x.size();
-        std::int32_t const functions = info_of(solved.basis).functions, numbers = info_of(solved.basis).numbers_per_value;
+        std::int32_t const functions = info_of(solved.basis).functions,
+                           numbers = info_of(solved.basis).numbers_per_value;
         std::vector<double> const move = some_move(functions, 0.01, 3), gradient = some_move(mesh.n_points, 1, 4);
         std::vector<double> x = filled<double>(n), y = filled<double>(n);
-        record.add(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr));
+        record.add(
+            hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr));
         record.add(x);
         record.add(y);
         double error = 0;
         std::int32_t point = 0;
-        record.add(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y), &error,
-                                     &point, nullptr));
+        record.add(hm_boundary_error(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_in(x, y),
+                                     &error, &point, nullptr));
         record.add(error);
         hm_quality_report quality = filled_report<hm_quality_report>();
-        record.add(hm_quality(solved.basis, &mesh, points_in(x, y), points_in(its.mesh.x, its.mesh.y), nullptr, &quality, nullptr));
+        record.add(hm_quality(solved.basis, &mesh, points_in(x, y), points_in(its.mesh.x, its.mesh.y), nullptr,
+                              &quality, nullptr));
         record.add(quality);
         record.add(hm_morph(solved.basis, move.data(), nullptr, points_out(x, y), nullptr, nullptr));
         record.add(x);
@@ -197,7 +201,8 @@ TEST_CASE("problems of each kind of value: morph, adjoint, measures, shares, par
         std::int32_t scale = 0;
         std::vector<std::int64_t> parts = filled<std::int64_t>(4 * static_cast<std::size_t>(functions * numbers));
         record.add(hm_adjoint_scale(solved.basis, points_in(&gradient[0], &gradient[1], 2), &scale, nullptr, nullptr));
-        record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2), scale, parts.data(), nullptr, nullptr));
+        record.add(hm_adjoint_sums(solved.basis, points_in(&gradient[0], &gradient[1], 2), scale, parts.data(), nullptr,
+                                   nullptr));
         record.add(parts);
         sums = filled<double>(sums.size());
         record.add(hm_adjoint_finish(solved.basis, scale, parts.data(), sums.data(), nullptr));
@@ -216,7 +221,8 @@ TEST_CASE("problems of each kind of value: morph, adjoint, measures, shares, par
             REQUIRE(hm_share_of(solved.analysis, k, 2, &first, &held, nullptr) == HM_OK);
             REQUIRE(hm_share_size(solved.analysis, first, held, &bytes, nullptr) == HM_OK);
             blocks[k] = std::make_unique<Guarded>(bytes);
-            REQUIRE(hm_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis, first, held, nullptr) == HM_OK);
+            REQUIRE(hm_share_init(&shares[k], blocks[k]->data(), bytes, solved.analysis, first, held, nullptr) ==
+                    HM_OK);
             hm_solve_report report = filled_report<hm_solve_report>();
             record.add(hm_plan_solve(solved.plan, shares[k], &report, nullptr));
             record.add(report);
@@ -253,45 +259,49 @@ TEST_CASE("coarse to fine") {
 
 TEST_CASE("fits of every closure, and the points of a curve") {
     for (bool const is_blunt : {false, true})
-        for (std::int32_t const closed : {HM_CLOSED_AUTO, HM_OPEN, HM_TIED, HM_PERIODIC}) check_fills([&](Record& record) {
-            Naca4 naca;
-            naca.blunt = is_blunt;
-            Outline const outline = naca4(naca, 30);
-            double const* const xy = &outline.points[0].x;
-            std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
-            hm_fit_options options{};
-            options.struct_size = sizeof options;
-            options.closed = closed;
-            std::size_t bytes = 0;
-            REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
-            Guarded block(bytes);
-            hm_fit_report report = filled_report<hm_fit_report>();
-            const hm_curves* curves = nullptr;
-            hm_error error{};
-            hm_status const status = hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options, &report, &error);
-            record.add_outcome(status, error);
-            if (status < 0) return;
-            record.add(report);
-            record.add(std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
-            for (std::int32_t k = 0; k < curves->n_curves; ++k) {
-                hm_curve const& its = curves->curve[k];
-                record.add(std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
-                if (its.indices != nullptr) record.add(std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
-                double u = 0, distance = 0;
-                record.add(hm_curve_project(curves, k, 0.3, 0.2, &u, &distance, nullptr));
-                record.add(u);
-                record.add(distance);
-                std::vector<double> values = filled<double>(24), at = filled<double>(6);
-                std::vector<std::int32_t> control = filled<std::int32_t>(6);
-                values.resize(3 * static_cast<std::size_t>(its.degree + 1));
-                control.resize(static_cast<std::size_t>(its.degree + 1));
-                record.add(hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
-                record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
-                record.add(control);
-                record.add(values);
-                record.add(at);
-            }
-        });
+        for (std::int32_t const closed : {HM_CLOSED_AUTO, HM_OPEN, HM_TIED, HM_PERIODIC}) {
+            check_fills([&](Record& record) {
+                Naca4 naca;
+                naca.blunt = is_blunt;
+                Outline const outline = naca4(naca, 30);
+                double const* const xy = &outline.points[0].x;
+                std::int32_t const n = static_cast<std::int32_t>(outline.points.size());
+                hm_fit_options options{};
+                options.struct_size = sizeof options;
+                options.closed = closed;
+                std::size_t bytes = 0;
+                REQUIRE(hm_fit_size(n, &options, &bytes, nullptr) == HM_OK);
+                Guarded block(bytes);
+                hm_fit_report report = filled_report<hm_fit_report>();
+                const hm_curves* curves = nullptr;
+                hm_error error{};
+                hm_status const status =
+                    hm_fit(&curves, block.data(), bytes, points_in(xy, xy + 1, 2), n, 1, &options, &report, &error);
+                record.add_outcome(status, error);
+                if (status < 0) return;
+                record.add(report);
+                record.add(std::vector<double>(curves->control, curves->control + 2 * curves->n_control));
+                for (std::int32_t k = 0; k < curves->n_curves; ++k) {
+                    hm_curve const& its = curves->curve[k];
+                    record.add(std::vector<double>(its.knots, its.knots + its.n_indices + its.degree + 1));
+                    if (its.indices != nullptr)
+                        record.add(std::vector<std::int32_t>(its.indices, its.indices + its.n_indices));
+                    double u = 0, distance = 0;
+                    record.add(hm_curve_project(curves, k, 0.3, 0.2, &u, &distance, nullptr));
+                    record.add(u);
+                    record.add(distance);
+                    std::vector<double> values = filled<double>(24), at = filled<double>(6);
+                    std::vector<std::int32_t> control = filled<std::int32_t>(6);
+                    values.resize(3 * static_cast<std::size_t>(its.degree + 1));
+                    control.resize(static_cast<std::size_t>(its.degree + 1));
+                    record.add(hm_curve_basis(curves, k, u, 2, control.data(), values.data(), nullptr));
+                    record.add(hm_curve_point(curves, k, u, 2, at.data(), nullptr));
+                    record.add(control);
+                    record.add(values);
+                    record.add(at);
+                }
+            });
+        }
 }
 
 TEST_CASE("the boundary of a mesh, and its report") {
@@ -331,7 +341,8 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     Guarded work(bytes);
                     std::vector<double> const move =
                         similarity_move(its.curves, std::polar(1.0, degrees * std::acos(-1.0) / 180), {0.5, 0.5}, 0.03);
-                    std::vector<double> x = filled<double>(its.mesh.x.size()), y = x, reached = filled<double>(move.size());
+                    std::vector<double> x = filled<double>(its.mesh.x.size()), y = x,
+                                        reached = filled<double>(move.size());
                     hm_safe_options options{};
                     options.struct_size = sizeof options;
                     options.skipped_strategies = skipped;
@@ -340,8 +351,9 @@ TEST_CASE("safe morphs: every operator and scheme that the direct engine solves,
                     options.reached = reached.data();
                     hm_safe_report report = filled_report<hm_safe_report>();
                     hm_error error{};
-                    hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y),
-                                                           derivative.basis, work.data(), bytes, &options, &report, &error);
+                    hm_status const status =
+                        hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), derivative.basis,
+                                      work.data(), bytes, &options, &report, &error);
                     REQUIRE(status >= 0);
                     record.add_outcome(status, error);
                     record.add(report);
@@ -373,8 +385,8 @@ TEST_CASE("improvements: of a mesh with layers, and of one whose sides slide") {
             options.reference = &reference;
             hm_improve_report report = filled_report<hm_improve_report>();
             hm_error error{};
-            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, &options,
-                                                &report, &error);
+            hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes,
+                                                &options, &report, &error);
             INFO(error.text);
             REQUIRE(status == HM_OK);
             record.add_outcome(status, error);

@@ -23,15 +23,15 @@ struct Morphed {
 
     Morphed(Case const& of, std::vector<double> const& move, hm_options const& options = options_of(HM_CONFORMAL))
         : its(of), solved(its.problem(), &options), x(its.mesh.x.size()), y(x), better_x(x), better_y(x) {
-        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_morph(solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr,
+                         nullptr) == HM_OK);
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         report.struct_size = sizeof report;
     }
     hm_status improve(hm_improve_options const* options = nullptr) {
         Guarded work(bytes);
-        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(), bytes,
-                                            options, &report, &error);
+        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), work.data(),
+                                            bytes, options, &report, &error);
         CHECK(work.guards_intact());
         CHECK(solved.guards_intact());
         return status;
@@ -187,8 +187,8 @@ TEST_CASE("hm_improve: in place, and with threads, the same bits") {
     options.executor = &executor;
     Morphed other(its, move, options);
     Guarded work(other.bytes);
-    REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y), work.data(), other.bytes,
-                       nullptr, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_improve(other.solved.plan, points_in(other.x, other.y), points_out(other.x, other.y), work.data(),
+                       other.bytes, nullptr, nullptr, nullptr) == HM_OK);
     CHECK(other.x == out.better_x);
     CHECK(other.y == out.better_y);
 }

@@ -153,8 +153,8 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 report.struct_size = sizeof report;
                 hm_error error{};
                 REQUIRE(hm_plan_factor(solved.plan, nullptr, nullptr) == HM_OK);
-                hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr,
-                                                       work.data(), work.size(), &safe, &report, &error);
+                hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y),
+                                                       nullptr, work.data(), work.size(), &safe, &report, &error);
                 INFO(error.text);
                 REQUIRE(status >= HM_OK);
                 CHECK(work.guards_intact());
@@ -173,8 +173,8 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
                 hm_improve_report improved{};
                 improved.struct_size = sizeof improved;
                 std::vector<double> better_x(x.size()), better_y(x.size());
-                REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), improve_work.data(), bytes,
-                                   nullptr, &improved, &error) == HM_OK);
+                REQUIRE(hm_improve(solved.plan, points_in(x, y), points_out(better_x, better_y), improve_work.data(),
+                                   bytes, nullptr, &improved, &error) == HM_OK);
                 CHECK(improve_work.guards_intact());
                 CHECK(is_sound(its.mesh, better_x, better_y));
                 CHECK(improved.min_quality_before == measured.min_quality);
@@ -186,8 +186,8 @@ TEST_CASE("polygons: the safe morph and the improvement leave sound cells and sa
         hm_improve_report report{};
         report.struct_size = sizeof report;
         Guarded improve_work(bytes);
-        REQUIRE(hm_improve(solved.plan, points_in(its.mesh.x, its.mesh.y), points_out(same_x, same_y), improve_work.data(),
-                           bytes, nullptr, &report, nullptr) == HM_OK);
+        REQUIRE(hm_improve(solved.plan, points_in(its.mesh.x, its.mesh.y), points_out(same_x, same_y),
+                           improve_work.data(), bytes, nullptr, &report, nullptr) == HM_OK);
         CHECK(largest_difference(same_x, its.mesh.x) < 1e-12);
         CHECK(largest_difference(same_y, its.mesh.y) < 1e-12);
     }
@@ -218,8 +218,8 @@ TEST_CASE("polygons: the last strategy untangles cells that one step inverts") {
     safe.skipped_strategies = without({HM_STRATEGY_SUBSTEPS});
     hm_safe_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr, work.data(), work.size(), &safe,
-                          &report, nullptr) >= HM_OK);
+    REQUIRE(hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(x, y), nullptr, work.data(), work.size(),
+                          &safe, &report, nullptr) >= HM_OK);
     CHECK(report.untangled > 0);
     CHECK(is_sound(its.mesh, x, y));
 }

@@ -109,7 +109,8 @@ TEST_CASE("polygons: every engine, scheme and kind of derived basis takes meshes
         CAPTURE(way.scheme);
         CAPTURE(way.engine);
         Solved const solved(its.problem(view), &options);
-        std::vector<double> const sum = solved.sum();   // harmonic measure of the circle: the Laplace ones ln(r) / ln(..)
+        // Harmonic measure of the circle: the Laplace ones ln(r) / ln(..).
+        std::vector<double> const sum = solved.sum();
         if (way.operator_kind != HM_LAPLACE) continue;
         double worst = 0;
         for (std::size_t k = 0; k < sum.size(); ++k) {
@@ -149,8 +150,8 @@ TEST_CASE("polygons: functions are transferred between meshes of polygons") {
     Guarded work(bytes);
     hm_transfer_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis, &coarse_view, &report, &error) >=
-            HM_OK);
+    REQUIRE(hm_transfer(target.basis, work.data(), bytes, target.analysis, source.basis, &coarse_view, &report,
+                        &error) >= HM_OK);
     CHECK(work.guards_intact());
     Solved const exact(fine.problem(fine_view));
     std::vector<double> interpolated(fine.mesh.x.size());

@@ -1,5 +1,5 @@
-// The range of coordinates: what is outside is refused by name, and inside, at any scale and far from the origin, a call that
-// succeeds keeps what the header promises, by measures taken here.
+// The range of coordinates: what is outside is refused by name, and inside, at any scale and far from the origin, a
+// call that succeeds keeps what the header promises, by measures taken here.
 #include <doctest/doctest.h>
 
 #include <fixtures/operators.hpp>
@@ -65,8 +65,8 @@ Attempt analysed(Case& its) {
 hm_quality_report quality_of(Attempt const& solved, Case& its, Mesh const& at) {
     hm_quality_report out{};
     out.struct_size = sizeof out;
-    REQUIRE(hm_quality(solved.basis, &its.mesh_view(), points_in(at.x, at.y), points_in(its.mesh.x, its.mesh.y), nullptr,
-                       &out, nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &its.mesh_view(), points_in(at.x, at.y), points_in(its.mesh.x, its.mesh.y),
+                       nullptr, &out, nullptr) == HM_OK);
     return out;
 }
 
@@ -85,7 +85,8 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     step.struct_size = sizeof step;
     hm_quality_report assessed{};
     assessed.struct_size = sizeof assessed;
-    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step, &assessed, nullptr) == HM_OK);
+    REQUIRE(hm_assess(solved.basis, &its.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step, &assessed, nullptr) ==
+            HM_OK);
     for (std::size_t k = 0; k < n; ++k) {
         moved.x[k] += dx[k];
         moved.y[k] += dy[k];
@@ -106,8 +107,8 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     safe.struct_size = sizeof safe;
     safe.max_resolves = 3;
     safe.reached = reached.data();
-    hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y), nullptr,
-                                           work.data(), bytes, &safe, nullptr, nullptr);
+    hm_status const status = hm_morph_safe(solved.plan, solved.basis, move.data(), points_out(moved.x, moved.y),
+                                           nullptr, work.data(), bytes, &safe, nullptr, nullptr);
     ended = status == HM_OK;
     if (status < 0) {
         CHECK(status == HM_CROSSING);
@@ -120,8 +121,8 @@ void check_promises(Case& its, hm_options const& options, std::vector<double> co
     CHECK(quality_of(solved, its, moved).inverted == 0);
     CHECK(crossings(moved) == 0);
     double error = -1;
-    REQUIRE(hm_boundary_error(solved.basis, reached.data(), points_in(its.mesh.x, its.mesh.y), points_in(moved.x, moved.y),
-                              &error, nullptr, nullptr) == HM_OK);
+    REQUIRE(hm_boundary_error(solved.basis, reached.data(), points_in(its.mesh.x, its.mesh.y),
+                              points_in(moved.x, moved.y), &error, nullptr, nullptr) == HM_OK);
     CHECK(error <= 4e-16 * (size + 4 * way));
     if (status == HM_OK) CHECK(same_bits(reached, move));
 }
@@ -189,16 +190,17 @@ TEST_CASE("a power of two as the unit of length changes no bit of the functions,
                 Solved const solved(scaled, &options);
                 std::vector<double> const scaled_move = turned(move, unit);
                 std::vector<double> dx(scaled.mesh.x.size()), dy = dx, x = dx, y = dx;
-                REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) == HM_OK);
+                REQUIRE(hm_morph(solved.basis, scaled_move.data(), nullptr, points_out(dx, dy), nullptr, nullptr) ==
+                        HM_OK);
                 hm_step_report step{};
                 step.struct_size = sizeof step;
-                REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy), nullptr, &step,
-                                           nullptr) == HM_OK);
+                REQUIRE(hm_admissible_step(solved.basis, &scaled.mesh_view(), nullptr, points_in(dx, dy), nullptr,
+                                           &step, nullptr) == HM_OK);
                 std::size_t bytes = 0;
                 REQUIRE(hm_morph_safe_size(solved.plan, solved.basis, &bytes, nullptr) == HM_OK);
                 Guarded work(bytes);
-                REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(), points_out(x, y), nullptr, work.data(),
-                                      bytes, nullptr, nullptr, nullptr) >= HM_OK);
+                REQUIRE(hm_morph_safe(solved.plan, solved.basis, scaled_move.data(), points_out(x, y), nullptr,
+                                      work.data(), bytes, nullptr, nullptr, nullptr) >= HM_OK);
                 for (double& coordinate : x) coordinate /= unit;
                 std::vector<double> const values = solved.all_values();
                 if (unit == 1) {

@@ -19,8 +19,8 @@ std::vector<double> values_of(const hm_basis* basis, std::int32_t n_functions, s
     return out;
 }
 
-// Of a struct that ends before the field at this place. A struct's size is a multiple of its alignment: where pointers have
-// 32 bits, that field may still be in it.
+// Of a struct that ends before the field at this place. A struct's size is a multiple of its alignment: where pointers
+// have 32 bits, that field may still be in it.
 template <class Struct>
 std::uint64_t size_before(std::size_t place) {
     return (place + alignof(Struct) - 1) / alignof(Struct) * alignof(Struct);
@@ -127,7 +127,8 @@ TEST_CASE("reports are filled as far as the caller's struct goes, for each of th
     };
     shortened(hm_mesh_report{}, [&](hm_mesh_report* r) { return hm_analysis_report(solved.analysis, r, nullptr); });
     shortened(hm_basis_info{}, [&](hm_basis_info* r) { return hm_basis_info_get(solved.basis, r, nullptr); });
-    shortened(hm_solve_report{}, [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
+    shortened(hm_solve_report{},
+              [&](hm_solve_report* r) { return hm_plan_solve(solved.plan, solved.basis, r, nullptr); });
     shortened(hm_step_report{}, [&](hm_step_report* r) {
         return hm_admissible_step(solved.basis, &mesh, nullptr, points_in(d, d), nullptr, r, nullptr);
     });

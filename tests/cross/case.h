@@ -1,5 +1,5 @@
-/* A mesh and the use of a saved basis that give the same bits on every processor: coordinates come from + - * / alone, and
- * checksums are of the numbers, whatever the order of their bytes. No C library: bare machines use this, too. */
+/* A mesh and the use of a saved basis that give the same bits on every processor: coordinates come from + - * / alone,
+ * and checksums are of the numbers, whatever the order of their bytes. No C library: bare machines use this, too. */
 #ifndef CASE_H
 #define CASE_H
 
@@ -66,8 +66,8 @@ static void make_move(double size, double *move) {
     }
 }
 
-/* Attaches the basis, takes the displacement, the admissible step, the adjoint, and moves the mesh by half the step that
- * is admissible, or by the whole movement. *sum: of all results. The mesh's points are those of `with`. */
+/* Attaches the basis, takes the displacement, the admissible step, the adjoint, and moves the mesh by half the step
+ * that is admissible, or by the whole movement. *sum: of all results. The mesh's points are those of `with`. */
 static hm_status use_basis(const void *block, size_t bytes, const hm_mesh *mesh, case_memory *with, uint64_t *sum,
                            hm_error *error) {
     hm_points displacement;

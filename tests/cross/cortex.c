@@ -1,6 +1,6 @@
-/* A program for a bare Cortex-M7, without C library and operating system: attaches the basis that lies in its flash memory,
- * morphs, takes the admissible step and the adjoint, and says the checksum and how much memory that took, through the
- * debugger's channel (semihosting). See tests/cortex.sh. */
+/* A program for a bare Cortex-M7, without C library and operating system: attaches the basis that lies in its flash
+ * memory, morphs, takes the admissible step and the adjoint, and says the checksum and how much memory that took,
+ * through the debugger's channel (semihosting). See tests/cortex.sh. */
 #include "case.h"
 
 extern const unsigned char basis_begin[], basis_end[];          /* basis.S */
@@ -23,7 +23,8 @@ static void say_number(uint64_t number, unsigned base, int digits) {
     char text[24];
     int at = 23;
     text[at] = 0;
-    for (; at > 0 && (digits > 0 || number > 0); --digits, number /= base) text[--at] = "0123456789abcdef"[number % base];
+    for (; at > 0 && (digits > 0 || number > 0); --digits, number /= base)
+        text[--at] = "0123456789abcdef"[number % base];
     say(text + at);
 }
 
@@ -45,8 +46,8 @@ static void run(void) {
     leave(1);
 }
 
-/* Where the processor begins: the floating-point unit is switched on, memory is set up, the stack is painted so that its
- * use can be measured. */
+/* Where the processor begins: the floating-point unit is switched on, memory is set up, the stack is painted so that
+ * its use can be measured. */
 static void start(void) {
     uint32_t *to;
     const uint32_t *from = data_from;
@@ -64,4 +65,5 @@ static void fault(void) {
 
 typedef void (*vector)(void);
 extern const vector vectors[16];
-__attribute__((section(".vectors"), used)) const vector vectors[16] = {(vector)stack_top, start, fault, fault, fault, fault, fault};
+__attribute__((section(".vectors"), used))
+const vector vectors[16] = {(vector)stack_top, start, fault, fault, fault, fault, fault};

@@ -39,7 +39,8 @@ static void *block_of(size_t bytes) {
     return block;
 }
 static void say(const char *mesh, const char *method, const char *what, uint64_t sum) {
-    printf("%s, %s, %s: %08lx%08lx\n", mesh, method, what, (unsigned long)(sum >> 32), (unsigned long)(sum & 0xffffffffu));
+    printf("%s, %s, %s: %08lx%08lx\n", mesh, method, what, (unsigned long)(sum >> 32),
+           (unsigned long)(sum & 0xffffffffu));
 }
 
 static const hm_curves *fit(void **block) {
@@ -77,7 +78,8 @@ static hm_plan *solve(const hm_mesh *mesh, const hm_curves *curves, int method, 
     options.engine = methods[method].engine;
     options.precision = methods[method].precision;
     check(hm_analysis_size(&problem, &options, &bytes, &error), "hm_analysis_size");
-    check(hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error), "hm_analysis_init");
+    check(hm_analysis_init(&analysis, blocks[0] = block_of(bytes), bytes, &problem, &options, &error),
+          "hm_analysis_init");
     check(hm_plan_size(analysis, &bytes, &error), "hm_plan_size");
     check(hm_plan_init(&plan, blocks[1] = block_of(bytes), bytes, analysis, &error), "hm_plan_init");
     check(hm_basis_size(analysis, &bytes, &error), "hm_basis_size");

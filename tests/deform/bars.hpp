@@ -1,4 +1,5 @@
-// A bar chart of the comparison: for each movement the quality at least (full bars) and on average (outlines) by each method.
+// A bar chart of the comparison: for each movement the quality at least (full bars) and on average (outlines)
+// by each method.
 #pragma once
 
 #include <ostream>
@@ -26,13 +27,13 @@ struct Bars {
                "fill=\"#fff\"/>\n";
         for (int tick = 0; tick <= 5; ++tick) {
             const double y = top + height * (1 - tick / 5.0);
-            out << "<path d=\"M" << left << ' ' << y << "H" << width - 10 << "\" stroke=\"#ddd\"/><text x=\"" << left - 6
-                << "\" y=\"" << y + 4 << "\" text-anchor=\"end\">" << tick / 5.0 << "</text>\n";
+            out << "<path d=\"M" << left << ' ' << y << "H" << width - 10 << "\" stroke=\"#ddd\"/><text x=\""
+                << left - 6 << "\" y=\"" << y + 4 << "\" text-anchor=\"end\">" << tick / 5.0 << "</text>\n";
         }
         for (std::size_t m = 0; m < methods.size(); ++m) {
             const double x = left + 150 * static_cast<double>(m);
-            out << "<rect x=\"" << x << "\" y=\"12\" width=\"12\" height=\"12\" fill=\"" << colours[m % 4] << "\"/><text x=\""
-                << x + 18 << "\" y=\"22\">" << methods[m] << "</text>\n";
+            out << "<rect x=\"" << x << "\" y=\"12\" width=\"12\" height=\"12\" fill=\"" << colours[m % 4]
+                << "\"/><text x=\"" << x + 18 << "\" y=\"22\">" << methods[m] << "</text>\n";
         }
         for (std::size_t g = 0; g < groups.size(); ++g) {
             const double x = left + gap / 2 + group_width * static_cast<double>(g);

@@ -1,4 +1,5 @@
-// The largest quality that one cell can have of which only a side, an angle, or points that it must not contain are known.
+// The largest quality that one cell can have of which only a side, an angle,
+// or points that it must not contain are known.
 #pragma once
 
 #include <algorithm>
@@ -42,10 +43,10 @@ inline double best_with_wide_angle(int n, double angle) {
 // The root of the ratio of the smaller area to the larger one.
 inline double size_quality(double area, double other) { return std::sqrt(std::min(area / other, other / area)); }
 
-// The same for a quadrilateral with a side of this length at the angle, and for the size-skew quality relative to a cell
-// of this area. With the angle pi - e, the other angles a at the side and b at the other neighbour of the corner, the
-// quadrilateral contains the triangle on the side with the angles a and b - e there: area l^2 / 2 / (cot a + cot (b - e)).
-// The maximum over a and b, of bounds in cells of a grid.
+// The same for a quadrilateral with a side of this length at the angle, and for the size-skew quality relative to a
+// cell of this area. With the angle pi - e, the other angles a at the side and b at the other neighbour of the corner,
+// the quadrilateral contains the triangle on the side with the angles a and b - e there: area l^2 / 2 / (cot a + cot (b
+// - e)). The maximum over a and b, of bounds in cells of a grid.
 inline double best_quad_with_wide_angle(double angle, double length, double area) {
     double const e = pi - angle;
     if (e >= .5 * pi) return 1;
@@ -79,11 +80,12 @@ inline double best_quad_with_wide_angle(double angle, double length, double area
     return best;
 }
 
-// The largest size-skew quality of a triangle with a side of this length, relative to a cell of this area, that contains
-// none of some points inside. A triangle by the cotangents x, y of its angles at the side: the skew quality is sqrt(3) /
-// (3/4 s + (1 + d^2) / s), s = x + y, d = (x - y) / 2, and the area is l^2 / (2 s). A point whose triangle on the side
-// has the cotangents (u, v) is inside if x < u and y < v, that is s/2 - v < d < u - s/2. So the best triangle of each s has
-// the smallest d outside these intervals. The maximum over s, of bounds in short ranges of s; below 2e-3 is not looked.
+// The largest size-skew quality of a triangle with a side of this length, relative to a cell of this area, that
+// contains none of some points inside. A triangle by the cotangents x, y of its angles at the side: the skew quality is
+// sqrt(3) / (3/4 s + (1 + d^2) / s), s = x + y, d = (x - y) / 2, and the area is l^2 / (2 s). A point whose triangle on
+// the side has the cotangents (u, v) is inside if x < u and y < v, that is s/2 - v < d < u - s/2. So the best triangle
+// of each s has the smallest d outside these intervals. The maximum over s, of bounds in short ranges of s;
+// below 2e-3 is not looked.
 inline double best_on_side(double length, double area, std::vector<std::pair<double, double>> const& points = {}) {
     double best = 2e-3;
     constexpr double ratio = 1.005;

@@ -97,11 +97,12 @@ void print(const std::vector<Row>& rows) {
     for (const Row& row : rows) {
         const Measures& its = row.measures;
         const auto mark = [&](bool good) { return row.valid && good ? '*' : ' '; };
-        std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps, row.valid ? "valid" : "inverted",
-                    its.min_quality, mark(its.min_quality >= .98 * min_quality), its.mean_quality,
-                    mark(its.mean_quality >= .98 * mean_quality));
-        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle, mark(its.angle <= angle + 1.15), its.min_height,
-                    its.max_height, its.height_error, mark(its.height_error <= height + .02), row.seconds);
+        std::printf("  %-17s  %5d  %8s  %8.3f%c  %8.3f%c", row.name.c_str(), row.steps,
+                    row.valid ? "valid" : "inverted", its.min_quality, mark(its.min_quality >= .98 * min_quality),
+                    its.mean_quality, mark(its.mean_quality >= .98 * mean_quality));
+        std::printf("  %7.2f%c  %6.3f  %6.3f  %7.4f%c  %7.2f\n", its.angle, mark(its.angle <= angle + 1.15),
+                    its.min_height, its.max_height, its.height_error, mark(its.height_error <= height + .02),
+                    row.seconds);
     }
 }
 
@@ -161,8 +162,11 @@ public:
         cli::OutputFiles files;
         bars_.draw(files.add(path));
         files.commit();
-        std::printf("\nfigure %s Size-skew quality on %s by method: full bars at least, outlines on average; no bar where cells "
-                    "are inverted.\n", std::filesystem::path(path).filename().c_str(), mesh.c_str());
+        std::printf(
+            "\n"
+            "figure %s Size-skew quality on %s by method: full bars at least, outlines on average; no bar where cells "
+            "are inverted.\n",
+            std::filesystem::path(path).filename().c_str(), mesh.c_str());
     }
     static int best, columns;  // of the safe morph
 
@@ -194,17 +198,23 @@ private:
 int Comparison::best = 0, Comparison::columns = 0;
 
 void begin_table(const std::string& mesh, const char* remark) {
-    std::printf("\n== Against other methods: %s\n\ntable The same movements by other methods%s. Quality is size-skew; angle is the "
-                "mean change [degrees] between the wall and the first-layer edges; heights are ratios of first-layer heights, "
-                "error the mean of |ratio - 1|; a star: the best, or within 2 %% of the best valid one\n", mesh.c_str(), remark);
-    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps", "cells", "min q", "mean q", "angle",
-                "lowest", "highest", "error", "seconds");
+    std::printf(
+        "\n"
+        "== Against other methods: %s\n"
+        "\n"
+        "table The same movements by other methods%s. Quality is size-skew; angle is the mean change [degrees] "
+        "between the wall and the first-layer edges; heights are ratios of first-layer heights, error the mean of "
+        "|ratio - 1|; a star: the best, or within 2 %% of the best valid one\n",
+        mesh.c_str(), remark);
+    std::printf("  %-17s  %5s  %8s  %9s  %9s  %8s  %6s  %6s  %8s  %7s\n", "method", "steps", "cells", "min q", "mean q",
+                "angle", "lowest", "highest", "error", "seconds");
 }
 
 void airfoil(const std::string& folder, const std::string& path, const std::string& marker,
              const cli::Threads& threads) {
     const std::string curve_path = folder + "/compared.curve";
-    std::printf("\n== The curve of the comparison: %s\n\ntable The curve through the airfoil's points\n  what  is\n", path.c_str());
+    std::printf("\n== The curve of the comparison: %s\n\ntable The curve through the airfoil's points\n  what  is\n",
+                path.c_str());
     cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
     begin_table(path, "");
     const cli::Mesh mesh = cli::read_mesh(path);

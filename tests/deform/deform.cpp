@@ -1,5 +1,5 @@
-// `make deform`: how far meshes follow large movements, per basis and with the safe morph; tables and pictures. A client of
-// the program's own parts. It prints sections and captions as tests/figures.sh reads them.
+// `make deform`: how far meshes follow large movements, per basis and with the safe morph; tables and pictures. A
+// client of the program's own parts. It prints sections and captions as tests/figures.sh reads them.
 //   deform FOLDER MESH:MARKER ...      airfoils of chord 1 from x = 0 to 1; the block of tests/meshes comes always
 #include "../../c_api/cli/basis_file.hpp"
 #include "../../c_api/cli/commands.hpp"
@@ -75,22 +75,24 @@ public:
         const auto caption = [&](const std::string& path, const std::string& text) {
             std::printf("figure %s %s\n", std::filesystem::path(path).filename().c_str(), text.c_str());
         };
-        caption(stem + ".svg", "The safe morph of " + what + ": the mesh is drawn before in blue and after in red. It has " +
-                                   cli::plural(morph.quality.inverted, "inverted cell") + " and a size-skew quality of " +
-                                   cli::brief(morph.quality.min_quality) + " at least.");
+        caption(stem + ".svg",
+                "The safe morph of " + what + ": the mesh is drawn before in blue and after in red. It has " +
+                    cli::plural(morph.quality.inverted, "inverted cell") + " and a size-skew quality of " +
+                    cli::brief(morph.quality.min_quality) + " at least.");
         if (curves.n_control > 4) {  // an airfoil: both of its edges, where they are now
             for (const bool leading : {true, false}) {
                 std::size_t edge = 0;
                 for (std::size_t i = 0; i < moves.size(); i += 2) {
-                    const bool further = leading ? curves.control[i] < curves.control[edge] : curves.control[i] > curves.control[edge];
+                    const bool further =
+                        leading ? curves.control[i] < curves.control[edge] : curves.control[i] > curves.control[edge];
                     if (further) edge = i;
                 }
                 const cli::Point at = {curves.control[edge] + moves[edge], curves.control[edge + 1] + moves[edge + 1]};
                 const cli::Box window = cli::Box{at, at}.widened(.05);
                 const std::string name = stem + (leading ? "-leading.svg" : "-trailing.svg");
                 files.add(name) << cli::morph_picture(mesh_, *basis_, morph, window);
-                caption(name, std::string("The same mesh round the ") + (leading ? "leading" : "trailing") + " edge after " +
-                                  what + ".");
+                caption(name, std::string("The same mesh round the ") + (leading ? "leading" : "trailing") +
+                                  " edge after " + what + ".");
             }
         }
         files.commit();
@@ -121,16 +123,18 @@ bool print_safe(const std::string& name, const std::string& what, const Case& it
     static const char* const strategies[] = {"linear", "other", "substeps", "untangled", "improved"};
     const hm_safe_report& report = morph.safe;
     const bool good = morph.valid() && morph.refusal.empty();
-    std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n", name.c_str(), 100 * report.step_fraction,
-                report.steps, report.resolves, strategies[report.strategy], morph.quality.inverted,
-                morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error, morph.seconds / its.seconds());
+    std::printf("  %-14s  %6.1f %%  %6d  %8d  %-9s  %8d  %6.3f  %6.3f  %8.2g  %10.1f\n", name.c_str(),
+                100 * report.step_fraction, report.steps, report.resolves, strategies[report.strategy],
+                morph.quality.inverted, morph.quality.min_quality, morph.quality.mean_quality, morph.boundary_error,
+                morph.seconds / its.seconds());
     if (!morph.refusal.empty()) std::printf("    %s\n", morph.refusal.c_str());
     its.draw(picture, what, morph);
     return good;
 }
 
 constexpr const char* safe_heading =
-    "\ntable Safe morphs: how much of the movement was reached, quality at least and on average, distance from the B-spline\n"
+    "\ntable Safe morphs: how much of the movement was reached, quality at least and on average, distance from the "
+    "B-spline\n"
     "  movement          target   steps  resolves  strategy   inverted  min q   mean q  boundary  time/solve\n";
 
 // Safe morphs to targets beyond every limit, and what becomes of the first layer. Returns how many targets were missed.
@@ -157,16 +161,18 @@ int safe_targets(const Case& its, const Movements& movements, const std::string&
     return missed;
 }
 
-int airfoil(const std::string& folder, const std::string& path, const std::string& marker, const cli::Threads& threads) {
+int airfoil(const std::string& folder, const std::string& path, const std::string& marker,
+            const cli::Threads& threads) {
     const std::string stem = folder + "/" + std::filesystem::path(path).stem().string(), curve_path = stem + ".curve";
     std::printf("\n== %s\n", path.c_str());
     std::printf("\ntable The curve through the airfoil's points\n  what  is\n");
     cli::run_command({"fit", path, "--marker", marker, "-o", curve_path});
     const cli::Mesh mesh = cli::read_mesh(path);
     const Movements movements{cli::read_curves(curve_path).control};
-    std::printf("\ntable Limits of one linear morph: camber and bump in chords, rotation in degrees\n"
-                "  %-14s  %8s  %8s  %8s  %9s  %8s  %20s\n", "functions", "camber", "rotation", "bump", "thickness", "shift",
-                "solve time / laplace");
+    std::printf(
+        "\ntable Limits of one linear morph: camber and bump in chords, rotation in degrees\n"
+        "  %-14s  %8s  %8s  %8s  %9s  %8s  %20s\n",
+        "functions", "camber", "rotation", "bump", "thickness", "shift", "solve time / laplace");
     double laplace_seconds = 0;
     std::unique_ptr<Case> usual;
     for (const Operator& its_operator : operators) {
@@ -186,8 +192,8 @@ int airfoil(const std::string& folder, const std::string& path, const std::strin
     return safe_targets(*usual, movements, stem);
 }
 
-// A block in a square, turned by 60 degrees and moved by (-0.2, -0.3); the outer boundary slips. (For radial basis functions
-// in 20 steps .1497 at least and .6554 on average were published.)
+// A block in a square, turned by 60 degrees and moved by (-0.2, -0.3); the outer boundary slips. (For radial basis
+// functions in 20 steps .1497 at least and .6554 on average were published.)
 int block(const std::string& folder, const cli::Threads& threads) {
     const cli::Mesh mesh = cli::read_mesh("tests/meshes/block.su2");
     const Movements movements{{.4, .48, .6, .48, .6, .52, .4, .52}};
@@ -208,7 +214,8 @@ int block(const std::string& folder, const cli::Threads& threads) {
         task.options.exponent_quarters = quarters;
         const Case its(mesh, task, threads, folder + "/block.basis");
         const std::string name = "conformal " + cli::brief(quarters / 4.);
-        const std::string what = "the block by 60 degrees and (-0.2, -0.3) with the exponent " + cli::brief(quarters / 4.);
+        const std::string what =
+            "the block by 60 degrees and (-0.2, -0.3) with the exponent " + cli::brief(quarters / 4.);
         const std::string picture = folder + "/block-" + cli::brief(quarters / 4.);
         missed += print_safe(name, what, its, movements.rotation(60, .5, .5, -.2, -.3), picture) ? 0 : 1;
     }

@@ -23,7 +23,8 @@ struct Movements {
         return of_each([&](double x, double, double&, double& dy) { dy = 4 * height * x * (1 - x); });
     }
     // About (x0, y0), counter-clockwise, and then on by (dx, dy).
-    std::vector<double> rotation(double degrees, double x0 = .25, double y0 = 0, double shift_x = 0, double shift_y = 0) const {
+    std::vector<double> rotation(double degrees, double x0 = .25, double y0 = 0, double shift_x = 0,
+                                 double shift_y = 0) const {
         double const angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
         return of_each([&](double x, double y, double& dx, double& dy) {
             dx = (c - 1) * (x - x0) - s * (y - y0) + shift_x;

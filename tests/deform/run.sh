@@ -1,7 +1,7 @@
 #!/bin/sh
-# `make deform`: the driver, which make has built, over the shipped meshes, and over others (MESHES="FILE:MARKER ...") where
-# they are given; SEEDS random movements of each of them, of a channel's floor and of a cascade (20 unless said); and the
-# comparison with other methods, which needs Eigen and is built here.
+# `make deform`: the driver, which make has built, over the shipped meshes, and over others (MESHES="FILE:MARKER ...")
+# where they are given; SEEDS random movements of each of them, of a channel's floor and of a cascade (20 unless said);
+# and the comparison with other methods, which needs Eigen and is built here.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"
 meshes="tests/meshes/naca0012.su2:airfoil $MESHES"
 "$BUILD/deform-driver" "$BUILD/deform" $meshes || exit

@@ -1,7 +1,7 @@
-// Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few solutions.
-// Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are those whose
-// walls fold so sharply, stretch so much, or leave gaps so narrow, that no mesh with these cells is good: a bound of the
-// quality is computed from the wall (wall_bound.hpp).
+// Part of `make deform`: seeded random movements that the safe morph should follow: with good cells, and with few
+// solutions. Movements whose prescribed walls cross are not counted: the library says so before anything moves. Nor are
+// those whose walls fold so sharply, stretch so much, or leave gaps so narrow, that no mesh with these cells is good: a
+// bound of the quality is computed from the wall (wall_bound.hpp).
 //   seeded FOLDER N MESH:MARKER ...     airfoils of chord 1; the channel and the cascade come always; N of each
 // In the environment: DETAILS (any value) prints every movement; OPERATOR is a value of hm_options.operator_kind.
 #include "../../c_api/cli/basis_file.hpp"
@@ -40,15 +40,16 @@ struct Counts {
         quick += more.quick;
     }
     void print(const std::string& name, double seconds) const {
-        std::printf("  %-28s  %5d  %8d  %6d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted, impossible, folded, reached, good, quick,
-                    seconds);
+        std::printf("  %-28s  %5d  %8d  %6d  %9d  %6d  %6d  %8.2g\n", name.c_str(), counted, impossible, folded,
+                    reached, good, quick, seconds);
     }
 };
 
 using Movement = std::function<std::vector<double>(const std::vector<double>& control, std::uint64_t seed)>;
 
 // The wall as the linear step has it.
-cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vector<double>& moves, const cli::Threads& threads) {
+cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vector<double>& moves,
+                  const cli::Threads& threads) {
     cli::Field out = cli::displacement(basis, mesh, moves, threads);
     for (std::size_t k = 0; k < mesh.x.size(); ++k) {
         out.x[k] += mesh.x[k];
@@ -58,7 +59,8 @@ cli::Field target(const cli::Mesh& mesh, const cli::Basis& basis, const std::vec
 }
 
 WallBound bound_of(const cli::Mesh& mesh, const cli::Task& task, const cli::Field& at) {
-    return {mesh.cell_start, mesh.cell_points, mesh.face_points, mesh.face_markers, task.conditions[0].marker, mesh.x, mesh.y,
+    return {mesh.cell_start, mesh.cell_points, mesh.face_points, mesh.face_markers, task.conditions[0].marker,
+            mesh.x, mesh.y,
             at.x, at.y};
 }
 
@@ -78,7 +80,8 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, con
     Counts counts;
     std::vector<double> seconds;
     for (std::uint64_t seed = 1; counts.counted < wanted && seed < 1000 * static_cast<std::uint64_t>(wanted); ++seed) {
-        const cli::Morph morph(basis, mesh, movement(task.curves.control, seed), cli::sized<hm_safe_options>(), threads);
+        const cli::Morph morph(basis, mesh, movement(task.curves.control, seed), cli::sized<hm_safe_options>(),
+                               threads);
         if (morph.impossible) {
             ++counts.impossible;
             continue;
@@ -91,10 +94,11 @@ Counts count(const std::string& name, const cli::Mesh& mesh, cli::Task task, con
         const WallBound bound = bound_of(mesh, task, whole ? morph.moved : target(mesh, basis, moves, threads));
         if (!good && bound.quality < good_quality * report.start_quality) {
             ++counts.folded;
-            std::printf("    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: a face or a gap) no\n"
-                        "        smallest quality is above %.4f of the start's; found was %.4f\n",
-                        static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
-                        bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);
+            std::printf(
+                "    seed %d: left out: because of the wall at point %d (angle %.2f degrees; 0: a face or a gap) no\n"
+                "        smallest quality is above %.4f of the start's; found was %.4f\n",
+                static_cast<int>(seed), static_cast<int>(bound.point), bound.angle,
+                bound.quality / report.start_quality, morph.quality.min_quality / report.start_quality);
             continue;
         }
         ++counts.counted;
@@ -143,7 +147,9 @@ void write_channel(const std::string& path) {
     out.precision(17);
     for (int j = 0; j <= n_y; ++j)
         for (int i = 0; i <= 3 * n; ++i) out << 1.0 * i / n << " " << height[static_cast<std::size_t>(j)] << "\n";
-    const auto marker = [&](const char* tag, int faces) { out << "MARKER_TAG= " << tag << "\nMARKER_ELEMS= " << faces << "\n"; };
+    const auto marker = [&](const char* tag, int faces) {
+        out << "MARKER_TAG= " << tag << "\nMARKER_ELEMS= " << faces << "\n";
+    };
     out << "NMARK= 5\n";
     marker("bump", n);
     for (int i = n; i < 2 * n; ++i) out << "3 " << id(i, 0) << " " << id(i + 1, 0) << "\n";
@@ -179,8 +185,10 @@ Counts channel(const std::string& folder, int wanted, const cli::Threads& thread
     const std::string path = folder + "/channel.su2";
     write_channel(path);
     const cli::Mesh mesh = cli::read_mesh(path);
-    return count("a piece of a channel's floor", mesh, task_on(mesh, "bump", straight_wall(20)), folder, wanted, threads,
-                 [](const std::vector<double>& control, std::uint64_t seed) { return random_bump(control.size() / 2, seed, .5); });
+    return count("a piece of a channel's floor", mesh, task_on(mesh, "bump", straight_wall(20)), folder, wanted,
+                 threads, [](const std::vector<double>& control, std::uint64_t seed) {
+                     return random_bump(control.size() / 2, seed, .5);
+                 });
 }
 
 Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves, const cli::Threads& threads) {
@@ -193,7 +201,9 @@ Counts cascade(const std::string& folder, int wanted, const cli::Curves& curves,
     condition.partner = mesh.find_markers("upper")[0];
     task.conditions.push_back(condition);
     return count("a cascade, half a pitch", mesh, task, folder, wanted, threads,
-                 [](const std::vector<double>& control, std::uint64_t seed) { return random_flight(control, seed, .5 * pitch); });
+                 [](const std::vector<double>& control, std::uint64_t seed) {
+                     return random_flight(control, seed, .5 * pitch);
+                 });
 }
 
 void run(const std::string& folder, int wanted, const std::vector<std::string>& airfoils, const cli::Threads& threads) {
@@ -202,12 +212,14 @@ void run(const std::string& folder, int wanted, const std::vector<std::string>& 
     const auto colon = [](const std::string& word) { return word.rfind(':'); };
     for (const std::string& word : airfoils)
         curves.push_back(fit(word.substr(0, colon(word)), word.substr(colon(word) + 1), folder));
-    std::printf("\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold or stretch so much\n"
-                "that no mesh can have the quality asked for; how many of the first end at the target\n"
-                "with valid cells, how many of these with %.2f of the smallest quality of the start or more, how many of all\n"
-                "with at most %d solutions, and the median of the time\n"
-                "  mesh                          count  crossing  folded  at target    good   quick   seconds\n",
-                good_quality, few_solutions);
+    std::printf(
+        "\ntable Movements that cross no walls, how many that do were left out, and how many whose walls fold or "
+        "stretch so much\n"
+        "that no mesh can have the quality asked for; how many of the first end at the target\n"
+        "with valid cells, how many of these with %.2f of the smallest quality of the start or more, how many of all\n"
+        "with at most %d solutions, and the median of the time\n"
+        "  mesh                          count  crossing  folded  at target    good   quick   seconds\n",
+        good_quality, few_solutions);
     Counts all;
     all.add(channel(folder, wanted, threads));
     all.add(cascade(folder, wanted, curves[0], threads));

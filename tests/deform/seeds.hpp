@@ -40,8 +40,8 @@ inline std::vector<double> random_movement(std::size_t n_control, std::uint64_t 
     return moves;
 }
 
-// A piece of a wall whose two end points stay. Even seeds: as above; odd ones: four waves normal to the wall, and a fifth
-// of that along it. `most`: the largest amplitude.
+// A piece of a wall whose two end points stay. Even seeds: as above; odd ones: four waves normal to the wall, and a
+// fifth of that along it. `most`: the largest amplitude.
 inline std::vector<double> random_bump(std::size_t n_control, std::uint64_t seed, double most) {
     std::vector<double> moves(2 * n_control);
     if (seed % 2 == 0) {
@@ -53,7 +53,8 @@ inline std::vector<double> random_bump(std::size_t n_control, std::uint64_t seed
         for (int wave = 1; wave <= 4; ++wave) {
             double const dx = .2 * random.uniform(-1, 1) / wave, dy = random.uniform(-1, 1) / wave;
             for (std::size_t i = 0; i < n_control; ++i) {
-                double const s = std::sin(std::acos(-1.0) * wave * static_cast<double>(i) / static_cast<double>(n_control - 1));
+                double const s =
+                    std::sin(std::acos(-1.0) * wave * static_cast<double>(i) / static_cast<double>(n_control - 1));
                 moves[2 * i] += dx * s;
                 moves[2 * i + 1] += dy * s;
             }

@@ -1,7 +1,7 @@
 // What no mesh can do better: where a wall folds, the cells at the fold share its angle, and a cell with a small angle
-// is poor, as one with an angle near 180 degrees is at a spike; where a face of the wall becomes longer, a cell on the face
-// is large or flat; and in a gap no triangle can be higher than the gap is wide. So the wall at the target alone bounds the
-// smallest size-skew quality that a mesh with these cells can have.
+// is poor, as one with an angle near 180 degrees is at a spike; where a face of the wall becomes longer, a cell on the
+// face is large or flat; and in a gap no triangle can be higher than the gap is wide. So the wall at the target alone
+// bounds the smallest size-skew quality that a mesh with these cells can have.
 #pragma once
 
 #include "cell_bound.hpp"
@@ -67,8 +67,8 @@ private:
         point = its_point;
     }
 
-    void find_cells(const std::vector<int>& cell_start, const std::vector<int>& cell_points, const std::vector<double>& x,
-                    const std::vector<double>& y) {
+    void find_cells(const std::vector<int>& cell_start, const std::vector<int>& cell_points,
+                    const std::vector<double>& x, const std::vector<double>& y) {
         for (std::size_t i = 0; i + 1 < cell_start.size(); ++i) {
             int const begin = cell_start[i], n = cell_start[i + 1] - begin;
             auto const corner = [&](int k) { return cell_points[at(begin + k % n)]; };
@@ -96,8 +96,10 @@ private:
         double const l = length(a, b), ex = (at_x[b] - at_x[a]) / l, ey = (at_y[b] - at_y[a]) / l;
         std::vector<std::pair<double, double>> others;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            double const dx = at_x[k] - at_x[a], dy = at_y[k] - at_y[a], along = dx * ex + dy * ey, up = dy * ex - dx * ey;
-            if (corners[k].is_on_wall && k != a && k != b && up > 1e-9 * l) others.push_back({along / up, (l - along) / up});
+            double const dx = at_x[k] - at_x[a], dy = at_y[k] - at_y[a], along = dx * ex + dy * ey,
+                         up = dy * ex - dx * ey;
+            if (corners[k].is_on_wall && k != a && k != b && up > 1e-9 * l)
+                others.push_back({along / up, (l - along) / up});
         }
         return best_on_side(l, found->second.area, others);
     }
@@ -118,10 +120,12 @@ private:
         if (its.triangles > 0) best = best_with_wide_angle(3, mean);
         if (its.quads > 0) best = std::max(best, best_with_wide_angle(4, mean));
         if (its.triangles > 0 || its.quads != 2) return best;
-        auto const next = cells.find({static_cast<int>(k), its.next}), previous = cells.find({its.previous, static_cast<int>(k)});
+        auto const next = cells.find({static_cast<int>(k), its.next}),
+                   previous = cells.find({its.previous, static_cast<int>(k)});
         if (next == cells.end() || previous == cells.end()) return best;
-        return std::min(best, std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)), next->second.area),
-                                       best_quad_with_wide_angle(mean, length(k, at(its.previous)), previous->second.area)));
+        return std::min(best,
+                        std::max(best_quad_with_wide_angle(mean, length(k, at(its.next)), next->second.area),
+                                 best_quad_with_wide_angle(mean, length(k, at(its.previous)), previous->second.area)));
     }
 };
 

@@ -1,5 +1,5 @@
-// The dense kernels against plain loops, real and complex, in double and in single precision, for every size up to 60 and
-// round the borders of blocks, tiles and strips, on every kind of processor at hand.
+// The dense kernels against plain loops, real and complex, in double and in single precision, for every size up to 60
+// and round the borders of blocks, tiles and strips, on every kind of processor at hand.
 #include <doctest/doctest.h>
 
 #include <fixtures/core.hpp>
@@ -54,7 +54,8 @@ struct Arithmetic {
 #define ALL_ARITHMETICS \
     Arithmetic<double, false>, Arithmetic<double, true>, Arithmetic<float, false>, Arithmetic<float, true>
 
-TEST_CASE_TEMPLATE("panels and update matrices: a place of its own for every entry on and above the diagonal", Number, double, float) {
+TEST_CASE_TEMPLATE("panels and update matrices: a place of its own for every entry on and above the diagonal", Number,
+                   double, float) {
     constexpr Index slab = dense::slab;
     for (Index const pivots : {1, 7, 8, 15, 16, 17, 33, 128, 300})
         for (Index const border : {0, 1, 8, 17, 33, 200}) {
@@ -126,7 +127,9 @@ struct Front {
         std::fill(update.begin(), update.end() - behind, Number{0});
         poison_below_diagonal(panel().own());
         poison_below_diagonal(update_matrix().all());
-        auto const at = [&](Index i, Index j) { return a.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j)); };
+        auto const at = [&](Index i, Index j) {
+            return a.at(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        };
         auto const entry = [&](Index i, Index j) {
             if (i != j) return at(i, j);
             typename Its::Entry sum = 0;
@@ -186,7 +189,9 @@ private:
             for (Index c = std::min(panel.pivots, (k / slab + 1) * slab); c < front_.size; ++c)
                 compare(panel.at(k, c), slab, expected_.at(static_cast<std::size_t>(k), static_cast<std::size_t>(c)));
         auto const update = front_.update_matrix();
-        auto const left = [&](Index r, Index c) { return expected_.at(p_ + static_cast<std::size_t>(r), p_ + static_cast<std::size_t>(c)); };
+        auto const left = [&](Index r, Index c) {
+            return expected_.at(p_ + static_cast<std::size_t>(r), p_ + static_cast<std::size_t>(c));
+        };
         for (Index r = 0; r < update.n; ++r) {
             Entry sum = 0;
             for (Index c = 0; c < update.n; ++c) sum += c < r ? conjugate(left(c, r)) : left(r, c);
@@ -217,7 +222,8 @@ private:
         for (std::size_t k = 0; k < exact.size(); ++k) compare(place(k), row, exact[k]);
         for (std::size_t k = p_; k-- > 0;)
             for (std::size_t i = 0; i < width; ++i) {
-                for (std::size_t c = k + 1; c < n_; ++c) exact[k * width + i] -= expected_.at(k, c) * exact[c * width + i];
+                for (std::size_t c = k + 1; c < n_; ++c)
+                    exact[k * width + i] -= expected_.at(k, c) * exact[c * width + i];
                 exact[k * width + i] /= expected_.at(k, k);
             }
         dense::solve_backward(front_.kernel, front_.panel(), y.data(), row, front_.executor);
@@ -251,11 +257,13 @@ TEST_CASE_TEMPLATE("every number of pivots from 1 to 60, with and without a bord
 TEST_CASE_TEMPLATE("every border from 0 to 60, and those round whole tiles and bands", Its, ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels()) {
         for (Index border = 0; border <= 60; ++border) check_front<Its>(kernel, border % 41 + 1, border);
-        for (Index const border : {71, 72, 73, 95, 96, 97, 127, 128, 129, 136, 193}) check_front<Its>(kernel, 9, border);
+        for (Index const border : {71, 72, 73, 95, 96, 97, 127, 128, 129, 136, 193})
+            check_front<Its>(kernel, 9, border);
     }
 }
 
-TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("large fronts: more than one strip of pivots, borders that fill several tiles", Its,
+                   ALL_ARITHMETICS) {
     Index const sizes[][2] = {{127, 130}, {128, 0}, {129, 64}, {100, 203}, {256, 29}, {257, 3}};
     for (Kernel const kernel : fixtures::usable_kernels())
         for (auto const& size : sizes) check_front<Its>(kernel, size[0], size[1]);
@@ -308,11 +316,13 @@ TEST_CASE_TEMPLATE("a child is added to its parent entry by entry, wherever its 
             dense::extend_add(kernel, from.update_matrix(), targets.data(), to.panel(), to.update_matrix());
             double worst = 0;
             auto const compare = [&](auto const* found, auto const* old, Index i, Index j) {
-                auto const row = std::find(targets.begin(), targets.end(), i), column = std::find(targets.begin(), targets.end(), j);
+                auto const row = std::find(targets.begin(), targets.end(), i),
+                           column = std::find(targets.begin(), targets.end(), j);
                 typename Its::Entry exact = Its::get(old, Front<Its>::slab);
                 if (row != targets.end() && column != targets.end())
                     exact += Its::get(from.update_matrix().at(static_cast<Index>(row - targets.begin()),
-                                                              static_cast<Index>(column - targets.begin())), Front<Its>::slab);
+                                                              static_cast<Index>(column - targets.begin())),
+                                      Front<Its>::slab);
                 worst = std::fmax(worst, std::abs(Its::get(found, Front<Its>::slab) - exact));
             };
             Front<Its> old = before;
@@ -340,12 +350,14 @@ TEST_CASE_TEMPLATE("a pivot that is not positive is found, wherever it is, and n
                         for (std::size_t k = 0; k < a.n; ++k) a.at(at, k) = a.at(k, at) = 0;
                     a.at(at, at) = value;
                     Front<Its> front(kernel, a, n);
-                    INFO("kernel " << static_cast<int>(kernel) << ", n " << n << ", bad " << bad << ", value " << value);
+                    INFO("kernel " << static_cast<int>(kernel) << ", n " << n << ", bad " << bad << ", value "
+                                   << value);
                     CHECK(front.factor() == bad);
                 }
 }
 
-TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing", Its, ALL_ARITHMETICS) {
+TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are tied to nothing", Its,
+                   ALL_ARITHMETICS) {
     for (Kernel const kernel : fixtures::usable_kernels())
         for (std::size_t const n : {2u, 8u, 9u, 32u, 33u, 100u}) {
             typename Its::Matrix a(n);
@@ -364,7 +376,8 @@ TEST_CASE_TEMPLATE("a singular matrix is found up to rounding: springs that are 
 
 // Conductances over 30 orders of magnitude, ties to the ground weaker than all of them: the solution for a load of what
 // ties each is 1 everywhere. With stored diagonals, not a digit of it would be left.
-TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Arithmetic<double, false>, Arithmetic<float, false>) {
+TEST_CASE_TEMPLATE("conductances lose nothing, however uneven they are", Its, Arithmetic<double, false>,
+                   Arithmetic<float, false>) {
     using Number = typename Its::Number;
     Index const sizes[][2] = {{1, 0}, {9, 0}, {40, 0}, {150, 0}, {300, 0}};
     for (Kernel const kernel : fixtures::usable_kernels())

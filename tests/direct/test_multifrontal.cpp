@@ -120,7 +120,8 @@ double largest_error(FrontalSystem const& system, std::vector<double> const& sid
     double worst = 0;
     for (Index i = 0; i < width; ++i) {
         std::vector<std::complex<double>> b;
-        for (std::size_t k = 0; k < system.assembled.size(); ++k) b.push_back(system.entry(sides, k, static_cast<std::size_t>(i)));
+        for (std::size_t k = 0; k < system.assembled.size(); ++k)
+            b.push_back(system.entry(sides, k, static_cast<std::size_t>(i)));
         b = factored.solve(b);
         for (std::size_t k = 0; k < b.size(); ++k) {
             double const error = std::abs(system.entry(found, k, static_cast<std::size_t>(i)) - b[k]);
@@ -165,7 +166,7 @@ TEST_CASE("targets: where the positions of a border are in the parent's front") 
     CHECK(wrong == 0);
 }
 
-TEST_CASE("Hermitian matrices with random circulations: the same as dense Cholesky, in both precisions, in any number of lanes") {
+TEST_CASE("Hermitian matrices with random circulations: the solution of dense Cholesky, in both precisions") {
     for (Cells const kind : {Cells::quads, Cells::triangles})
         for (int const n_r : {3, 9})
             for (Index const threads : {1, 3}) {
@@ -203,14 +204,15 @@ TEST_CASE("right-hand sides in single precision: the bits of those in double tha
             system.factorise();
             std::vector<double> in_double = system.some_sides();
             std::vector<float> in_single(in_double.size());
-            std::transform(in_double.begin(), in_double.end(), in_single.begin(), [](double x) { return static_cast<float>(x); });
+            std::transform(in_double.begin(), in_double.end(), in_single.begin(),
+                           [](double x) { return static_cast<float>(x); });
             system.solve(in_double);
             system.solve(in_single);
             CHECK(std::vector<double>(in_single.begin(), in_single.end()) == in_double);
         }
 }
 
-TEST_CASE("right-hand sides of one number each: most of the tree sees none, wherever that number is, solve after solve") {
+TEST_CASE("right-hand sides of one number each: most of the tree is passed over, wherever that number is") {
     for (Index const threads : {1, 3})
         for (bool const complex : {false, true}) {
             Case its = ring_case(6, 30, 0.5, 2, Cells::hybrid, 2, 5);
@@ -274,7 +276,8 @@ TEST_CASE("without circulation the complex engine gives the real one's answer") 
         real.randomise(3, 0);
         complex.factorise();
         real.factorise();
-        std::vector<double> found = complex.some_sides(), expected = found;   // real and imaginary parts: twice as many sides
+        // Real and imaginary parts: twice as many sides.
+        std::vector<double> found = complex.some_sides(), expected = found;
         complex.solve(found);
         real.solve(expected);
         CHECK(largest_difference(found, expected) < (precision == HM_DOUBLE ? 1e-14 : 1e-5));

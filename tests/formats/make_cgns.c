@@ -1,10 +1,10 @@
 /* Writes a ring as a CGNS file with libcgns, independently of the program.
  *
  *   make_cgns FILE KIND REAL
- *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell thick; cells: QUAD_4 and TRI_3
- *            in one section of MIXED elements, BAR_2 at the boundary; polygons: NGON_n; solid: HEXA_8 between two planes;
- *            cube: three cells thick; and what is wrong: nan: plane with a coordinate that is not finite; skew: block with a
- *            point that is opposite none; outside: cells with a point that does not exist
+ *     KIND   plane: structured, 2D; planes: two structured zones; block: structured, one cell thick; cells: QUAD_4 and
+ *            TRI_3 in one section of MIXED elements, BAR_2 at the boundary; polygons: NGON_n; solid: HEXA_8 between two
+ *            planes; cube: three cells thick; and what is wrong: nan: plane with a coordinate that is not finite; skew:
+ *            block with a point that is opposite none; outside: cells with a point that does not exist
  *     REAL   double or single */
 #include <cgnslib.h>
 #include <math.h>
@@ -57,7 +57,8 @@ static void open_zone(const char *name, int cell_dimensions, cgsize_t *size, Zon
     call(cg_zone_write(file, base, name, size, type, &zone));
 }
 
-static void condition(const char *name, BCType_t type, PointSetType_t set, cgsize_t n, const cgsize_t *items, int elements) {
+static void condition(const char *name, BCType_t type, PointSetType_t set, cgsize_t n, const cgsize_t *items,
+                      int elements) {
     int c;
     call(cg_boco_write(file, base, zone, name, type, set, n, items, &c));
     if (elements != 0) call(cg_boco_gridlocation_write(file, base, zone, c, elements == 1 ? EdgeCenter : FaceCenter));

@@ -107,7 +107,8 @@ Face face(std::vector<int> points, int owner, int neighbour = -1) {
     Vector normal = {0, 0, 0}; // of all corners: one of them may be reflex
     for (std::size_t k = 1; k + 1 < points.size(); ++k) {
         const Vector a = minus(place(points[k]), place(points[0])), b = minus(place(points[k + 1]), place(points[0]));
-        for (std::size_t d = 0; d < 3; ++d) normal[d] += a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
+        for (std::size_t d = 0; d < 3; ++d)
+            normal[d] += a[(d + 1) % 3] * b[(d + 2) % 3] - a[(d + 2) % 3] * b[(d + 1) % 3];
     }
     if (dot(normal, minus(middle(points), middle(cell_points(owner)))) < 0) {
         std::reverse(points.begin() + 1, points.end());

@@ -1,6 +1,6 @@
-// Writes one and the same ring of quads in many kinds of files, independently of the program. After the program has read
-// a file and written the ring with other coordinates, the result must be, byte for byte, the file that is written here
-// with those coordinates.
+// Writes one and the same ring of quads in many kinds of files, independently of the program. After the program has
+// read a file and written the ring with other coordinates, the result must be, byte for byte, the file that is written
+// here with those coordinates.
 //
 //   make_mesh KIND FILE [COORDINATES]   COORDINATES: an SU2 file of the ring, from which x and y are taken
 //   make_mesh list                      all kinds

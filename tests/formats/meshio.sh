@@ -8,8 +8,8 @@ for p in meshio.read(sys.argv[1]).points: print(repr(float(p[0])), repr(float(p[
         grep -E '^-?[0-9.e+-]+ -?[0-9.e+-]+$' "$tmp/out" >"$tmp/points"
         check "meshio reads $mesh: moved as all are" alike 1e-12 "$tmp/points-of-all" "$tmp/points"
     done
-    # The morphed file has the cells of the given one; its points are finite, have moved, and no cell is of another volume's
-    # sign: prisms and hexahedra by the tetrahedron of the first corner's edges.
+    # The morphed file has the cells of the given one; its points are finite, have moved, and no cell is of another
+    # volume's sign: prisms and hexahedra by the tetrahedron of the first corner's edges.
     cat >"$tmp/compare.py" <<'END'
 import sys, meshio, numpy
 given, moved = (meshio.read(name) for name in sys.argv[1:])

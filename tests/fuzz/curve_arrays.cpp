@@ -30,7 +30,8 @@ void CurveArrays::finish(Input& input) {
 }
 
 bool CurveArrays::add_fit(std::vector<Point> const& points, bool is_loop, Input& input) {
-    std::int32_t const n = static_cast<std::int32_t>(points.size()), first = static_cast<std::int32_t>(control.size() / 2);
+    std::int32_t const n = static_cast<std::int32_t>(points.size()),
+                       first = static_cast<std::int32_t>(control.size() / 2);
     hm_fit_options options{};
     options.struct_size = sizeof options;
     options.degree = input.from(1, 5);

@@ -19,8 +19,8 @@ struct CurveArrays {
     std::vector<hm_curve> curve;
     hm_curves view{};
 
-    // Through or near these points: a fitted curve, or the polygon of the points. is_loop: the last point is followed by
-    // the first one.
+    // Through or near these points: a fitted curve, or the polygon of the points. is_loop: the last point is followed
+    // by the first one.
     void add(std::vector<Point> const& points, bool is_loop, Input& input);
     // Fills `view`, when all curves are there; sometimes with weights.
     void finish(Input& input);
@@ -28,7 +28,8 @@ struct CurveArrays {
 private:
     bool add_fit(std::vector<Point> const& points, bool is_loop, Input& input);
     void add_polygon(std::vector<Point> const& points, bool is_loop);
-    void add_curve(std::int32_t degree, std::vector<std::int32_t> const& its_indices, std::vector<double> const& its_knots);
+    void add_curve(std::int32_t degree, std::vector<std::int32_t> const& its_indices,
+                   std::vector<double> const& its_knots);
 };
 
 }   // namespace fuzz

@@ -161,9 +161,9 @@ private:
             for (std::int32_t p = 0; p < part.info.numbers; ++p) take(place(part, unknown, p), k++);
     }
 
-    // A = L L^T of the sum of all parts' entries, columns by substitution, each refined until next to nothing changes. The
-    // first correction is what rounding makes of a solution. Where that is more than is allowed for, cells are too thin for
-    // this elimination, and nothing is compared.
+    // A = L L^T of the sum of all parts' entries, columns by substitution, each refined until next to nothing changes.
+    // The first correction is what rounding makes of a solution. Where that is more than is allowed for, cells are too
+    // thin for this elimination, and nothing is compared.
     void solve() {
         std::vector<Numbers> a(size_, Numbers(size_, 0));
         for (Part const& part : parts_) {

@@ -18,7 +18,8 @@ std::string describe(Problem const& problem) {
         problem.domain.cells.size(), problem.mesh.cell_layout, problem.on_walls.view.n_control);
     for (hm_condition const& its : problem.conditions)
         add("    marker %d: condition %d, curves %d + %d\n", its.marker, its.kind, its.first_curve, its.n_curves);
-    for (hm_curve const& its : problem.on_walls.curve) add("    curve of degree %d, %d indices\n", its.degree, its.n_indices);
+    for (hm_curve const& its : problem.on_walls.curve)
+        add("    curve of degree %d, %d indices\n", its.degree, its.n_indices);
     return out;
 }
 

@@ -71,8 +71,8 @@ void drop_unused(Domain& domain) {
     domain.points = points;
 }
 
-// The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may be curved. With a tip
-// it is a sector.
+// The rectangle becomes one passage of an annulus: x is the angle, y the radius, and the sides may be curved. With a
+// tip it is a sector.
 void bend(Domain& domain, Grid const& grid, Input& input) {
     double const angle = 2 * std::acos(-1.0) / input.from(2, 40), twist = input.any_of({0.0, 0.0, 0.1, -0.3});
     double const highest = domain.points.back().y, hub = grid.has_tip ? 0 : grid.nx / angle * input.between(0.2, 3);

@@ -69,8 +69,8 @@ std::vector<double> results_of(Solution& its) {
     for (std::size_t k = 2 * static_cast<std::size_t>(its.problem.on_walls.view.n_control) + 2; k < move.size(); k += 4)
         move[k] = -0.5, move[k + 1] = 0.7;
     hm_points_out const out{x.data(), y.data(), 1};
-    all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr, its.block(bytes).data(), bytes, nullptr,
-                                nullptr, nullptr));
+    all.push_back(hm_morph_safe(its.plan, its.basis, move.data(), &out, nullptr, its.block(bytes).data(), bytes,
+                                nullptr, nullptr, nullptr));
     all.insert(all.end(), x.begin(), x.end());
     all.insert(all.end(), y.begin(), y.end());
     return all;
@@ -92,9 +92,11 @@ Outcome run_with(Cells cells, Input& input) {
     Exceptions::clear();
     Solution solution(*problem, input);
     if (!is_broken && solution.status >= 0) Exceptions::expect_none("a solution");
-    if (is_broken) Exceptions::expect_none(solution.status >= 0 ? "a broken problem that is solved" : solution.error.text);
+    if (is_broken)
+        Exceptions::expect_none(solution.status >= 0 ? "a broken problem that is solved" : solution.error.text);
     if (!is_broken && solution.analysis != nullptr)
-        expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points) == 0, "a mesh with inverted cells is taken");
+        expect(inverted_cells(judge_by_header(problem->domain), problem->domain.points) == 0,
+               "a mesh with inverted cells is taken");
     if (solution.status < 0) return Outcome::refused;
     if (is_broken) return Outcome::done;
     try {

@@ -88,7 +88,8 @@ private:
         if (is_valid_ && number_ >= 0 && number_ < set_.n_curves) {
             hm_curve const& its = set_.curve[number_];
             double const begin = its.knots[its.degree], end = its.knots[its.n_indices];
-            for (double& knot : u) knot = input_.one_in(12) ? input_.wild() : begin + input_.between(0, 1) * (end - begin);
+            for (double& knot : u)
+                knot = input_.one_in(12) ? input_.wild() : begin + input_.between(0, 1) * (end - begin);
         }
         std::int32_t const n = static_cast<std::int32_t>(u.size());
         Exceptions::clear();
@@ -121,7 +122,8 @@ private:
         hm_section out{};
         out.struct_size = sizeof out;
         if (input_.one_in(2)) out.n_curves = 1, out.first_curve = number_;
-        if (input_.one_in(3)) out.nose_x = size_ * number(), out.edge_x = size_ * number(), out.edge_y = size_ * number();
+        if (input_.one_in(3))
+            out.nose_x = size_ * number(), out.edge_x = size_ * number(), out.edge_y = size_ * number();
         return out;
     }
 
@@ -138,7 +140,9 @@ private:
         hm_status const status = hm_measure(&set_, input_.one_in(2) ? &outline : nullptr, 1, &quantity, value.data(),
                                             at.data(), gradient.data(), &error_);
         if (status < 0) expect_untouched(value), expect_untouched(at), expect_untouched(gradient);
-        else expect_finite(value, "a measure"), expect_finite(at, "where it is"), expect_finite(gradient, "its gradient");
+        else
+            expect_finite(value, "a measure"), expect_finite(at, "where it is"),
+                expect_finite(gradient, "its gradient");
         return judged(status);
     }
 
@@ -160,10 +164,12 @@ private:
         Exceptions::clear();
         hm_status status = hm_variables_size(&set_, given, &its, &n, &size, &error_);
         if (judged(status) == Outcome::refused) return Outcome::refused;
-        Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7), error(2 * static_cast<std::size_t>(n), 7);
+        Numbers matrix(problem_.on_walls.control.size() * static_cast<std::size_t>(n), 7),
+            error(2 * static_cast<std::size_t>(n), 7);
         status = in_block([&](std::size_t* bytes) { return hm_variables_size(&set_, given, &its, &n, bytes, &error_); },
                           [&](void* memory, std::size_t bytes) {
-                              return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(), error.data(), &error_);
+                              return hm_variables_map(&set_, given, &its, memory, bytes, matrix.data(), error.data(),
+                                                      &error_);
                           });
         if (status < 0) expect_untouched(matrix), expect_untouched(error);
         else expect_finite(matrix, "a map of variables"), expect_finite(error, "its error");

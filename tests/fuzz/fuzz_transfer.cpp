@@ -1,6 +1,7 @@
 // Functions of a random problem on a mesh that is twice as fine: each cell has a new point on each side, and a
-// quadrilateral another one inside. The new points of sides are half way between two coarse points, so that the transferred
-// functions have to be half way, too, up to the correction of the wall; curve points have the basis functions.
+// quadrilateral another one inside. The new points of sides are half way between two coarse points, so that the
+// transferred functions have to be half way, too, up to the correction of the wall;
+// curve points have the basis functions.
 #include "describe.hpp"
 #include "reference.hpp"
 #include "solution.hpp"
@@ -24,10 +25,11 @@ public:
             std::size_t const n = cell.size();
             Cell middle(n);
             for (std::size_t k = 0; k < n; ++k) middle[k] = between(cell[k], cell[(k + 1) % n]);
-            std::int32_t const inside = n == 4 ? add({(point(cell[0]).x + point(cell[1]).x + point(cell[2]).x + point(cell[3]).x) / 4,
-                                                      (point(cell[0]).y + point(cell[1]).y + point(cell[2]).y + point(cell[3]).y) / 4},
-                                                     cell)
-                                               : -1;
+            std::int32_t const inside =
+                n == 4 ? add({(point(cell[0]).x + point(cell[1]).x + point(cell[2]).x + point(cell[3]).x) / 4,
+                              (point(cell[0]).y + point(cell[1]).y + point(cell[2]).y + point(cell[3]).y) / 4},
+                             cell)
+                       : -1;
             for (std::size_t k = 0; k < n; ++k)
                 if (n == 4) add_cell({cell[k], middle[k], inside, middle[(k + 3) % 4]});
                 else add_cell({cell[k], middle[k], middle[(k + 2) % 3]});
@@ -85,7 +87,8 @@ private:
 
 class Transferred {
 public:
-    explicit Transferred(Solution& coarse) : coarse_(coarse), fine_(coarse.problem.domain), mesh_(fine_.view()), problem_(coarse.problem.problem) {
+    explicit Transferred(Solution& coarse)
+        : coarse_(coarse), fine_(coarse.problem.domain), mesh_(fine_.view()), problem_(coarse.problem.problem) {
         problem_.mesh = &mesh_;
     }
 
@@ -118,7 +121,8 @@ public:
         coarse_.expect_intact();
         if (status < 0) {
             std::vector<double> values(at(mesh_.n_points), 7);
-            expect(hm_basis_values(basis_, 0, 0, values.data(), &error_) < 0, "a basis is solved by a refused transfer");
+            expect(hm_basis_values(basis_, 0, 0, values.data(), &error_) < 0,
+                   "a basis is solved by a refused transfer");
             return Outcome::refused;
         }
         check();
@@ -132,7 +136,8 @@ private:
         hm_basis_info info{};
         info.struct_size = sizeof info;
         expect(hm_basis_info_get(basis_, &info, &error_) == HM_OK, "no information about a transferred basis");
-        expect((report_.outside == 0) == (report_.max_distance_point == -1), "points outside, and none that is farthest");
+        expect((report_.outside == 0) == (report_.max_distance_point == -1),
+               "points outside, and none that is farthest");
         expect(std::isfinite(report_.max_distance) && report_.max_distance >= 0, "a distance that is none");
         expect(std::isfinite(report_.wall_correction), "a correction that is not finite");
         expect(report_.boundary_error <= 1e-11 || info.offset_correction != 0, "the wall has other basis functions");
@@ -151,8 +156,10 @@ private:
     void mark_points(hm_basis_info const& info) {
         what_.assign(at(mesh_.n_points), What::inside);
         for (std::int32_t const k : fine_.faces()) what_[at(k)] = What::on_boundary;
-        for (std::int32_t slot = 0; slot < info.curve_points; ++slot) what_[at(info.curve_point[slot])] = What::on_curve;
-        double area = 1e300, side = 0;   // of the flattest corner and the longest side: what rounding of points does to weights
+        for (std::int32_t slot = 0; slot < info.curve_points; ++slot)
+            what_[at(info.curve_point[slot])] = What::on_curve;
+        // Of the flattest corner and the longest side: what rounding of points does to weights.
+        double area = 1e300, side = 0;
         Judged const judged = judge_by_header(coarse_.problem.domain);
         std::vector<Point> const& points = coarse_.problem.domain.points;
         for (JudgedCorner const& its : judged.corners) {
@@ -163,13 +170,15 @@ private:
         rounding_ = 1e-12 + 1e-14 * (coarse_.problem.size() / area) * side;
     }
 
-    // Functions of points with two parents are their mean, those of points inside a cell between the least and the largest.
+    // Functions of points with two parents are their mean,
+    // those of points inside a cell between the least and the largest.
     void between(Numbers const& coarse, Numbers const& fine) const {
         double largest = 0, correction = 0;
         for (double const its : coarse) largest = std::max(largest, std::abs(its));
         auto const mean = [&](Cell const& of) { return (coarse[at(of[0])] + coarse[at(of[1])]) / 2; };
         for (std::size_t k = 0; k < fine.size(); ++k)
-            if (what_[k] == What::on_curve) correction = std::max(correction, std::abs(fine[k] - mean(fine_.parents()[k])));
+            if (what_[k] == What::on_curve)
+                correction = std::max(correction, std::abs(fine[k] - mean(fine_.parents()[k])));
         double const within = correction + rounding_ * largest;
         for (std::size_t k = 0; k < fine.size(); ++k) {
             expect(std::isfinite(fine[k]), "a transferred function is not finite");
@@ -180,8 +189,10 @@ private:
                 continue;
             }
             double least = coarse[at(from[0])], most = least;
-            for (std::int32_t const p : from) least = std::min(least, coarse[at(p)]), most = std::max(most, coarse[at(p)]);
-            expect(fine[k] >= least - within && fine[k] <= most + within, "a point inside a cell has a function outside");
+            for (std::int32_t const p : from)
+                least = std::min(least, coarse[at(p)]), most = std::max(most, coarse[at(p)]);
+            expect(fine[k] >= least - within && fine[k] <= most + within,
+                   "a point inside a cell has a function outside");
         }
     }
 
@@ -191,8 +202,10 @@ private:
             expect(hm_basis_values(basis_, i, 0, fine.data(), &error_) == HM_OK, "no values");
             for (std::int32_t slot = 0; slot < info.curve_points; ++slot) {
                 if (info.point_curve[slot] >= info.curves) continue;
-                double const expected = basis_functions(coarse_.problem.on_walls.view, info.point_curve[slot], info.point_u[slot])[at(i)];
-                expect(std::abs(fine[at(info.curve_point[slot])] - expected) < 1e-11, "a curve point has another function");
+                double const expected =
+                    basis_functions(coarse_.problem.on_walls.view, info.point_curve[slot], info.point_u[slot])[at(i)];
+                expect(std::abs(fine[at(info.curve_point[slot])] - expected) < 1e-11,
+                       "a curve point has another function");
             }
         }
     }

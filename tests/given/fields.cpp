@@ -1,5 +1,6 @@
-// Displacements given point by point, on the meshes that are named: a B-spline's movement gives the morph by this B-spline,
-// and random fields end in a valid mesh or are refused with a reason. Prints a table and "N passed, M failed".
+// Displacements given point by point, on the meshes that are named: a B-spline's movement gives the morph by this
+// B-spline, and random fields end in a valid mesh or are refused with a reason. Prints a table and "N passed,
+// M failed".
 //   fields FOLDER SEEDS MESH:MARKER ...      FOLDER/MESH.MARKER.curve: the fitted curves
 #include "curve_file.hpp"
 #include "failure.hpp"
@@ -80,8 +81,8 @@ cli::Task task_on(const cli::Mesh& mesh, const std::string& marker, std::int32_t
 double uniform(std::mt19937& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
 
 // The largest difference between the mesh that a B-spline moves and the one that is displaced as its wall is.
-double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves, const Way& way,
-                             const cli::Threads& threads) {
+double difference_from_morph(const cli::Mesh& mesh, const std::string& marker, const cli::Curves& curves,
+                             const Way& way, const cli::Threads& threads) {
     cli::Task on_curve = task_on(mesh, marker, HM_ON_CURVE, way);
     on_curve.curves = curves;
     on_curve.conditions[0].n_curves = static_cast<std::int32_t>(curves.curves.size());
@@ -130,7 +131,8 @@ void make_field(Wall& wall, Kind kind, std::mt19937& random) {
     const double turn = 2.1 * uniform(random), shift = .2 * wall.extent * uniform(random), waves = .05 * wall.extent;
     double phase[6], cx = 0, cy = 0;
     for (double& p : phase) p = 3.2 * uniform(random);
-    for (std::size_t k = 0; k < n; ++k) cx += wall.x[k] / static_cast<double>(n), cy += wall.y[k] / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k)
+        cx += wall.x[k] / static_cast<double>(n), cy += wall.y[k] / static_cast<double>(n);
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t next = (k + 1) % n;
         const double s = 6.283185307179586 * (wall.x[k] - cx) / wall.extent;
@@ -156,9 +158,10 @@ struct Ends {
     int reached = 0, poor = 0, part = 0, refused = 0;
 };
 
-// Is what hm_displace_safe leaves valid, with the given wall if it says so, or else refused with a reason and untouched?
-void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cli::Block& work, const cli::Threads& threads,
-                Ends& ends) {
+// Is what hm_displace_safe leaves valid, with the given wall if it says so,
+// or else refused with a reason and untouched?
+void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cli::Block& work,
+                const cli::Threads& threads, Ends& ends) {
     cli::Field to(mesh.x.size());
     to.x = mesh.x;
     to.y = mesh.y;
@@ -166,8 +169,8 @@ void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cl
     const hm_points_out out = to.write();
     auto report = cli::sized<hm_safe_report>();
     hm_error error = {};
-    const hm_status status = hm_displace_safe(solver.plan(), solver.basis(), nullptr, wall.count(), wall.points.data(), &given,
-                                              &out, work.data(), work.size(), nullptr, &report, &error);
+    const hm_status status = hm_displace_safe(solver.plan(), solver.basis(), nullptr, wall.count(), wall.points.data(),
+                                              &given, &out, work.data(), work.size(), nullptr, &report, &error);
     if (status < 0) {
         ++ends.refused;
         check(status == HM_CROSSING && error.text[0] != 0, std::string("refused: ") + error.text);
@@ -192,7 +195,8 @@ void run_safely(const cli::Mesh& mesh, cli::Solver& solver, const Wall& wall, cl
 }
 
 // Random fields of all kinds by one operator and engine: the counts of their ends.
-void run_fields(const cli::Mesh& mesh, const std::string& marker, const Way& way, int seeds, const cli::Threads& threads) {
+void run_fields(const cli::Mesh& mesh, const std::string& marker, const Way& way, int seeds,
+                const cli::Threads& threads) {
     const cli::Task task = task_on(mesh, marker, HM_GIVEN, way);
     cli::Solver solver(mesh, task, threads);
     solver.prepare();
@@ -214,13 +218,15 @@ void run_fields(const cli::Mesh& mesh, const std::string& marker, const Way& way
 
 void run(const std::string& folder, int seeds, const std::string& path, const std::string& marker) {
     const cli::Threads threads(1);
-    const std::string name = std::filesystem::path(path).stem().string(), curve = folder + "/" + name + "." + marker + ".curve";
+    const std::string name = std::filesystem::path(path).stem().string(),
+                      curve = folder + "/" + name + "." + marker + ".curve";
     const cli::Mesh mesh = cli::read_mesh(path);
     const cli::Curves curves = cli::read_curves(curve);
     for (const Way& way : ways) {
         const double worst = difference_from_morph(mesh, marker, curves, way, threads);
         check(worst <= 1e-9, name + ", " + way.name + ": the morph by the B-spline, to 1e-9");
-        std::printf("%-24s %7d  %-9s %9.1e ", (name + ":" + marker).c_str(), static_cast<int>(mesh.x.size()), way.name, worst);
+        std::printf("%-24s %7d  %-9s %9.1e ", (name + ":" + marker).c_str(), static_cast<int>(mesh.x.size()), way.name,
+                    worst);
         run_fields(mesh, marker, way, seeds, threads);
         std::printf("\n");
     }
@@ -230,9 +236,11 @@ void run(const std::string& folder, int seeds, const std::string& path, const st
 
 int main(int argc, char** argv) {
     if (argc < 4) return 2;
-    std::printf("largest difference from the morph, in extents of the wall (*: by multigrid,\n"
-                "to its tolerance of 1e-10); random fields: at the target, poor, part of the way, refused\n"
-                "%-24s %7s  %-9s %9s  %-15s  %-15s  %-15s\n", "mesh", "points", "operator", "morph", "smooth", "rough", "large");
+    std::printf(
+        "largest difference from the morph, in extents of the wall (*: by multigrid,\n"
+        "to its tolerance of 1e-10); random fields: at the target, poor, part of the way, refused\n"
+        "%-24s %7s  %-9s %9s  %-15s  %-15s  %-15s\n",
+        "mesh", "points", "operator", "morph", "smooth", "rough", "large");
     for (int i = 3; i < argc; ++i) {
         const std::string word = argv[i];
         const std::size_t colon = word.rfind(':');

@@ -1,7 +1,7 @@
 #!/bin/sh
-# usage: run.sh BUILD   Displacements given point by point on the shipped meshes; MESHES: on those too, words FILE:MARKER,
-# or a folder: each SU2 file there, by its first marker that the program can fit a curve to. SEEDS random fields of each kind.
-# GMSH new meshes of random sections, where gmsh is installed; FIRST: the seed of the first one.
+# usage: run.sh BUILD   Displacements given point by point on the shipped meshes; MESHES: on those too, words
+# FILE:MARKER, or a folder: each SU2 file there, by its first marker that the program can fit a curve to. SEEDS random
+# fields of each kind. GMSH new meshes of random sections, where gmsh is installed; FIRST: the seed of the first one.
 build=${1:?usage: run.sh BUILD}
 : "${CXX:=c++}" "${CXXFLAGS:=-O2}" "${SEEDS:=2}" "${GMSH:=2}" "${FIRST:=1}"
 dir=$build/given

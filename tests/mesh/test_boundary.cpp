@@ -202,7 +202,8 @@ TEST_CASE("the seam of an O-mesh block is joined: the functions are those of the
         for (int j = 0; j <= n_r; ++j)
             for (int k = 0; k <= n_t; ++k) {
                 std::size_t const here = static_cast<std::size_t>(j * (n_t + 1) + k);
-                worst = std::fmax(worst, std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
+                worst =
+                    std::fmax(worst, std::fabs(found[here] - expected[static_cast<std::size_t>(j * n_t + k % n_t)]));
             }
         CHECK(worst < 1e-13);
     }

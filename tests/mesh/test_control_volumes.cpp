@@ -69,6 +69,7 @@ TEST_CASE("a point without an unknown is left out") {
     harmorph::ControlVolumes volumes{span(area), span(shortest)};
     harmorph::Mesh const& mesh = seen->problem.mesh;
     volumes.measure(seen->topology, mesh.points, front.matrix.row_of);
-    for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));   // hexagons of six halves of squares
+    // Hexagons of six halves of squares.
+    for (double const its_area : area) CHECK(its_area == doctest::Approx(1.0 / 16));
     CHECK(area.size() == 9);
 }

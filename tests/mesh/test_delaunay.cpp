@@ -121,7 +121,8 @@ TEST_CASE("in a convex domain no point is inside the circle of any triangle") {
             Wrong inside;   // points in the circle of a triangle
             for (std::size_t k = 0; k < corner.size(); k += 3)
                 for (Index point = 0; point < mesh.n_points(); ++point) {
-                    harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]), c = found.at(corner[k + 2]);
+                    harmorph::Vec2 const a = found.at(corner[k]), b = found.at(corner[k + 1]),
+                                         c = found.at(corner[k + 2]);
                     inside.add(in_circle_sign(a, b, c, found.at(point)) > 0, point, static_cast<double>(k / 3));
                 }
             CHECK(inside == 0);

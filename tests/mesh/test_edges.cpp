@@ -79,7 +79,8 @@ TEST_CASE("all edges of all cells, each once, with its cells and their sense") {
         CHECK(found.edges.agree == agree);
         for (Index a = 0; a < 40; ++a)
             for (Index b = 0; b < 40; ++b)
-                CHECK((found.edges.find(a, b) == harmorph::none) == (expected.count({std::min(a, b), std::max(a, b)}) == 0));
+                CHECK((found.edges.find(a, b) == harmorph::none) ==
+                      (expected.count({std::min(a, b), std::max(a, b)}) == 0));
     }
 }
 

@@ -44,7 +44,8 @@ double interpolated(Location const& found, Field field) {
 // Of a linear field at the point.
 double linear_error(Mesh const& mesh, Location const& found, Vec2 p) {
     auto const field = [](double x, double y) { return 3 + 2 * x - 5 * y; };
-    return std::fabs(interpolated(found, [&](Index k) { return field(mesh.point(k).x, mesh.point(k).y); }) - field(p.x, p.y));
+    return std::fabs(interpolated(found, [&](Index k) { return field(mesh.point(k).x, mesh.point(k).y); }) -
+                     field(p.x, p.y));
 }
 
 bool is_corner(Location const& found, Index point) {
@@ -75,7 +76,7 @@ std::vector<Mesh> some_meshes() {
 
 }  // namespace
 
-TEST_CASE("points of the mesh have weight 1 there, middles of cells are in their cells, middles of sides on their ends") {
+TEST_CASE("weights: 1 at points of the mesh; middles of cells and of sides are found in their cells") {
     for (Mesh const& mesh : some_meshes()) {
         Finder const finder(mesh);
         for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {
@@ -166,7 +167,8 @@ TEST_CASE("a continuous field: neither the hint nor the numbering matters") {
         for (int k = 0; k < 300; ++k) {
             double const r = 0.52 + 1.43 * uniform(random), angle = 7 * uniform(random);
             Vec2 const p{r * std::cos(angle), r * std::sin(angle)};
-            double const value = interpolated(finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
+            double const value =
+                interpolated(finder.locate(p), [&](Index i) { return field[static_cast<std::size_t>(i)]; });
             Index const hint = static_cast<Index>(random() % static_cast<unsigned>(mesh.n_cells()));
             auto const same = [&](Location const& found, std::vector<double> const& values) {
                 CHECK(interpolated(found, [&](Index i) { return values[static_cast<std::size_t>(i)]; }) ==

@@ -60,7 +60,8 @@ TEST_CASE("volumes of a triangle are thirds; on squares faces are as long as cel
     for (std::int32_t k = 0; k < 3; ++k) one.add_face(k, (k + 1) % 3, body);
     Scheme const triangle(one, false);
     double const third = check(one).area / 3;
-    for (Index point = 0; point < 3; ++point) CHECK(triangle.area[static_cast<std::size_t>(point)] == doctest::Approx(third));
+    for (Index point = 0; point < 3; ++point)
+        CHECK(triangle.area[static_cast<std::size_t>(point)] == doctest::Approx(third));
 
     Mesh const mesh = square(6);
     Scheme const squares(mesh, false);

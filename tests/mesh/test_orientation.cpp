@@ -112,7 +112,8 @@ TEST_CASE("parts that are not joined settle their sense each for itself") {
     std::int32_t const n_cells = mesh.n_cells();
     for (std::size_t k = 0; k < other.cells.size(); k += 3)   // clockwise
         mesh.add_cell({other.cells[k] + n, other.cells[k + 2] + n, other.cells[k + 1] + n});
-    for (std::size_t k = 0; k < other.faces.size(); k += 2) mesh.add_face(other.faces[k] + n, other.faces[k + 1] + n, 77);
+    for (std::size_t k = 0; k < other.faces.size(); k += 2)
+        mesh.add_face(other.faces[k] + n, other.faces[k + 1] + n, 77);
     Analysed const seen(mesh);
     std::vector<std::uint8_t> const found = reversed_of(seen);
     for (std::size_t k = 0; k < found.size(); ++k) CHECK(found[k] == (k < static_cast<std::size_t>(n_cells) ? 0 : 1));

@@ -134,7 +134,8 @@ TEST_CASE("the worst triangle is the best that any triangulation has") {
     for (unsigned seed = 1; seed <= 30; ++seed) {
         std::vector<Point> const polygon = star(5 + static_cast<int>(seed) % 5, 0.5, 100 + seed);
         CAPTURE(seed);
-        CHECK(Divided(polygon).worst_shape() == doctest::Approx(best_of_all(polygon, 0, polygon.size() - 1)).epsilon(1e-14));
+        CHECK(Divided(polygon).worst_shape() ==
+              doctest::Approx(best_of_all(polygon, 0, polygon.size() - 1)).epsilon(1e-14));
     }
 }
 

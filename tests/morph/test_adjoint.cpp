@@ -70,7 +70,8 @@ TEST_CASE("more numbers in a row than are summed in one block") {
     Case its = ring_case(3, 150, 0.5, 2, Cells::quads, 3, 150);
     Solved const solved(its);
     Gradient const g(its.mesh.x.size(), 7);
-    CHECK(same_bits(adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 4)), adjoint(solved.basis, g)));
+    CHECK(same_bits(adjoint_in_parts(solved.basis, g, random_parts(its.mesh.n_points(), 3, 4)),
+                    adjoint(solved.basis, g)));
 }
 
 TEST_CASE("a gradient times a power of two gives the same bits times it, from the smallest to the largest") {

@@ -23,7 +23,9 @@ struct Displaced {
         harmorph::Mesh const view = core_mesh(mesh);
         return admissible_step({view, span(reversed)}, view.points, {dx.data(), dy.data(), 1}, {});
     }
-    std::int32_t point(AdmissibleStep const& limit) const { return limiting_point({core_mesh(mesh), span(reversed)}, limit); }
+    std::int32_t point(AdmissibleStep const& limit) const {
+        return limiting_point({core_mesh(mesh), span(reversed)}, limit);
+    }
     Mesh after(double s) const {
         Mesh out = mesh;
         for (std::size_t k = 0; k < dx.size(); ++k) {
@@ -38,8 +40,8 @@ struct Displaced {
 double mean_quality(Solved const& solved, hm_mesh const& mesh, Mesh const& at, Mesh const& reference) {
     hm_quality_report report{};
     report.struct_size = sizeof report;
-    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y), points_in(reference.x, reference.y), nullptr, &report,
-                       nullptr) == HM_OK);
+    REQUIRE(hm_quality(solved.basis, &mesh, points_in(at.x, at.y), points_in(reference.x, reference.y), nullptr,
+                       &report, nullptr) == HM_OK);
     return report.mean_quality;
 }
 
@@ -84,7 +86,8 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
                 };
                 if (discriminant >= 0) {
                     long double const root = std::sqrt(discriminant);
-                    if (b + root != 0) offer(-2 / (b + root));   // both forms of the quadratic formula lose digits somewhere
+                    // Both forms of the quadratic formula lose digits somewhere.
+                    if (b + root != 0) offer(-2 / (b + root));
                     if (b - root != 0) offer(-2 / (b - root));
                 }
                 AdmissibleStep const found = its.step();
@@ -106,8 +109,8 @@ TEST_CASE("roots of the quadratic, in all cases of its signs") {
 }
 
 // Needles: two sides of length 1 and one of 1e-10, at any angle and with the short side anywhere in the order of the
-// points. The product of the long sides would have lost six digits of the area. Alone, and behind 64 cells that limit the
-// step to a little more.
+// points. The product of the long sides would have lost six digits of the area. Alone, and behind 64 cells that limit
+// the step to a little more.
 TEST_CASE("the step of a needle has the digits of its short side") {
     std::mt19937 random(8);
     int limited = 0;
@@ -115,7 +118,8 @@ TEST_CASE("the step of a needle has the digits of its short side") {
         double const angle = 6.3 * uniform(random), size = 1e-10;
         auto const any = [&] { return size * (2 * uniform(random) - 1); };
         double const turned = angle + 0.3 + 2.5 * uniform(random);   // of the short side against the long ones
-        Point const corner[] = {{0, 0}, {std::cos(angle), std::sin(angle)}, {size * std::cos(turned), size * std::sin(turned)}};
+        Point const corner[] = {
+            {0, 0}, {std::cos(angle), std::sin(angle)}, {size * std::cos(turned), size * std::sin(turned)}};
         Mesh mesh;
         for (int k = 0; k < 3; ++k) mesh.add_point(corner[(k + trial) % 3]);
         mesh.add_cell({0, 1, 2});
@@ -127,7 +131,8 @@ TEST_CASE("the step of a needle has the digits of its short side") {
             return static_cast<long double>(of[(from + static_cast<std::size_t>(to)) % 3]) - of[from];
         };
         long double const ax = side(mesh.x, 1), ay = side(mesh.y, 1), bx = side(mesh.x, 2), by = side(mesh.y, 2);
-        long double const ux = side(alone.dx, 1), uy = side(alone.dy, 1), vx = side(alone.dx, 2), vy = side(alone.dy, 2);
+        long double const ux = side(alone.dx, 1), uy = side(alone.dy, 1), vx = side(alone.dx, 2),
+                          vy = side(alone.dy, 2);
         long double const c = ax * by - ay * bx, b = ax * vy - ay * vx + ux * by - uy * bx, a = ux * vy - uy * vx;
         long double const root = b * b - 4 * a * c;
         if (b >= 0 || root < 0.01L * b * b) continue;
@@ -170,7 +175,8 @@ TEST_CASE("rigid and growing motions are unlimited; a collapse is not") {
     CHECK(its.step().step == HUGE_VAL);
     for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = mesh.x[k], its.dy[k] = mesh.y[k];
     CHECK(its.step().step == HUGE_VAL);
-    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.y[k], its.dy[k] = mesh.x[k];   // turning and growing
+    // Turning and growing.
+    for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.y[k], its.dy[k] = mesh.x[k];
     CHECK(its.step().step == HUGE_VAL);
     for (std::size_t k = 0; k < its.dx.size(); ++k) its.dx[k] = -mesh.x[k] / 3, its.dy[k] = 0;
     CHECK(its.step().step == doctest::Approx(3).epsilon(1e-12));
@@ -194,7 +200,8 @@ TEST_CASE("exact on meshes: valid a millionth before, inverted a millionth behin
             harmorph::Cell const cell = core_mesh(mesh).cell(found.cell);
             bool seen = false;
             for (int k = 0; k < cell.n; ++k) {
-                Point const a = flat.point(cell.point[k]), b = flat.point(cell.next(k)), c = flat.point(cell.previous(k));
+                Point const a = flat.point(cell.point[k]), b = flat.point(cell.next(k)),
+                            c = flat.point(cell.previous(k));
                 if (cell.point[k] == its.point(found)) seen = std::fabs(twice_area(a, b, c)) < 1e-12;
             }
             CHECK(seen);

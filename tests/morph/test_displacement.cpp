@@ -1,4 +1,5 @@
-// Displacements given at wall points: what functions of curves give for the same wall, the transpose, and all that lists allow.
+// Displacements given at wall points: what functions of curves give for the same wall, the transpose,
+// and all that lists allow.
 #include <doctest/doctest.h>
 
 #include <fixtures/c_mesh.hpp>
@@ -95,7 +96,8 @@ TEST_CASE("one marker given beside a curve: the two displacements add up, and ea
         Field const expected = displacement(solved, move);
         Displaced displaced(both, &setting.options);
         Field found = displaced.displace(displaced.on_wall(expected));
-        for (std::int32_t const point : points_on(curves.mesh, body)) CHECK(found[static_cast<std::size_t>(point)] == 0.0);
+        for (std::int32_t const point : points_on(curves.mesh, body))
+            CHECK(found[static_cast<std::size_t>(point)] == 0.0);
         REQUIRE(hm_plan_solve(displaced.plan, displaced.basis, nullptr, nullptr) == HM_OK);
         Field const by_curve = displacement(displaced.basis, move);
         for (std::int32_t const point : displaced.points) CHECK(by_curve[static_cast<std::size_t>(point)] == 0.0);
@@ -105,7 +107,7 @@ TEST_CASE("one marker given beside a curve: the two displacements add up, and ea
     }
 }
 
-TEST_CASE("linear maps on the whole boundary: translations are exact, similarities if conformal, all maps if Laplace's") {
+TEST_CASE("linear maps of the boundary: translations exact, similarities if conformal, all maps if Laplace's") {
     for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
         for (Setting const& setting : settings) {
             Case its;
@@ -191,7 +193,8 @@ TEST_CASE("lists: any order, repeated points, both sides of a cut; the gradient 
     Field const expected = displaced.displace(wall);
     Field const dj = some_field(expected.size(), 2), gradient = displaced.adjoint(dj);
 
-    std::vector<std::int32_t> const body_points = points_on(its.mesh, body);   // the trailing edge twice: a cut begins there
+    // The trailing edge twice: a cut begins there.
+    std::vector<std::int32_t> const body_points = points_on(its.mesh, body);
     CHECK(body_points.size() == displaced.points.size() + 1);
     std::vector<std::int32_t> list;
     for (std::size_t k = body_points.size(); k-- > 0;) list.push_back(body_points[k] + 1);
@@ -213,7 +216,8 @@ TEST_CASE("from coordinates: moved points, unmoved bits, moved plans, and walls 
     Guarded work = displaced.work_for(1);
     auto const displace = [&] {
         return hm_displace(displaced.plan, static_cast<std::int32_t>(n_wall), nullptr, 1, points_in(wall_x, wall_y),
-                           points_in(x, y), points_out(to_x, to_y), work.data(), work.size(), nullptr, &displaced.error);
+                           points_in(x, y), points_out(to_x, to_y), work.data(), work.size(), nullptr,
+                           &displaced.error);
     };
     REQUIRE(displace() == HM_OK);
     CHECK(to_x == x);
@@ -251,8 +255,8 @@ TEST_CASE("a basis without functions: for quality, step and assessment") {
     step.struct_size = sizeof step;
     quality.struct_size = sizeof quality;
     for (int solved = 0; solved < 2; ++solved) {
-        REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2), nullptr, &step, &quality,
-                          &displaced.error) == HM_OK);
+        REQUIRE(hm_assess(displaced.basis, &its.mesh_view(), nullptr, points_in(xy, xy + 1, 2), nullptr, &step,
+                          &quality, &displaced.error) == HM_OK);
         CHECK(step.admissible > 1);
         CHECK(quality.inverted == 0);
         hm_solve_report report{};

@@ -159,7 +159,9 @@ TEST_CASE("a cancelled solution leaves the table, and the next one uses it") {
     Moved const before = displaced(tabulated.basis, move);
     struct Stop {
         std::int32_t phase;
-        static std::int32_t at(void* user, std::int32_t phase, double) { return phase == static_cast<Stop*>(user)->phase; }
+        static std::int32_t at(void* user, std::int32_t phase, double) {
+            return phase == static_cast<Stop*>(user)->phase;
+        }
     } stop{HM_PHASE_SOLVE};
     hm_options options = laplace();
     options.progress = Stop::at;
@@ -215,7 +217,8 @@ TEST_CASE("modes on top of combined functions and of other modes; too many are n
     REQUIRE(large.status == HM_OK);
     hm_error error{};
     CHECK(hm_plan_solve(solved.plan, large.basis, nullptr, &error) == HM_UNSUPPORTED);
-    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") != std::string::npos, error.text);
+    CHECK_MESSAGE(std::string(error.text).find("1240 numbers, this plan solves bases with 1044") != std::string::npos,
+                  error.text);
     CHECK(info_of(large.basis).solved == 1);
 }
 

@@ -111,7 +111,8 @@ TEST_CASE("one component of the adjoint is one function against the gradient") {
     gx[77] = 2;
     gy[91] = -1;
     REQUIRE(hm_adjoint(solved.basis, points_in(gx, gy), gradient.data(), nullptr, nullptr) == HM_OK);
-    CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);   // products are rounded to multiples of 2^-63 of the largest
+    // Products are rounded to multiples of 2^-63 of the largest.
+    CHECK(std::fabs(gradient[10] - 2 * f[77]) <= 0x1p-62);
     CHECK(std::fabs(gradient[11] + f[91]) <= 0x1p-62);
 }
 
@@ -188,7 +189,8 @@ TEST_CASE("displacements added to the mesh are the morphed mesh") {
     Numbers const move = some_move(its.curves.n_control(), 0.01, 8);
     Moved const by = displaced(solved, move), to = morphed(solved, its.mesh, move);
     Numbers expected;
-    for (std::size_t k = 0; k < by.x.size(); ++k) expected.push_back(by.x[k] == 0 ? its.mesh.x[k] : its.mesh.x[k] + by.x[k]);
+    for (std::size_t k = 0; k < by.x.size(); ++k)
+        expected.push_back(by.x[k] == 0 ? its.mesh.x[k] : its.mesh.x[k] + by.x[k]);
     CHECK(same_bits(to.x, expected));
 }
 
@@ -207,7 +209,8 @@ TEST_CASE("points on the curve move as the B-spline does, to 1e-12") {
         double largest = 0;
         for (std::int32_t k = 0; k < info.curve_points; ++k) {
             double before[2], after[2];
-            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, before, nullptr) == HM_OK);
+            REQUIRE(hm_curve_point(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, before, nullptr) ==
+                    HM_OK);
             REQUIRE(hm_curve_point(&moved.view(), info.point_curve[k], info.point_u[k], 0, after, nullptr) == HM_OK);
             std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
             largest = std::fmax(largest, std::fabs(by.x[point] - (after[0] - before[0])));

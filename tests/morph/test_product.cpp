@@ -81,7 +81,8 @@ TEST_CASE("a point's products are added up in the order of the numbers: the same
             double x = 0.5, y = -0.25;
             for (Index k = 0; k < numbers; ++k) {
                 // No compiler may fuse product and sum here: the product is stored.
-                double volatile const by_x = product.row(p)[k] * product.by.x[k], by_y = product.row(p)[k] * product.by.y[k];
+                double volatile const by_x = product.row(p)[k] * product.by.x[k],
+                                      by_y = product.row(p)[k] * product.by.y[k];
                 x += by_x;
                 y += by_y;
             }
@@ -116,7 +117,8 @@ TEST_CASE("the transpose is right to the rounding of each product, and the same 
 }
 
 TEST_CASE("of the numbers of a block some may be used, at any address; no others are read") {
-    // A heap block that ends with the last value used: AddressSanitizer sees reads beyond it. Without it, NaN would spread.
+    // A heap block that ends with the last value used: AddressSanitizer sees reads beyond it. Without it,
+    // NaN would spread.
     Index const blocks = 2, numbers = 20;
     Product const product(blocks, numbers, 2);
     for (Index const first : {0, 3, 19})
@@ -177,7 +179,8 @@ TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0
     for (Index const numbers : {1, 2, 9, 20})
         for (Kernel const kernel : usable_kernels()) {
             Product product(3, numbers, 7);
-            for (Index k = 0; k < numbers; ++k) product.row(5)[k] = product.row(20)[k] = product.row(33)[k] = k % 2 ? 0.0 : -0.0;
+            for (Index k = 0; k < numbers; ++k)
+                product.row(5)[k] = product.row(20)[k] = product.row(33)[k] = k % 2 ? 0.0 : -0.0;
             std::size_t const n = product.n_points();
             std::vector<double> from(2 * n, 3), sum(2 * n, 0.0), zero(2 * n, 0.0);
             from[5] = -0.0;
@@ -194,7 +197,8 @@ TEST_CASE("points are moved in place or elsewhere, or from 0; where the sum is 0
                           {in_place.data(), in_place.data() + n});
             products.move(product.whole(), product.by, {from.data(), from.data() + n},
                           {elsewhere.data(), elsewhere.data() + n});
-            products.move(product.whole(), product.by, {nullptr, nullptr}, {displacement.data(), displacement.data() + n});
+            products.move(product.whole(), product.by, {nullptr, nullptr},
+                          {displacement.data(), displacement.data() + n});
             CHECK(same_bits(in_place, expected(from)));
             CHECK(same_bits(elsewhere, expected(from)));
             CHECK(same_bits(displacement, expected(zero)));

@@ -45,8 +45,8 @@ TEST_CASE("cells with a coordinate that is not finite count as inverted, and spo
         x[8] = bad;
         hm_quality_report report{};
         report.struct_size = sizeof report;
-        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &report, nullptr) ==
-                HM_OK);
+        REQUIRE(hm_quality(solved.basis, &mesh, points_in(x.data(), mesh.points.y), nullptr, nullptr, &report,
+                           nullptr) == HM_OK);
         CHECK(report.inverted == cells);
         CHECK(report.min_quality == 0);
         CHECK(report.mean_quality > 0);
@@ -127,7 +127,8 @@ TEST_CASE("inverted cells are counted, the first is named, and they count 0 in t
     double sum = 0, least = 1;
     for (std::int32_t i = 0; i < mesh.n_cells(); ++i) {
         std::vector<Point> corners;
-        for (std::size_t k = 0; k < 4; ++k) corners.push_back(mesh.point(mesh.cells[4 * static_cast<std::size_t>(i) + k]));
+        for (std::size_t k = 0; k < 4; ++k)
+            corners.push_back(mesh.point(mesh.cells[4 * static_cast<std::size_t>(i) + k]));
         bool bad = false;
         for (std::size_t k = 0; k < 4; ++k) {
             double const area = 0.5 * twice_area(corners[k], corners[(k + 1) % 4], corners[(k + 3) % 4]);

@@ -26,7 +26,9 @@ struct Slid {
             y[k] += by[2 * k + 1];
         }
     }
-    bool slides(std::size_t point) const { return std::abs(to_complex(its.mesh.point(static_cast<int>(point)))) > 1.99; }
+    bool slides(std::size_t point) const {
+        return std::abs(to_complex(its.mesh.point(static_cast<int>(point)))) > 1.99;
+    }
 };
 
 }  // namespace
@@ -40,14 +42,16 @@ TEST_CASE("hm_slide: sliding points are on the circle, inner ones follow, the wa
         if (of.slides(k)) {
             CHECK(std::fabs(std::hypot(x[k], y[k]) - 2) < 2e-7);
             // Straight beside the point: the distance is that from the circle.
-            CHECK(std::fabs(std::hypot(x[k] - of.x[k], y[k] - of.y[k]) - std::fabs(std::hypot(of.x[k], of.y[k]) - 2)) < 1e-6);
+            CHECK(std::fabs(std::hypot(x[k] - of.x[k], y[k] - of.y[k]) - std::fabs(std::hypot(of.x[k], of.y[k]) - 2)) <
+                  1e-6);
         } else {
             double const radius = std::abs(to_complex(of.its.mesh.point(static_cast<int>(k))));
             bool const on_wall = radius < 0.5001;
             if (on_wall) CHECK(x[k] == of.x[k]);
             if (on_wall) CHECK(y[k] == of.y[k]);
             double const by = std::hypot(x[k] - of.x[k], y[k] - of.y[k]), r = (2 - radius) / 1.5;
-            CHECK(by <= 1e-15 + 1.05 * 0.15 * (1 - r) * (1 - r) * (1 + 2 * r));   // 0.15: more than the largest distance
+            // 0.15: more than the largest distance.
+            CHECK(by <= 1e-15 + 1.05 * 0.15 * (1 - r) * (1 - r) * (1 + 2 * r));
             inner_moves = std::fmax(inner_moves, by);
         }
     }
@@ -76,8 +80,8 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         jx[k] = weight[2 * k];
         jy[k] = weight[2 * k + 1];
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(gx, gy), nullptr) ==
-            HM_OK);
+    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(gx, gy),
+                             nullptr) == HM_OK);
     auto const objective = [&](std::vector<double> x, std::vector<double> y) {
         REQUIRE(hm_slide(of.attempt.analysis, points_in(x, y), points_out(x, y), nullptr) == HM_OK);
         double sum = 0;
@@ -95,8 +99,8 @@ TEST_CASE("hm_slide_adjoint is the transpose of the derivative") {
         less[k] -= h;
         CHECK(std::fabs((objective(of.x, more) - objective(of.x, less)) / (2 * h) - gy[k]) < 1e-5);
     }
-    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(jx, jy), nullptr) ==
-            HM_OK);
+    REQUIRE(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), points_in(jx, jy), points_out(jx, jy),
+                             nullptr) == HM_OK);
     CHECK(same_bits(jx, gx));
     CHECK(same_bits(jy, gy));
 }
@@ -115,7 +119,8 @@ TEST_CASE("hm_slide: what is not finite is refused by its number, NULL is refuse
     CHECK(hm_slide(nullptr, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_slide(of.attempt.analysis, nullptr, points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
     CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), nullptr, nullptr) == HM_BAD_ARGUMENT);
-    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y), nullptr) == HM_BAD_ARGUMENT);
+    CHECK(hm_slide_adjoint(of.attempt.analysis, points_in(of.x, of.y), nullptr, points_out(x, y), nullptr) ==
+          HM_BAD_ARGUMENT);
     of.x.back() = 2;
     of.x.front() = std::numeric_limits<double>::quiet_NaN();   // a wall's: of no concern
     CHECK(hm_slide(of.attempt.analysis, points_in(of.x, of.y), points_out(x, y), nullptr) == HM_OK);

@@ -38,8 +38,8 @@ TEST_CASE("the sum moves points as its parts do by the movements times their wei
         std::int32_t operator_kind;
         bool slip, real;
     };
-    for (Kind const kind : {Kind{HM_LAPLACE, false, true}, Kind{HM_CONFORMAL, false, false}, Kind{HM_CONFORMAL, true, false},
-                            Kind{HM_LAPLACE, true, false}}) {
+    for (Kind const kind : {Kind{HM_LAPLACE, false, true}, Kind{HM_CONFORMAL, false, false},
+                            Kind{HM_CONFORMAL, true, false}, Kind{HM_LAPLACE, true, false}}) {
         Case its = two_body_case(Cells::hybrid, 6, 4);
         if (kind.slip) its.set_slip(far_field);
         hm_options const options = options_of(kind.operator_kind);

@@ -1,5 +1,5 @@
-// Merged cells: a partition into connected cells of bounded size, sums that stay symmetric and conservative, shapes that
-// follow the strong couplings; and an end where a graph cannot be merged.
+// Merged cells: a partition into connected cells of bounded size, sums that stay symmetric and conservative, shapes
+// that follow the strong couplings; and an end where a graph cannot be merged.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -93,7 +93,8 @@ double worst_split(harmorph::SymmetricRows const& rows, harmorph::Span<const Ind
                     if (cell_of[j] == cell_of[i] && side(j) != side(i)) cut -= rows.value[e];
                 }
             }
-            worst = std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(row_sum[0], row_sum[1])));
+            worst =
+                std::max(worst, 2 * in_series(diagonal[0], diagonal[1]) / (cut + in_series(row_sum[0], row_sum[1])));
         }
     return worst;
 }
@@ -110,7 +111,9 @@ TEST_CASE("a partition into connected cells of bounded size, down to a few, on e
     for (Merging const merging : all_rules)
         for (Cells const kind : {Cells::quads, Cells::triangles, Cells::hybrid})
             for (int mesh = 0; mesh < 3; ++mesh) {
-                Case its = mesh == 0 ? two_body_case(kind, 24, 16) : mesh == 1 ? airfoil_case(40, 12, kind) : viscous_case(kind);
+                Case its = mesh == 0   ? two_body_case(kind, 24, 16)
+                           : mesh == 1 ? airfoil_case(40, 12, kind)
+                                       : viscous_case(kind);
                 if (mesh == 0) its.set_free(far_field);
                 Analysed const seen(its);
                 FrontMatrix const front(*seen.operator->());
@@ -177,7 +180,8 @@ TEST_CASE("on stretched cells the directional and the automatic rule merge along
             Agglomerated const merged(front.rows, {merging, 0});
             REQUIRE(merged.levels.count >= 2);
             Point const extent = mean_extent(front, its.mesh, merged.cells_at(1), 1.0 / 36, 1e-2 / 36);
-            INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ": " << extent.x << " x " << extent.y);
+            INFO("cells " << static_cast<int>(kind) << ", rule " << static_cast<int>(merging) << ": " << extent.x
+                          << " x " << extent.y);
             if (merging == Merging::isotropic) {
                 CHECK(extent.x > 1.5);
             } else {
@@ -187,7 +191,7 @@ TEST_CASE("on stretched cells the directional and the automatic rule merge along
         }
 }
 
-TEST_CASE("what merged cells differ by inside, smoothing can remove: bounded in the diagonals' units, however stretched") {
+TEST_CASE("differences inside merged cells are removed by smoothing: bounded in units of the diagonals") {
     for (double const first : {1e-3, 1e-5, 1e-7}) {
         Case its = airfoil_case(40, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 20), 12, 40, stretched(first, 60, 48)).mesh;
@@ -197,8 +201,8 @@ TEST_CASE("what merged cells differ by inside, smoothing can remove: bounded in 
             Agglomerated const merged(front.rows, {merging, 0});
             CHECK(merged.levels.level[merged.levels.count - 1].n <= 150);
             for (Index l = 0; l + 1 < merged.levels.count; ++l) {
-                // sum of d_i (v_i - mean)^2 <= bound (sum of c_ij (v_i - v_j)^2 + sum of e_i v_i^2) inside each merged cell: for
-                // v = 1 in one of its cells and 0 in the others.
+                // sum of d_i (v_i - mean)^2 <= bound (sum of c_ij (v_i - v_j)^2 + sum of e_i v_i^2) inside each merged
+                // cell: for v = 1 in one of its cells and 0 in the others.
                 harmorph::SymmetricRows const& rows = merged.levels.level[l];
                 harmorph::Span<const Index> const cell = merged.levels.cell_of[l];
                 std::size_t const n = static_cast<std::size_t>(rows.n);
@@ -305,7 +309,7 @@ TEST_CASE("graphs that cannot be merged end the levels, and nothing is written b
     }
 }
 
-TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value, such as two stacks and a third part") {
+TEST_CASE("no merged cell has two parts that smoothing cannot bring to one value") {
     for (int const n_wake : {18, 40}) {
         Case its = airfoil_case(20, 12, Cells::quads);
         its.mesh = c_mesh(naca4({}, 30), n_wake, 40, stretched(1e-8, 60, 80)).mesh;

@@ -74,7 +74,7 @@ TEST_CASE("the triangular solves are inverses of the triangular products") {
     CHECK(largest_difference(x, s.x) < 1e-12);
 }
 
-TEST_CASE("after the forward sweep the defect is what the start of 0 left, and a correction takes A times itself off it") {
+TEST_CASE("after the forward sweep the defect is that of the start 0, less A times the correction") {
     Setting const s;
     std::size_t const n = s.dense.n;
     Agglomerated const merged(s.front.rows);
@@ -102,7 +102,8 @@ TEST_CASE("after the forward sweep the defect is what the start of 0 left, and a
     std::vector<double> left = product(s.dense, z, upper);
     for (std::size_t k = 0; k < left.size(); ++k) left[k] += lower_part[k];
     CHECK(largest_difference(left, s.x) < 1e-11);
-    CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) > 1e-3);   // not trivially
+    // Not trivially.
+    CHECK(largest_difference(product(s.dense, z, above), std::vector<double>(left.size(), 0.0)) > 1e-3);
 }
 
 TEST_CASE("the largest numbers of each function: NaN where there is one, wherever it is") {

@@ -1,5 +1,5 @@
-// The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is that scheme alone, and
-// that coarser levels save most of the work without changing what it converges to.
+// The paper's iteration: the order of its Runge-Kutta scheme, that it diffuses, that one level is that scheme alone,
+// and that coarser levels save most of the work without changing what it converges to.
 #include <doctest/doctest.h>
 
 #include <fixtures/agglomerated.hpp>
@@ -103,7 +103,8 @@ TEST_CASE("with one level an iteration is one Runge-Kutta step of the flux balan
         harmorph::CurveBasis const its_basis =
             curve_basis(analysis.curves[analysis.wall.curve[slot]], analysis.wall.u[slot], 0);
         for (Index k = 0; k < its_basis.order; ++k)
-            for (Index c = matrix.coupling_start[slot]; its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
+            for (Index c = matrix.coupling_start[slot];
+                 its_basis.control[k] == function && c < matrix.coupling_start[slot + 1]; ++c)
                 b[static_cast<std::size_t>(matrix.coupling_row[c])] -= matrix.coupling_value[c] * its_basis.value[0][k];
     }
     constexpr int steps = 4;
@@ -151,21 +152,25 @@ TEST_CASE("local steps are cfl (0.5 shortest edge)^2, and never longer than what
             double const dt = parts.engine.rate[0][i] * parts.engine.volumes.area[i];
             double const half = 0.5 * parts.engine.volumes.shortest_edge[i];
             double const limit = harmorph::damping_limit * parts.engine.volumes.area[i] / row;
-            CHECK(dt == doctest::Approx(std::min(harmorph::FullApproximation::cfl * half * half, limit)).epsilon(1e-12));
+            CHECK(dt ==
+                  doctest::Approx(std::min(harmorph::FullApproximation::cfl * half * half, limit)).epsilon(1e-12));
         }
     }
 }
 
 TEST_CASE("it converges to the direct engine's functions, on stretched cells too, with either rule") {
     for (int which = 0; which < 7; ++which) {
-        Case its = which < 3 ? two_body_case(static_cast<Cells>(which), 12, 8) : which == 3 ? airfoil_case()
-                                                                             : viscous_case(which == 4 ? Cells::quads : Cells::triangles);
+        Case its = which < 3    ? two_body_case(static_cast<Cells>(which), 12, 8)
+                   : which == 3 ? airfoil_case()
+                                : viscous_case(which == 4 ? Cells::quads : Cells::triangles);
         if (which == 1) its.set_free(far_field);
-        if (which == 6) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;  // couplings differ by 1e12
+        // Couplings differ by 1e12.
+        if (which == 6) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
         hm_options iterative = fas(), exact = direct();
         iterative.agglomeration = which >= 5 ? HM_AGGLOMERATE_DIRECTIONAL : HM_AGGLOMERATE_AUTO;
         Solved const found(its, &iterative), expected(its, &exact);
-        INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps << " steps");
+        INFO("case " << which << ": " << found.report.iterations << " cycles, " << found.report.fine_sweeps
+                     << " steps");
         CHECK(difference(found, expected) < 1e-8);
         CHECK(found.report.residual <= 1e-10);
         CHECK(found.report.fine_sweeps == 4 * found.report.iterations);   // two before and two after the correction
@@ -179,7 +184,8 @@ TEST_CASE("coarser levels save nine tenths of the steps on the finest") {
     Solved const five(its, &options);
     options.levels = 1;
     Solved const one(its, &options);
-    INFO(one.report.fine_sweeps << " steps with one level, " << five.report.fine_sweeps << " with " << five.report.levels);
+    INFO(one.report.fine_sweeps << " steps with one level, " << five.report.fine_sweeps << " with "
+                                << five.report.levels);
     CHECK(one.report.fine_sweeps > 10 * five.report.fine_sweeps);
     CHECK(difference(one, five) < 1e-8);
 }
@@ -189,7 +195,8 @@ TEST_CASE("the number of cycles does not grow with the mesh") {
     auto const cycles = [&](int n_side, double wall_spacing, double layers_to_those_of_squares) {
         double const along_wall = 1.02 / n_side, squares = std::log1p(8 * 3.14 / 1.02) / 3.14 * n_side;
         Case its = airfoil_case(40, 4, Cells::quads);
-        its.mesh = o_mesh(naca4({}, n_side), stretched(wall_spacing * along_wall, 8, static_cast<int>(layers_to_those_of_squares * squares)));
+        its.mesh = o_mesh(naca4({}, n_side), stretched(wall_spacing * along_wall, 8,
+                                                       static_cast<int>(layers_to_those_of_squares * squares)));
         Solved const solved(its, &options);
         return solved.report.iterations;
     };

@@ -91,7 +91,8 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
                                 : airfoil_case();
         if (which == 1) its.set_free(far_field);
         if (which == 7) its.mesh = c_mesh(naca4({}, 30), 12, 4, stretched(1e-3, 4, 24)).mesh;
-        if (which == 8) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;  // couplings differ by 1e12
+        // Couplings differ by 1e12.
+        if (which == 8) its.mesh = c_mesh(naca4({}, 30), 18, 40, stretched(1e-5, 60, 48)).mesh;
         hm_options iterative = multigrid(), exact = direct();
         if (which == 2) iterative.operator_kind = exact.operator_kind = HM_WEIGHTED;
         Solved const found(its, &iterative), expected(its, &exact);
@@ -109,7 +110,8 @@ TEST_CASE("the direct engine's functions on every kind of mesh, with free bounda
 
 TEST_CASE("points that slide: the direct engine's functions, along axes, inclined lines and circles") {
     for (int which = 0; which < 5; ++which) {
-        Case its = which < 3    ? similar(two_body_case(static_cast<Cells>(which), 16, 10), std::polar(1.0, 0.8 * which), 0)
+        Case its = which < 3
+                       ? similar(two_body_case(static_cast<Cells>(which), 16, 10), std::polar(1.0, 0.8 * which), 0)
                    : which == 3 ? ring_case(16, 64, 0.5, 2, Cells::hybrid)
                                 : o_mesh_case(60, 1e-5, 40);
         its.set_slip(far_field);
@@ -132,10 +134,12 @@ TEST_CASE("it converges on C-meshes of few columns and thin cells, however the f
         for (double const far : {60.0, 500.0})
             for (int const n_wake : {10, 18, 40}) {
                 Case its = airfoil_case(20, 12, Cells::quads);
-                its.mesh = c_mesh(naca4({}, 30), n_wake, far * 2 / 3, stretched(first, far, n_wake == 40 ? 80 : 60)).mesh;
+                its.mesh =
+                    c_mesh(naca4({}, 30), n_wake, far * 2 / 3, stretched(first, far, n_wake == 40 ? 80 : 60)).mesh;
                 hm_options iterative = multigrid(), exact = direct();
                 Solved const found(its, &iterative), expected(its, &exact);
-                INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": " << found.report.iterations);
+                INFO("first cell " << first << ", far field " << far << ", wake " << n_wake << ": "
+                                   << found.report.iterations);
                 CHECK(difference(found, expected) < 1e-8);
                 CHECK(found.report.iterations <= 45);
             }

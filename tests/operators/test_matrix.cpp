@@ -45,7 +45,8 @@ TEST_CASE("conductances between the points of any cell arrive where a dense matr
             std::vector<double> const column = sparse.couplings_times([&](Index s) { return s == slot ? 1.0 : 0.0; });
             for (std::size_t i = 0; i < column.size(); ++i) {
                 std::size_t const p = static_cast<std::size_t>(sparse.point_at(static_cast<Index>(i)));
-                worst = std::fmax(worst, std::fabs(column[i] - dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
+                worst =
+                    std::fmax(worst, std::fabs(column[i] - dense.at(p, static_cast<std::size_t>(a.wall.point[slot]))));
             }
         }
         CHECK(worst < 1e-14);
@@ -67,7 +68,7 @@ TEST_CASE("rows are in order, hold later columns only, and each once; their numb
     CHECK(m.coupling_start[seen->wall.count] == seen->matrix.couplings);
 }
 
-TEST_CASE("faces are the entries between the ends of an edge, of components of one direction or of a point that slides") {
+TEST_CASE("faces are the entries between the ends of an edge, of components of fixed or sliding points") {
     for (bool const slides : {false, true}) {
         Case its = two_body_case(Cells::hybrid, 6, 4);
         if (slides) its.set_slip(far_field);
@@ -120,7 +121,7 @@ TEST_CASE("rows tell unknowns, wall points, and points whose value is 0") {
     CHECK(zero == 24 + 12 + 1);   // 36 points of the rectangle's sides
 }
 
-TEST_CASE("circulations stand above the diagonal as they are and below it turned, wherever the points come in the order") {
+TEST_CASE("circulations are stored above the diagonal, and turned below, for any order of the points") {
     Case its = two_body_case(Cells::hybrid, 6, 4);
     Analysed const seen(its);
     harmorph::Analysis const& a = *seen.operator->();
@@ -159,7 +160,8 @@ TEST_CASE("circulations stand above the diagonal as they are and below it turned
         for (Index c = m.coupling_start[slot]; c < m.coupling_start[slot + 1]; ++c) {
             std::complex<double> const coupling(m.coupling_value[c], m.coupling_imaginary[c]);
             std::size_t const i = point(static_cast<std::size_t>(m.coupling_row[c]));
-            worst = std::fmax(worst, std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
+            worst =
+                std::fmax(worst, std::abs(coupling - by_points.at(i, static_cast<std::size_t>(a.wall.point[slot]))));
             size = std::fmax(size, std::fabs(coupling.imag()));
         }
     CHECK(worst < 1e-14);

@@ -1,4 +1,5 @@
-// Nodal gradients as a choice of the plan: exact solutions, the two engines against each other, the compact scheme nearby.
+// Nodal gradients as a choice of the plan: exact solutions, the two engines against each other,
+// the compact scheme nearby.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>
@@ -141,7 +142,8 @@ TEST_CASE("the difference from the compact scheme falls as the mesh is refined")
 
 TEST_CASE("both engines find the same functions, also on stretched cells and beside a free boundary") {
     for (int which = 0; which < 5; ++which) {
-        Case its = which < 3 ? two_body_case(kinds[which], 10, 7) : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
+        Case its =
+            which < 3 ? two_body_case(kinds[which], 10, 7) : viscous_case(which == 3 ? Cells::quads : Cells::triangles);
         if (which == 1) its.set_free(far_field);
         hm_options const direct = nodal(HM_DIRECT), fas = nodal(HM_FAS);
         Solved const one(its, &direct), other(its, &fas);

@@ -83,7 +83,7 @@ TEST_CASE("one wrong value leaves its column of the matrix") {
     CHECK(block.guards_intact());
 }
 
-TEST_CASE("points that slip: any values leave b - A F, of entries, diagonal and couplings, where lines meet at an angle too") {
+TEST_CASE("points that slip: the residual of any values is b - A F, also where lines meet at an angle") {
     for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED, HM_CONFORMAL}) {
         Case its = similar(two_body_case(Cells::hybrid, 5, 4), std::polar(1.0, 0.7), 0);
         its.conditions.clear();
@@ -98,7 +98,8 @@ TEST_CASE("points that slip: any values leave b - A F, of entries, diagonal and 
         std::mt19937 random(5);
         fill(basis.value, 0.0);
         for (Index i = 0; i < matrix.n; ++i) dofs.at(i)[0] = uniform(random) - 0.5;
-        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall) dofs.wall(wall)[0] = uniform(random) - 0.5;
+        for (Index wall = 0; wall + 1 < matrix.coupling_start.count(); ++wall)
+            dofs.wall(wall)[0] = uniform(random) - 0.5;
         std::vector<double> expected(static_cast<std::size_t>(matrix.n));
         auto const subtract = [&](Index row, double by) { expected[static_cast<std::size_t>(row)] -= by; };
         for (Index i = 0; i < matrix.n; ++i) {
@@ -192,7 +193,8 @@ TEST_CASE("thin cells: the direct engine's functions sum to 1 where the far fiel
             Case its = thin_case(first, free);
             hm_options const exact = with(HM_LAPLACE, HM_DIRECT), iterative = with(HM_LAPLACE, HM_MULTIGRID);
             Solved const found(its, &exact), other(its, &iterative);
-            INFO("first cell " << first << ", free " << free << ": " << inside(found.plan).engine.direct.factor.least_left() << " left of a pivot");
+            INFO("first cell " << first << ", free " << free << ": "
+                               << inside(found.plan).engine.direct.factor.least_left() << " left of a pivot");
             CHECK(inside(found.plan).engine.trusted());   // it has lost nothing
             CHECK(found.report.refinements == 0);
             CHECK(largest_difference(found.all_values(), other.all_values()) < 1e-8);
@@ -235,7 +237,8 @@ TEST_CASE("constants leave nothing, to the bit, of complex equations too, but be
         Wrong inside_rows;
         double largest = 0;
         for (Index i = 0; i < matrix.n; ++i) {
-            const double* const row = plan.refinement.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
+            const double* const row =
+                plan.refinement.residual.value.data() + static_cast<std::ptrdiff_t>(i) * planes * n;
             for (Index k = 0; k < planes * n; ++k) {
                 if (beside_known[static_cast<std::size_t>(i)]) largest = std::max(largest, std::fabs(row[k]));
                 else inside_rows.compare(i, row[k], 0);

@@ -38,7 +38,12 @@ struct RandomRows {
         });
     }
     harmorph::SymmetricRows view() {
-        return {static_cast<Index>(diagonal.size()), span(diagonal), span(row_sum), span(start), span(column), span(value),
+        return {static_cast<Index>(diagonal.size()),
+                span(diagonal),
+                span(row_sum),
+                span(start),
+                span(column),
+                span(value),
                 span(faces)};
     }
 };
@@ -75,7 +80,8 @@ TEST_CASE("P^T A P against the dense product, its pattern without repeats, faces
                 for (std::size_t j = 0; j < found.n; ++j) sum += expected.at(i, j);
                 CHECK(std::fabs(coarse.row_sum[i] - sum) < 1e-12);
             }
-            for (std::size_t k = 0; k < found.entries.size(); ++k) CHECK(std::fabs(found.entries[k] - expected.entries[k]) < 1e-13);
+            for (std::size_t k = 0; k < found.entries.size(); ++k)
+                CHECK(std::fabs(found.entries[k] - expected.entries[k]) < 1e-13);
             std::set<std::pair<Index, Index>> seen;
             coarse.for_each([&](Index i, Index j, Offset e) {
                 CHECK(i < j);

@@ -52,7 +52,7 @@ TEST_CASE("neighbours lie within reach in every direction; layers grow by one") 
     }
 }
 
-TEST_CASE("steps across: 1 on the piece, then on with its sign ahead of it and behind; the farthest neighbour is in reach") {
+TEST_CASE("steps across: 1 on the piece, and on both sides the sign of the side; the farthest neighbour is reached") {
     int const around = 24, rings = 5;
     HandMadeGraph ring = grid_graph(around, rings);
     for (int j = 0; j < rings; ++j) ring.join(around * j, around * j + around - 1);

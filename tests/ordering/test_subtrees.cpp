@@ -112,7 +112,8 @@ TEST_CASE("on a large mesh every worker has something to do, and none much more 
             harmorph::Subtree const& its = chosen.subtrees.all[chosen.subtrees.all[k].by_work];
             *std::min_element(load.begin(), load.end()) += static_cast<double>(its.work);
         }
-        auto const least = std::min_element(load.begin(), load.end()), most = std::max_element(load.begin(), load.end());
+        auto const least = std::min_element(load.begin(), load.end()),
+                   most = std::max_element(load.begin(), load.end());
         INFO(workers << " workers: " << *least << " to " << *most);
         CHECK(*least > 0);
         CHECK(*most < 1.6 * *least);

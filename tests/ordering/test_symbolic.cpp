@@ -28,7 +28,8 @@ std::vector<std::set<Index>> eliminate(HandMadeGraph const& graph, Dissected con
     return column;
 }
 
-// Borders are what elimination fills, and nothing that no pivot of the subtree touches. Returns how many entries they have.
+// Borders are what elimination fills, and nothing that no pivot of the subtree touches.
+// Returns how many entries they have.
 Offset check_borders(HandMadeGraph& graph) {
     Dissected const cut(graph);
     Symbolic const found(graph, cut);

@@ -105,7 +105,8 @@ echo "Multigrid takes $least times fewer sweeps than Runge-Kutta alone, or more;
 awk -v least="$least" 'BEGIN { exit !(least >= 10) }' || fail "multigrid must save nine sweeps of ten"
 awk -v off="$farthest" 'BEGIN { exit !(off <= 1e-8) }' || fail "engines must agree to 1e-8"
 
-# Meshes from elsewhere: every SU2 file in the directory MESHES, with a curve through the first marker that is an airfoil's.
+# Meshes from elsewhere: every SU2 file in the directory MESHES,
+# with a curve through the first marker that is an airfoil's.
 if [ -n "$MESHES" ]; then
     echo "== Engines on the meshes in $MESHES (compact scheme)"
     echo "table As above, with 20 control points"

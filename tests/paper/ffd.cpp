@@ -184,8 +184,10 @@ void compare(const std::string& folder, const cli::Mesh& mesh, const cli::Basis&
     const hm_basis_info& info = laplace.info();
     std::vector<std::size_t> wall;
     for (std::int32_t k = 0; k < info.curve_points; ++k) wall.push_back(static_cast<std::size_t>(info.curve_point[k]));
-    std::printf("table %s: largest distance of wall points from where the B-spline has them, and of those that it leaves where they "
-                "are; admissible step; cells; quality; mesh points that move by more than 1 %%\n", what.c_str());
+    std::printf(
+        "table %s: largest distance of wall points from where the B-spline has them, and of those that it leaves "
+        "where they are; admissible step; cells; quality; mesh points that move by more than 1 %%\n",
+        what.c_str());
     std::printf("%-24s  %10s  %11s  %11s  %9s  %11s  %12s  %10s\n", "method", "wall off", "others off", "admissible",
                 "inverted",
                 "min quality", "mean quality", "moving");
@@ -217,9 +219,12 @@ void compare(const std::string& folder, const cli::Mesh& mesh, const cli::Basis&
     files.add(folder + "/ffd-" + name + ".svg") << side_by_side({cli::morph_picture(mesh, laplace, harmonic, window),
                                                                  cli::morph_picture(mesh, laplace, shown, window)});
     files.commit();
-    std::printf("figure ffd-%s.svg Free-form deformation | %s, by harmonic functions on the left, by the box of free-form deformation that fits the wall "
-                "best on the right. Before in blue, after in red, with the control polygon of the moved B-spline. The wall of "
-                "the box is off by %s of the movement.\n", name.c_str(), what.c_str(), cli::brief(best).c_str());
+    std::printf(
+        "figure ffd-%s.svg Free-form deformation | %s, by harmonic functions on the left, by the box of free-form "
+        "deformation that fits the wall "
+        "best on the right. Before in blue, after in red, with the control polygon of the moved B-spline. The wall of "
+        "the box is off by %s of the movement.\n",
+        name.c_str(), what.c_str(), cli::brief(best).c_str());
 }
 
 } // namespace

@@ -13,7 +13,8 @@ functions() {
     run export "$mesh" "$out/$1.basis" --function "$3" --window "$2" --svg "$out/$1-functions.svg"
     figure "$1-functions.svg" "${4:+$4 | }$text"
 }
-# morph NAME MOVES WINDOW: mesh before and after, and the boundary both ways. Figures follow by mesh_figure, boundary_figure.
+# morph NAME MOVES WINDOW: mesh before and after, and the boundary both ways. Figures follow by mesh_figure,
+# boundary_figure.
 morph() {
     "$harmorph" morph "$mesh" "$out/$1.basis" --move "$2" --window "$3" -o "$out/$1-morphed.su2" --json \
         --svg "$out/$1-mesh.svg" --boundary-svg "$out/$1-boundary.svg" >"$out/json" 2>"$out/log" || { fail "morphing $1"; cat "$out/log"; }

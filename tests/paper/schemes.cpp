@@ -209,7 +209,8 @@ std::vector<Mode> study(Mesh const& mesh, Scheme scheme) {
     Eigen::EigenSolver<Eigen::MatrixXd> const solver{Eigen::MatrixXd(matrix_of(mesh, scheme))};
     Eigen::MatrixXcd const vectors = solver.eigenvectors();
     std::vector<Mode> modes;
-    for (Eigen::Index k = 0; k < vectors.cols(); ++k) modes.push_back({solver.eigenvalues()[k], alternation(mesh, vectors.col(k))});
+    for (Eigen::Index k = 0; k < vectors.cols(); ++k)
+        modes.push_back({solver.eigenvalues()[k], alternation(mesh, vectors.col(k))});
     auto const is_less = [](Mode const& p, Mode const& q) { return p.value.real() < q.value.real(); };
     std::sort(modes.begin(), modes.end(), is_less);
     double largest = 0, slowest = 0;
@@ -219,15 +220,16 @@ std::vector<Mode> study(Mesh const& mesh, Scheme scheme) {
         wrong += mode.value.real() <= 0;
     }
     for (Mode const& mode : modes) slowest = std::max(slowest, growth(-4.3 / largest * mode.value));
-    std::printf("%-36s  %18.2e  %9ld  %18.3f  %25.2f  ", name(scheme), modes[0].value.real(), wrong, largest, modes[0].alternation);
+    std::printf("%-36s  %18.2e  %9ld  %18.3f  %25.2f  ", name(scheme), modes[0].value.real(), wrong, largest,
+                modes[0].alternation);
     if (slowest < 1) std::printf("%22.0f\n", std::ceil(std::log(1e-10) / std::log(slowest)));
     else std::printf("%22s\n", "diverges");
     return modes;
 }
 
 void print_head(std::string const& title) {
-    std::printf("\ntable %s\n%-36s  %18s  %9s  %18s  %25s  %22s\n", title.c_str(), "scheme", "least eigenvalue", "0 or less",
-                "largest eigenvalue", "alternation of least mode", "Runge-Kutta steps");
+    std::printf("\ntable %s\n%-36s  %18s  %9s  %18s  %25s  %22s\n", title.c_str(), "scheme", "least eigenvalue",
+                "0 or less", "largest eigenvalue", "alternation of least mode", "Runge-Kutta steps");
 }
 
 Mesh square(int n) {
@@ -236,7 +238,9 @@ Mesh square(int n) {
         for (int i = 0; i <= n; ++i) {
             mesh.at.emplace_back(i, j);
             mesh.known.push_back(i == 0 || j == 0 || i == n || j == n);
-            if (i < n && j < n) mesh.cells.push_back({j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i});
+            if (i < n && j < n)
+                mesh.cells.push_back(
+                    {j * (n + 1) + i, j * (n + 1) + i + 1, (j + 1) * (n + 1) + i + 1, (j + 1) * (n + 1) + i});
         }
     }
     mesh.make_edges();
@@ -253,7 +257,8 @@ Mesh read(char const* file) {
     Mesh mesh;
     mesh.known.resize(static_cast<std::size_t>(from.n_points));
     for (int k = 0; k < from.n_points; ++k) mesh.at.emplace_back(from.x[k], from.y[k]);
-    for (int k = 0; k < from.n_cells; ++k) mesh.cells.emplace_back(from.cell_points + from.cell_start[k], from.cell_points + from.cell_start[k + 1]);
+    for (int k = 0; k < from.n_cells; ++k)
+        mesh.cells.emplace_back(from.cell_points + from.cell_start[k], from.cell_points + from.cell_start[k + 1]);
     for (int k = 0; k < 2 * from.n_faces; ++k) mesh.known[static_cast<std::size_t>(from.face_points[k])] = true;
     free_su2(&from);
     mesh.make_edges();
@@ -264,8 +269,8 @@ Mesh read(char const* file) {
 void print_symbols() {
     Mesh const mesh = square(8);
     int const middle = 4 * 9 + 4;
-    std::printf("table Squares: what becomes of waves that alternate from point to point\n%-36s  %12s  %12s\n", "scheme", "(-1)^i",
-                "(-1)^(i+j)");
+    std::printf("table Squares: what becomes of waves that alternate from point to point\n%-36s  %12s  %12s\n",
+                "scheme", "(-1)^i", "(-1)^(i+j)");
     for (Scheme const scheme : schemes) {
         double stripes = 0, checkerboard = 0;
         std::vector<Row> const rows = rows_of(mesh, scheme);
@@ -282,7 +287,9 @@ void print_symbols() {
 void draw(std::vector<std::vector<Mode>> const& panels, std::string const& what, std::string const& file) {
     std::ofstream out(file);
     double const width = 380, height = 230, left = 55, top = 30, across = 300, up = 150, least = 1e-4, largest = 2;
-    auto const x = [&](double value) { return across * std::log(std::max(value, least) / least) / std::log(largest / least); };
+    auto const x = [&](double value) {
+        return across * std::log(std::max(value, least) / least) / std::log(largest / least);
+    };
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << 2 * width << ' ' << 2 * height + 40
         << "\" font-family=\"sans-serif\" font-size=\"12\">\n<title>Eigenvalues of the schemes on " << what
         << ", and how much their modes alternate</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
@@ -291,10 +298,12 @@ void draw(std::vector<std::vector<Mode>> const& panels, std::string const& what,
             << height * static_cast<double>(k / 2) + top << ")\"><text y=\"-10\">" << name(schemes[k])
             << "</text>\n<path fill=\"none\" stroke=\"#999\" d=\"M0 0V" << up << 'H' << across << "\"/>\n";
         for (double const tick : {1e-3, 1e-2, 1e-1, 1.0}) {
-            out << "<text fill=\"#555\" text-anchor=\"middle\" x=\"" << x(tick) << "\" y=\"" << up + 16 << "\">" << tick << "</text>\n";
+            out << "<text fill=\"#555\" text-anchor=\"middle\" x=\"" << x(tick) << "\" y=\"" << up + 16 << "\">" << tick
+                << "</text>\n";
         }
         for (double const tick : {0.0, 0.5, 1.0}) {
-            out << "<text fill=\"#555\" text-anchor=\"end\" x=\"-8\" y=\"" << up * (1 - tick) + 4 << "\">" << tick << "</text>\n";
+            out << "<text fill=\"#555\" text-anchor=\"end\" x=\"-8\" y=\"" << up * (1 - tick) + 4 << "\">" << tick
+                << "</text>\n";
         }
         for (Mode const& mode : panels[k]) {
             bool const wrong = mode.value.real() <= 0;
@@ -304,7 +313,8 @@ void draw(std::vector<std::vector<Mode>> const& panels, std::string const& what,
         out << "</g>\n";
     }
     out << "<text x=\"" << left << "\" y=\"" << 2 * height + 10
-        << "\">Across: the eigenvalue (real part), rows divided by the compact scheme's diagonal; large orange points: 0 or less.</text>\n"
+        << "\">Across: the eigenvalue (real part), rows divided by the compact scheme's diagonal; large orange points: "
+           "0 or less.</text>\n"
         << "<text x=\"" << left << "\" y=\"" << 2 * height + 28
         << "\">Up: how much the mode alternates from point to point; 0: constant, 1: checkerboard.</text>\n</svg>\n";
 }

@@ -86,7 +86,8 @@ TEST_CASE("edges that do not fit together are refused with the number of a point
                   "cells of two parts overlap at the edge between points 1 and 2 (global numbers)", 1);
     check_refused({marked(1, 2, 5), marked(1, 2, 5)},
                   "cells of two parts overlap at the edge between points 1 and 2 (global numbers)", 1);
-    const char* const both = "the edge between points 1 and 2 (global numbers) is marked, but two parts have cells there";
+    const char* const both =
+        "the edge between points 1 and 2 (global numbers) is marked, but two parts have cells there";
     check_refused({marked(1, 2, 5), edge(2, 1)}, both, 1);
     check_refused({edge(1, 2), marked(2, 1, 5)}, both, 1);
     // Numbers that a 32-bit item cannot say.

@@ -18,7 +18,8 @@ TEST_CASE("without a weight the functions are those of Laplace's equation, and r
         hm_options const conformal = options_of(HM_CONFORMAL, HM_NO_WEIGHT), paper = options_of(HM_LAPLACE);
         Solved const a(its, &conformal), b(its, &paper);
         CHECK(a.info().exponent_quarters == 0);
-        for (std::int32_t i = 0; i < 20; ++i) CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
+        for (std::int32_t i = 0; i < 20; ++i)
+            CHECK(largest_difference(complex_values(a, i), complex_values(b, i)) < 1e-13);
         hm_options const weighted = options_of(HM_CONFORMAL);   // and with one they are not
         Solved const c(its, &weighted);
         CHECK(c.info().exponent_quarters == 6);
@@ -42,8 +43,8 @@ TEST_CASE("the functions are N_i(u) on the curves, without imaginary part, and 0
             std::size_t const point = static_cast<std::size_t>(info.curve_point[k]);
             std::int32_t control[6];
             double value[6];
-            REQUIRE(hm_curve_basis(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, control, value, nullptr) ==
-                    HM_OK);
+            REQUIRE(hm_curve_basis(&its.curves.view(), info.point_curve[k], info.point_u[k], 0, control, value,
+                                   nullptr) == HM_OK);
             Field expected(20, 0);
             int const degree = its.curves.shapes[static_cast<std::size_t>(info.point_curve[k])].degree;
             for (int j = 0; j <= degree; ++j) expected[static_cast<std::size_t>(control[j])] += value[j];

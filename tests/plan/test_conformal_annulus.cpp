@@ -97,7 +97,8 @@ TEST_CASE("annulus: the exact solution with k = d^-q, to second order where quad
     for (Cells const kind : {Cells::quads, Cells::hybrid})
         for (std::int32_t const quarters : {+HM_NO_WEIGHT, 6, 8}) CHECK(order(kind, quarters) > 1.85);
     CHECK(order(Cells::quads, 3) > 1.65);   // its second derivatives are unbounded: f = d^(1 + q) beside smooth terms
-    // In triangles barycentres lie at one or two thirds of a layer, as the chance of equal diagonals has it, and k jumps.
+    // In triangles barycentres lie at one or two thirds of a layer, as the chance of equal diagonals has it,
+    // and k jumps.
     CHECK(order(Cells::triangles, HM_NO_WEIGHT) > 1.85);
     CHECK(order(Cells::triangles, 6) > 1.3);
 }

@@ -57,7 +57,8 @@ public:
         for (Entry const& e : second_) {
             Complex const first = at(static_cast<std::size_t>(e.row / 2), static_cast<std::size_t>(e.column / 2));
             double const expected = e.column % 2 == 0 ? first.imag() : first.real();
-            if (std::fabs(e.value - expected) > 1e-14 * std::fabs(first.real()) + 1e-14 * std::fabs(first.imag())) return false;
+            if (std::fabs(e.value - expected) > 1e-14 * std::fabs(first.real()) + 1e-14 * std::fabs(first.imag()))
+                return false;
         }
         return true;
     }
@@ -71,7 +72,8 @@ private:
         double value;
     };
     void add(Index row, Index column, Index components, Complex value) {
-        std::size_t const i = static_cast<std::size_t>(row / components), j = static_cast<std::size_t>(column / components);
+        std::size_t const i = static_cast<std::size_t>(row / components),
+                          j = static_cast<std::size_t>(column / components);
         Complex& to = entries_[i * n + j];
         if (components == 1) {
             to += value;
@@ -98,7 +100,8 @@ double energy(Mesh const& mesh, Field const& f, const std::int32_t (&corner)[3])
     Point const p[] = {mesh.point(corner[0]), mesh.point(corner[1]), mesh.point(corner[2])};
     double const twice = twice_area(p[0], p[1], p[2]);
     for (int i = 0; i < 3; ++i) {
-        Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3];   // grad of the shape function: (a.y - b.y, b.x - a.x) / twice
+        // Grad of the shape function: (a.y - b.y, b.x - a.x) / twice.
+        Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3];
         slope += f[static_cast<std::size_t>(corner[i])] * Complex(a.y - b.y, b.x - a.x) / twice;
     }
     return 0.5 * twice * std::norm(slope);

@@ -52,7 +52,8 @@ TEST_CASE("what lay in the blocks before does not matter") {
         REQUIRE(hm_plan_init(&plan, block(1), bytes, analysis, nullptr) == HM_OK);
         REQUIRE(hm_basis_size(analysis, &bytes, nullptr) == HM_OK);
         REQUIRE(hm_basis_init(&basis, block(2), bytes, analysis, nullptr) == HM_OK);
-        std::fill(blocks[0].begin(), blocks[0].end(), static_cast<unsigned char>(~garbage));   // the analysis is given back
+        // The analysis is given back.
+        std::fill(blocks[0].begin(), blocks[0].end(), static_cast<unsigned char>(~garbage));
         REQUIRE(hm_plan_factor(plan, nullptr, nullptr) == HM_OK);
         REQUIRE(hm_plan_solve(plan, basis, nullptr, nullptr) == HM_OK);
         CHECK(bytes_of(basis) == bytes_of(reference.basis));

@@ -1,5 +1,5 @@
-// Classical harmonic coordinates: degree 1 on polygonal cages, positions instead of displacements: X = sum_i F_i P_i. (P. Joshi
-// et al., Harmonic coordinates for character articulation, ACM Trans. Graph. 26 (2007) 71.)
+// Classical harmonic coordinates: degree 1 on polygonal cages, positions instead of displacements: X = sum_i F_i P_i.
+// (P. Joshi et al., Harmonic coordinates for character articulation, ACM Trans. Graph. 26 (2007) 71.)
 #include <doctest/doctest.h>
 
 #include <fixtures/bodies.hpp>
@@ -28,7 +28,8 @@ Case l_shape(int n, Cells kind) {
     Case out;
     std::vector<std::int32_t> new_of(whole.x.size(), -1);
     for (std::size_t k = 0; k < whole.x.size(); ++k) {
-        if (whole.x[k] <= 0.5 || whole.y[k] <= 0.5) new_of[k] = out.mesh.add_point(whole.point(static_cast<std::int32_t>(k)));
+        if (whole.x[k] <= 0.5 || whole.y[k] <= 0.5)
+            new_of[k] = out.mesh.add_point(whole.point(static_cast<std::int32_t>(k)));
     }
     for (std::size_t cell = 0; cell + 1 < whole.cell_start.size(); ++cell) {
         std::vector<std::int32_t> its;
@@ -89,11 +90,12 @@ double affine_error(Solved const& solved, Case const& its, Affine const& map) {
     return worst;
 }
 
-constexpr Affine maps[] = {{1, 0, 0, 1, 0, 0}, {0, -1, 1, 0, 2, -3}, {1, 0.7, 0, 1, 0, 0}, {-2, 0.5, 0.3, 0.1, 0, 1}, {0, 0, 0, 0, 5, 4}};
+constexpr Affine maps[] = {
+    {1, 0, 0, 1, 0, 0}, {0, -1, 1, 0, 2, -3}, {1, 0.7, 0, 1, 0, 0}, {-2, 0.5, 0.3, 0.1, 0, 1}, {0, 0, 0, 0, 5, 4}};
 
 }  // namespace
 
-TEST_CASE("affine maps of the cage are affine maps of its inside, exactly; also with a hole, and where it is not convex") {
+TEST_CASE("affine maps of the cage are exactly affine maps of the inside, also with holes and concave cages") {
     for (Cells const kind : kinds) {
         for (Case its : {cages(12, kind, 0), cages(15, kind, 0.25), l_shape(6, kind)}) {
             Solved const solved(its);
@@ -102,7 +104,7 @@ TEST_CASE("affine maps of the cage are affine maps of its inside, exactly; also 
     }
 }
 
-TEST_CASE("at the cage's corners each coordinate is 1 or 0, along its edges linear, inside between; together they are 1") {
+TEST_CASE("coordinates are 1 or 0 at the cage's corners, linear along its edges, and together 1 everywhere") {
     for (Case its : {cages(12, Cells::quads, 0), l_shape(6, Cells::triangles)}) {
         Solved const solved(its);
         std::vector<double> const& control = its.curves.control;
@@ -114,7 +116,8 @@ TEST_CASE("at the cage's corners each coordinate is 1 or 0, along its edges line
                 CHECK(f[k] <= 1);
                 for (std::int32_t j = 0; j < its.curves.n_control(); ++j) {
                     std::size_t const at = 2 * static_cast<std::size_t>(j);
-                    if (distance(its.mesh.point(static_cast<std::int32_t>(k)), {control[at], control[at + 1]}) > 1e-12) continue;
+                    if (distance(its.mesh.point(static_cast<std::int32_t>(k)), {control[at], control[at + 1]}) > 1e-12)
+                        continue;
                     CHECK(f[k] == doctest::Approx(i == j ? 1.0 : 0.0).epsilon(1e-13));
                 }
             }

@@ -38,7 +38,8 @@ void add_element(DenseMatrix& k, Mesh const& mesh, const Index (&corner)[3], dou
         for (int j = 0; j < 3; ++j) {
             Point const a = p[(i + 1) % 3], b = p[(i + 2) % 3], c = p[(j + 1) % 3], d = p[(j + 2) % 3];
             double const product = (b.x - a.x) * (d.x - c.x) + (b.y - a.y) * (d.y - c.y);
-            k.at(static_cast<std::size_t>(corner[i]), static_cast<std::size_t>(corner[j])) += weight * product / (2 * twice);
+            k.at(static_cast<std::size_t>(corner[i]), static_cast<std::size_t>(corner[j])) +=
+                weight * product / (2 * twice);
         }
 }
 

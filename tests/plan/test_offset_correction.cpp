@@ -30,7 +30,8 @@ Case beside_its_curve(double off) {
     return out;
 }
 
-double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s, Complex centre, Complex shift) {
+double worst_on_wall(Solved const& solved, Case const& its, Field const& moved, Complex s, Complex centre,
+                     Complex shift) {
     hm_basis_info const info = solved.info();
     double worst = 0;
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
@@ -175,7 +176,7 @@ TEST_CASE("only the conformal operator can turn anything: others refuse the corr
     }
 }
 
-TEST_CASE("at the ends of an open curve, where others may begin, no offset turns with it, whether it is clamped or not") {
+TEST_CASE("no offset turns with the ends of an open curve, whether the curve is clamped or not") {
     for (bool const clamped : {false, true}) {
         std::vector<double> const control = {0, 0, 1, 1, 2, 1, 3, 0};
         std::vector<double> const knots = clamped ? std::vector<double>{3, 3, 3, 3, 4, 4, 4, 4}

@@ -87,7 +87,7 @@ TEST_CASE("annulus: the exact Fourier solution, to second order, on quads, trian
             found.push_back(errors_of(solved.values(2), its.mesh, [&](Complex z) { return exact.annulus(z, 0.5, 2); }));
         }
         INFO("largest errors " << found[0].max << " " << found[1].max << " " << found[2].max << ", orders "
-                                           << order(found[0].max, found[1].max) << " " << order(found[1].max, found[2].max));
+                               << order(found[0].max, found[1].max) << " " << order(found[1].max, found[2].max));
         CHECK(found[2].max < 2e-4);
         for (std::size_t k = 0; k < 2; ++k) {
             CHECK(order(found[k].rms, found[k + 1].rms) > 1.85);

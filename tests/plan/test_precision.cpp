@@ -87,7 +87,8 @@ TEST_CASE("the thinner cells are, the more steps; where they are too thin the fa
                     CHECK(found.worst < 1e-9 * found.largest);
                     ++done;
                 } else {
-                    bool const beyond = attempt.status == HM_UNSUPPORTED;   // its entries are no numbers of single precision
+                    // Its entries are no numbers of single precision.
+                    bool const beyond = attempt.status == HM_UNSUPPORTED;
                     if (!beyond) CHECK(attempt.status == HM_NOT_POSITIVE);
                     if (beyond) CHECK(quarters == 16);
                     ++refused;

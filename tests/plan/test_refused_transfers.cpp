@@ -65,7 +65,8 @@ TEST_CASE("transfers between other domains, curves, operators or meshes are refu
         hm_mesh const mesh = coarse.mesh_view();
         std::vector<double> space(attempt.block->size() / 8 + 8);
         std::size_t const bytes = attempt.block->size();
-        auto const transfer = [&](hm_basis* to, void* block, hm_analysis const* with, hm_basis const* from, hm_mesh const* on) {
+        auto const transfer = [&](hm_basis* to, void* block, hm_analysis const* with, hm_basis const* from,
+                                  hm_mesh const* on) {
             return hm_transfer(to, block, bytes, with, from, on, nullptr, nullptr);
         };
         CHECK(transfer(unsolved.basis, space.data(), attempt.analysis, solved.basis, &mesh) == HM_BAD_BASIS);

@@ -163,7 +163,8 @@ TEST_CASE("points shared with a curve's marker belong to the curve, whichever is
     for (int order = 0; order < 2; ++order) {
         hm_options const options = options_of(HM_LAPLACE);
         Solved const solved(its, &options);
-        Field const moved = displacement(solved, {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});   // the body alone, to the right
+        // The body alone, to the right.
+        Field const moved = displacement(solved, {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0});
         CHECK(moved[16] == 0.0);
         CHECK(moved[17] == 1.0);
         CHECK(moved[18] == 0.0);

@@ -26,7 +26,8 @@ Case thin_plate(double first, Cells kind = Cells::quads) {
         for (int i = 0; i <= n; ++i) out.mesh.add_point({0.125 * (i - n_before) - 1, y});
     int const top_row = (static_cast<int>(heights.size()) - 1) * row;
     for (int k = 0; k < top_row; k += row)
-        for (int i = 0; i < n; ++i) out.mesh.add_quad(k + i, k + i + 1, k + i + 1 + row, k + i + row, kind != Cells::quads);
+        for (int i = 0; i < n; ++i)
+            out.mesh.add_quad(k + i, k + i + 1, k + i + 1 + row, k + i + row, kind != Cells::quads);
     for (int i = 0; i < n; ++i) {
         bool const on_wall = i >= n_before && i < n_before + n_wall;
         out.mesh.add_face(i, i + 1, on_wall ? std::int32_t{body} : slip_line);
@@ -58,14 +59,16 @@ TEST_CASE("a shift along the line, the far field free: everything goes along, to
         for (double const angle : {0.0, 0.4, 2.0}) {
             if (first < 1e-9 && angle > 0) continue;   // turned coordinates do not resolve the line's direction
             Complex const turn = std::polar(1.0, angle);
-            for (Case const& straight : {thin_half_ring(first), thin_plate(first), thin_plate(first, Cells::triangles)}) {
+            for (Case const& straight :
+                 {thin_half_ring(first), thin_plate(first), thin_plate(first, Cells::triangles)}) {
                 for (std::int32_t const kind : {HM_LAPLACE, HM_WEIGHTED}) {
                     Case its = similar(straight, turn, 0);
                     its.set_free(far_field);
                     hm_options const options = options_of(kind);
                     Solved const solved(its, &options);
                     Field const moved = displacement(solved, similarity_move(its.curves, 1, 0, turn));
-                    INFO("first cell " << first << ", angle " << angle << ", " << solved.report.refinements << " steps");
+                    INFO("first cell " << first << ", angle " << angle << ", " << solved.report.refinements
+                                       << " steps");
                     CHECK(largest_difference(moved, Field(moved.size(), turn)) < 1e-9);
                 }
             }

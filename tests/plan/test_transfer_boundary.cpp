@@ -20,7 +20,8 @@ void turn(Case& its, double angle) {
         y = s * old + c * y;
     };
     for (std::size_t k = 0; k < its.mesh.x.size(); ++k) turned(its.mesh.x[k], its.mesh.y[k]);
-    for (std::size_t k = 0; k < its.curves.control.size(); k += 2) turned(its.curves.control[k], its.curves.control[k + 1]);
+    for (std::size_t k = 0; k < its.curves.control.size(); k += 2)
+        turned(its.curves.control[k], its.curves.control[k + 1]);
 }
 
 std::vector<double> moved(hm_basis const* basis, std::vector<double> const& move, std::size_t n) {
@@ -72,7 +73,8 @@ TEST_CASE("cuts and seams: both sides get the same bits") {
         return out;
     };
     Outline const rough = naca4({}, 24), dense = naca4({}, 40);
-    CMesh const c_coarse = c_mesh(rough, 10, 3, stretched(2e-3, 5, 20)), c_fine = c_mesh(dense, 30, 3, stretched(1e-3, 5, 40));
+    CMesh const c_coarse = c_mesh(rough, 10, 3, stretched(2e-3, 5, 20)),
+                c_fine = c_mesh(dense, 30, 3, stretched(1e-3, 5, 40));
     Case coarse = its_case(c_coarse.mesh), fine = its_case(c_fine.mesh);
     Transferred const transferred(fine, coarse);
     std::int32_t const last = c_fine.ni - 1;
@@ -107,7 +109,8 @@ TEST_CASE("slipping points stay on their lines, periodic pairs move alike, bit b
             CHECK(along > 0.02);
             if (!periodic) continue;
             int pairs = 0;
-            for (std::size_t k = 0; k < n; ++k) {   // rows of 28 points; left and right are their ends, outside the hole's rows
+            // Rows of 28 points; left and right are their ends, outside the hole's rows.
+            for (std::size_t k = 0; k < n; ++k) {
                 if (k / 28 > 5 || k % 28 != 0) continue;
                 CHECK(by[k] == by[k + 27]);
                 CHECK(by[n + k] == by[n + k + 27]);

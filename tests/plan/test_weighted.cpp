@@ -56,7 +56,8 @@ TEST_CASE("annulus: the exact radial solution, to second order, with exponents i
             CHECK(fine < 1e-3);
             // A ring's quads have equal diagonals: which one splits them is chance, and part of the error is, too.
             double const at_best = kind == Cells::quads ? 1.85 : 1.5;
-            CHECK(std::log2(coarse / fine) > (quarters < 4 ? 1 + 0.2 * quarters : at_best));   // f = d^(1 + q): less smooth
+            // F = d^(1 + q): less smooth.
+            CHECK(std::log2(coarse / fine) > (quarters < 4 ? 1 + 0.2 * quarters : at_best));
         }
 }
 

@@ -8,7 +8,8 @@ using namespace fixtures;
 
 namespace {
 
-hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other, std::size_t n_points, hm_error& error) {
+hm_status safe_morph(hm_plan* plan, const hm_basis* basis, const hm_basis* other, std::size_t n_points,
+                     hm_error& error) {
     std::size_t bytes = 0;
     REQUIRE(hm_morph_safe_size(plan, basis, &bytes, nullptr) == HM_OK);
     Guarded work(bytes);

@@ -18,7 +18,8 @@ Complex number(Vec2 z) { return {z.x, z.y}; }
 // A ring whose wall points are up to .01 beside the curve.
 Case rough_ring() {
     Case its = ring_case(8, 32, 0.5, 2);
-    for (double& coordinate : its.curves.control) coordinate *= 0.5 / 0.445;   // the curve is a circle through the points, nearly
+    // The curve is a circle through the points, nearly.
+    for (double& coordinate : its.curves.control) coordinate *= 0.5 / 0.445;
     for (std::size_t k = 0; k < 32; ++k) {
         double const factor = 1 + 0.02 * std::sin(7.0 * static_cast<double>(k));
         its.mesh.x[k] *= factor;
@@ -29,7 +30,8 @@ Case rough_ring() {
 
 struct Carried {
     Carried(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_CONFORMAL)
-        : options(options_of(operator_kind)), solved(its, &options), plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
+        : options(options_of(operator_kind)), solved(its, &options),
+          plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         auto const lay_out = [&](harmorph::Arena& arena) {
             path.lay_out(arena, basis.header->counts);
@@ -45,7 +47,9 @@ struct Carried {
         CHECK(block->guards_intact());
     }
     Complex start(Index slot) const { return number(plan.mesh.points[basis.wall_point[slot]]); }
-    Complex on_curve(Index slot) const { return number(curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot])); }
+    Complex on_curve(Index slot) const {
+        return number(curve_point(basis.curve(basis.wall_curve[slot]), basis.wall_u[slot]));
+    }
 
     hm_options options;
     Solved solved;

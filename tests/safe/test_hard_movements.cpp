@@ -115,7 +115,8 @@ TEST_CASE("a periodic cascade translated by half a chord and by half a pitch: it
 // Every movement that crosses no wall ends at the target, with the quality asked for and six solutions at most.
 TEST_CASE("seeded movements of a channel's floor by up to half the channel, and of a cascade by up to half a pitch") {
     Case floor = channel(14, 16, 0.004, 20), row;
-    row.mesh = read_su2("tests/meshes/cascade.su2");   // markers in the order of the file: blade, inlet, lower, outlet, upper
+    // Markers in the order of the file: blade, inlet, lower, outlet, upper.
+    row.mesh = read_su2("tests/meshes/cascade.su2");
     REQUIRE(row.mesh.n_points() > 0);
     row.curves.add(fitted_loop(points_along(row.mesh, 1), 20));
     row.put_on_curves(1);
@@ -163,7 +164,8 @@ TEST_CASE("a coarse fit under a thin first layer: a body that turns takes its po
             Complex const start(its.mesh.x[point], its.mesh.y[point]);
             CHECK(std::abs(Complex(safe.x[point], safe.y[point]) - (centre + turn * (start - centre))) < 1e-13);
         }
-        CHECK(safe.report.turned_offset == doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance).epsilon(1e-3));
+        CHECK(safe.report.turned_offset ==
+              doctest::Approx(std::abs(turn - 1.0) * safe.solved().report.max_distance).epsilon(1e-3));
     }
     // What turns nothing is the B-spline's movement alone.
     std::vector<double> const shift = similarity_move(its.curves, 1, 0, {0.1, 0.2});
@@ -183,7 +185,8 @@ TEST_CASE("impossible targets are refused at once, with the place, and nothing i
         CHECK(text.find('(') != std::string::npos);
         return safe.error.item;
     };
-    // A wall that ends in a corner of the domain and turns by more than 90 degrees out of it: the boundary crosses nothing.
+    // A wall that ends in a corner of the domain and turns by more than 90 degrees out of it:
+    // the boundary crosses nothing.
     Case wall = nozzle(20, 8, 0.02, 8);
     Safe corner(wall);
     std::vector<double> move(16, 0.0);

@@ -155,7 +155,8 @@ TEST_CASE("where a cell is not good enough at the end, only points near it move,
         for (std::size_t k = 0; k < out.mesh.x.size(); ++k) {
             if (out.mesh.x[k] == its.now.x[k] && out.mesh.y[k] == its.now.y[k]) continue;
             ++n_moved;
-            double const dx = its.reference.x[k] - its.reference.x[middle], dy = its.reference.y[k] - its.reference.y[middle];
+            double const dx = its.reference.x[k] - its.reference.x[middle],
+                         dy = its.reference.y[k] - its.reference.y[middle];
             n_far += std::fmax(std::fabs(dx), std::fabs(dy)) > 8.5 / 40 ? 1 : 0;
         }
         CHECK(n_moved > 1);
@@ -192,7 +193,8 @@ TEST_CASE("the gradient is that of the energy, where targets depend on the mesh 
         out.improvement.begin(out.at());
         double const energy = out.improvement.energy(power);
         out.improvement.step({}, power, energy, out.report);
-        std::vector<Vec2> const gradient(out.improvement.system.gradient.begin(), out.improvement.system.gradient.end());
+        std::vector<Vec2> const gradient(out.improvement.system.gradient.begin(),
+                                         out.improvement.system.gradient.end());
         double largest = 0;
         for (Vec2 const by : gradient) largest = std::fmax(largest, length(by));
         for (Index u = 0; u < out.improvement.region.n; u += 17) {

@@ -33,7 +33,8 @@ struct Ring {
         std::mt19937 random(7);
         for (std::int32_t const point : points_on(its.mesh, far_field)) {
             auto const k = static_cast<std::size_t>(point);
-            Complex const at = Complex(scattered.x[k], scattered.y[k]) * std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
+            Complex const at =
+                Complex(scattered.x[k], scattered.y[k]) * std::polar(1.0, (2 * uniform(random) - 1) * 0.065);
             scattered.x[k] = at.real() * (2 / std::abs(at));
             scattered.y[k] = at.imag() * (2 / std::abs(at));
         }
@@ -49,8 +50,8 @@ struct Ring {
         REQUIRE(hm_improve_size(solved.plan, &bytes, nullptr) == HM_OK);
         Guarded work(bytes);
         report.struct_size = sizeof report;
-        hm_status const status = hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, nullptr, &report,
-                                            &error);
+        hm_status const status =
+            hm_improve(solved.plan, points_in(x, y), points_out(x, y), work.data(), bytes, nullptr, &report, &error);
         CHECK(work.guards_intact());
         return status;
     }

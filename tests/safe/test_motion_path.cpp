@@ -139,7 +139,8 @@ TEST_CASE("each body has its own similarity, and curves that share control point
         return out;
     };
     Path const two(solved, move_of(a, b));
-    CHECK(largest_difference(two.numbers_at(0.5), move_of(std::polar(1.0, 1.0), std::polar(std::sqrt(0.7), -0.5))) < 1e-12);
+    CHECK(largest_difference(two.numbers_at(0.5), move_of(std::polar(1.0, 1.0), std::polar(std::sqrt(0.7), -0.5))) <
+          1e-12);
 
     Case tiny = tiny_case();   // the hole's sides as two curves with common ends, named in either order
     for (bool const first_low : {false, true}) {
@@ -152,7 +153,8 @@ TEST_CASE("each body has its own similarity, and curves that share control point
         tiny.put_on_curves(body, 0, 2);
         Solved const one(tiny, &conformal);
         Path const path(one, similarity_move(tiny.curves, std::polar(1.0, 1.0), {3, 3}));
-        CHECK(largest_difference(path.numbers_at(0.5), similarity_move(tiny.curves, std::polar(1.0, 0.5), {3, 3})) < 1e-12);
+        CHECK(largest_difference(path.numbers_at(0.5), similarity_move(tiny.curves, std::polar(1.0, 0.5), {3, 3})) <
+              1e-12);
     }
 
     Case rigid = two_body_case(Cells::quads, 4, 3);

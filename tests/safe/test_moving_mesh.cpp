@@ -14,7 +14,8 @@ namespace {
 
 struct Moving {
     Moving(Case& its, std::vector<double> const& move, std::int32_t operator_kind = HM_LAPLACE)
-        : options(options_of(operator_kind)), solved(its, &options), plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
+        : options(options_of(operator_kind)), solved(its, &options),
+          plan(*reinterpret_cast<harmorph::Plan*>(solved.plan)),
           basis(harmorph::Basis::view(static_cast<void*>(solved.basis))) {
         harmorph::Arena counting;
         mesh.lay_out(counting, plan, basis.header->counts);
@@ -43,8 +44,8 @@ TEST_CASE("one step to the target is the morph, and the admissible step is that 
     Moving moving(its, move);
     double const admissible = moving.look(1).step;
     std::vector<double> x(its.mesh.x.size()), y(x.size());
-    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr, nullptr) ==
-            HM_OK);
+    REQUIRE(hm_morph(moving.solved.basis, move.data(), points_in(its.mesh.x, its.mesh.y), points_out(x, y), nullptr,
+                     nullptr) == HM_OK);
     double off = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
         harmorph::Vec2 const at = moving.mesh.ahead()[static_cast<Index>(k)];
@@ -60,7 +61,8 @@ TEST_CASE("one step to the target is the morph, and the admissible step is that 
     hm_step_report step{};
     step.struct_size = sizeof step;
     hm_mesh const view = its.mesh.view();
-    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) >= HM_OK);
+    REQUIRE(hm_admissible_step(moving.solved.basis, &view, nullptr, points_in(dx, dy), nullptr, &step, nullptr) >=
+            HM_OK);
     CHECK(admissible == doctest::Approx(step.admissible).epsilon(1e-12));
 }
 

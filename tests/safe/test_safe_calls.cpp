@@ -136,7 +136,8 @@ TEST_CASE("what does not belong together is refused, and nothing is written") {
     std::vector<double> wrong = move;
     wrong[3] = std::nan("");
     CHECK(refused(plan, safe.solved().basis, wrong) == HM_BAD_ARGUMENT);
-    // Among the others: another operator and exponent are welcome, other curves and parameters, and unsolved ones, are not.
+    // Among the others: another operator and exponent are welcome, other curves and parameters, and unsolved ones,
+    // are not.
     const hm_basis* others[] = {other_exponent.basis, other_operator.basis, nullptr};
     safe.safe_options.n_others = 2;
     safe.safe_options.others = others;

@@ -11,7 +11,7 @@ double const pi = std::acos(-1.0);
 
 }  // namespace
 
-TEST_CASE("the derivative: exact at wall points on their curve, the steps' sum elsewhere; hm_adjoint is its transpose") {
+TEST_CASE("the derivative is exact at wall points, elsewhere the steps' sum; hm_adjoint is the transpose") {
     for (bool const slip : {false, true})
         for (bool const untangled : {false, true}) {
             Case its = block_in_square(Cells::quads, 15);
@@ -66,8 +66,8 @@ TEST_CASE("in one step the derivative is the basis; with real functions and stra
         std::vector<double> const further = some_move(4, 1, 5);
         CHECK(largest_difference(displacement(of.basis, further), displacement(safe.solved(), further)) < 1e-15);
     }
-    // Straight ways and frozen functions: x_new = x + sum over the steps of (t_k - t_(k-1)) F_k dP is linear in dP, so that
-    // the derivative by dP, applied to dP itself, is all that the mesh has moved.
+    // Straight ways and frozen functions: x_new = x + sum over the steps of (t_k - t_(k-1)) F_k dP is linear in dP, so
+    // that the derivative by dP, applied to dP itself, is all that the mesh has moved.
     Safe safe(its, options_of(HM_LAPLACE));
     hm_options const options = options_of(HM_LAPLACE);
     Attempt of;

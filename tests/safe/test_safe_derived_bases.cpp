@@ -83,8 +83,8 @@ TEST_CASE("large safe morphs by combined functions and by modes are valid and re
     safe_options.reached = nullptr;
     x = its.mesh.x;
     y = its.mesh.y;
-    REQUIRE_MESSAGE(hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr, more.data(),
-                                  bytes, &safe_options, &report, &error) == HM_OK,
+    REQUIRE_MESSAGE(hm_morph_safe(solved.plan, tabulated.basis, amplitudes.data(), points_out(x, y), nullptr,
+                                  more.data(), bytes, &safe_options, &report, &error) == HM_OK,
                     error.text);
     CHECK(report.strategy == HM_STRATEGY_SUBSTEPS);
     moved.x = x;

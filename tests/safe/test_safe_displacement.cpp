@@ -1,4 +1,5 @@
-// Given displacements by the strategies of a safe morph: the whole displacement with the given bits, or how far and why.
+// Given displacements by the strategies of a safe morph: the whole displacement with the given bits,
+// or how far and why.
 #include <doctest/doctest.h>
 
 #include <fixtures/executors.hpp>

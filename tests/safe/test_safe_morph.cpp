@@ -45,7 +45,7 @@ TEST_CASE("sliding points that would pass each other in one step are no crossing
     CHECK(safe.is_valid());
 }
 
-TEST_CASE("heights of the first layer: limited where that is asked for, a warning with the place where it cannot be had") {
+TEST_CASE("heights of the first layer are limited where asked for; a warning names the place where they are not") {
     Case its;
     its.mesh = o_mesh(naca4({}, 40), stretched(1e-3, 8, 24));
     its.curves.add(fitted_loop(points_along(its.mesh, body), 16));
@@ -197,7 +197,8 @@ TEST_CASE("an airfoil in a C-mesh, moved, turned and bent at random: the two sid
     Safe safe(its);
     int by_strategy[4] = {};
     for (unsigned trial = 0; trial < 60; ++trial) {
-        std::vector<double> move = similarity_move(its.curves, std::polar(1.0, 0.05 * trial), {0.25, 0}, {0.01 * trial, 0});
+        std::vector<double> move =
+            similarity_move(its.curves, std::polar(1.0, 0.05 * trial), {0.25, 0}, {0.01 * trial, 0});
         std::vector<double> const more = some_move(12, 0.0005 * trial, 200 + trial);
         for (std::size_t k = 0; k < move.size(); ++k) move[k] += more[k];
         hm_status const status = safe.run(move);

@@ -119,7 +119,8 @@ TEST_CASE("substeps are what helps: valid, and the wall exactly where its B-spli
         CHECK(safe.boundary_error(move) < 1e-15);
         Field const moved = safe.moved();
         for (std::int32_t const side : {bottom, right, top, left})
-            for (std::int32_t const point : points_on(its.mesh, side)) CHECK(moved[static_cast<std::size_t>(point)] == 0.0);
+            for (std::int32_t const point : points_on(its.mesh, side))
+                CHECK(moved[static_cast<std::size_t>(point)] == 0.0);
     }
 }
 
@@ -147,7 +148,8 @@ TEST_CASE("a substep takes half of what is admissible, on the mesh and with the 
                 double const steps = safe.admissible(from.view(), dx, dy);   // like this one, until a cell inverts
                 INFO("substep " << safe.report.steps << " to " << safe.report.step_fraction << " of the way");
                 CHECK(steps >= 2);
-                CHECK(steps < 4);   // and no less than half of that, although a turn's way is bent: trials of it overshoot
+                // And no less than half of that, although a turn's way is bent: trials of it overshoot.
+                CHECK(steps < 4);
                 x = safe.x;
                 y = safe.y;
             }
@@ -198,7 +200,8 @@ TEST_CASE("whatever strategy it was: the wall's points have the same bits, round
         REQUIRE(safe.run(move) == HM_OK);
         std::vector<double> found;
         for (std::int32_t const point : points_on(its.mesh, body))
-            found.insert(found.end(), {safe.x[static_cast<std::size_t>(point)], safe.y[static_cast<std::size_t>(point)]});
+            found.insert(found.end(),
+                         {safe.x[static_cast<std::size_t>(point)], safe.y[static_cast<std::size_t>(point)]});
         if (!wall.empty()) CHECK(same_bits(found, wall));
         wall = found;
     }

@@ -68,7 +68,7 @@ TEST_CASE("one step, several steps, untangling, improvement: outer points are on
     }
 }
 
-TEST_CASE("the derivative is that of differences at the points that slide, and they stay on the circle to first order") {
+TEST_CASE("the derivative at sliding points agrees with differences; points stay on the circle to first order") {
     for (std::int32_t const skipped : {0, without({HM_STRATEGY_LINEAR})}) {
         Case its = sliding_ring();
         Safe safe(its);

@@ -89,7 +89,8 @@ TEST_CASE("what crosses nothing and is impossible all the same: outside, inside 
 
     Aim two(two_body_case(Cells::quads, 16, 10));
     Complex centre = 0, other = 0;
-    std::vector<std::int32_t> const first = points_on(two.its.mesh, body), second = points_on(two.its.mesh, second_body);
+    std::vector<std::int32_t> const first = points_on(two.its.mesh, body),
+                                    second = points_on(two.its.mesh, second_body);
     for (std::int32_t const k : first) centre += to_complex(two.its.mesh.point(k)) / static_cast<double>(first.size());
     for (std::int32_t const k : second) other += to_complex(two.its.mesh.point(k)) / static_cast<double>(second.size());
     two.map(second_body, [&](Complex z) { return centre + 0.1 * (z - other); });

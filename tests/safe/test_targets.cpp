@@ -28,7 +28,8 @@ struct Found {
     harmorph::FaceDistance walls;
     harmorph::Targets targets;
 
-    Found(Mesh const& from, Mesh const& to) : reference(from), now(to), view(core_mesh(reference)), analysed(reference) {
+    Found(Mesh const& from, Mesh const& to)
+        : reference(from), now(to), view(core_mesh(reference)), analysed(reference) {
         auto const lay_out = [&](harmorph::Arena& arena) {
             walls.lay_out(arena, reference.face_markers.size());
             targets.lay_out(arena, view.n_cells);
@@ -84,7 +85,8 @@ TEST_CASE("a mesh that has not moved is its own target") {
 TEST_CASE("of quadrilaterals that are not thin the ratio of sides does not matter, area and angle do") {
     Mesh const mesh = square(4);
     Found const its(mesh, mesh);
-    harmorph::CornerPoints const corner{{its.view.cell(5).point[3], its.view.cell(5).point[0], its.view.cell(5).point[1]}, {1, 0}};
+    harmorph::CornerPoints const corner{
+        {its.view.cell(5).point[3], its.view.cell(5).point[0], its.view.cell(5).point[1]}, {1, 0}};
     double const side = 0.25;
     for (double const ratio : {0.01, 0.5, 3.0}) {
         Triangle const now = {{{0, side / ratio}, {0, 0}, {side * ratio, 0}}};
@@ -107,7 +109,8 @@ TEST_CASE("thin cells at a wall that became longer: their targets are as long as
             harmorph::CornerPoints const corner{{cell.previous(k), cell.point[k], cell.next(k)}, {1, 0}};
             Triangle const now = its.triangle(its.now, corner), target = its.targets.of(i, corner, now);
             for (Index side = 0; side < 2; ++side) {
-                double const before = length(its.triangle(mesh, corner).at[side + 1] - its.triangle(mesh, corner).at[side]);
+                double const before =
+                    length(its.triangle(mesh, corner).at[side + 1] - its.triangle(mesh, corner).at[side]);
                 double const wanted = length(target.at[side + 1] - target.at[side]);
                 double const expected = before < 0.01 ? before : factor * before;
                 CHECK(wanted == doctest::Approx(expected).epsilon(0.03));
@@ -118,7 +121,7 @@ TEST_CASE("thin cells at a wall that became longer: their targets are as long as
     for (Index i = 0; i < 24; ++i) CHECK(isotropic.targets.cell[i].more == 0);
 }
 
-TEST_CASE("the quality of targets is the one that is reported, and the least of cells that of the worst or half of their own") {
+TEST_CASE("the quality of targets is the quality reported, and at least the worst quality or half of the own one") {
     Mesh mesh = annulus(6, 24, 1, 2, Cells::hybrid), moved = mesh;
     perturb(mesh, 0.3, 2);
     perturb(moved, 0.3, 3);
@@ -129,7 +132,8 @@ TEST_CASE("the quality of targets is the one that is reported, and the least of 
     double sum = 0, least = 1;
     for (Index i = 0; i < its.view.n_cells; ++i) {
         harmorph::CellShape const shape(its.view.cell(i), at, false), old(its.view.cell(i), before, false);
-        double const quality = its.targets.quality(i, shape), own = harmorph::skew_quality(old.n, harmorph::CellCorners(old));
+        double const quality = its.targets.quality(i, shape),
+                     own = harmorph::skew_quality(old.n, harmorph::CellCorners(old));
         sum += quality;
         least = std::fmin(least, quality);
         CHECK(its.targets.cell[i].least == std::fmax(start.min_quality, 0.5 * own));

@@ -116,7 +116,8 @@ TEST_CASE("no cell with an angle near 180 degrees is better, of quadrilaterals w
             double const b = std::pow(10, 1 - 4 * uniform(random)), s = std::pow(10, 1 - 5 * uniform(random));
             double const direction = uniform(random) * pi;
             double const x = b * std::cos(angle), y = b * std::sin(angle);
-            best[0] = std::fmax(best[0], quality_of({0, b, length * std::cos(angle)}, {0, 0, length * std::sin(angle)}));
+            best[0] =
+                std::fmax(best[0], quality_of({0, b, length * std::cos(angle)}, {0, 0, length * std::sin(angle)}));
             double const end_x = length + s * std::cos(direction), end_y = s * std::sin(direction);
             double const skew = quality_of({0, length, end_x, x}, {0, 0, end_y, y});
             double const its = 0.5 * (end_x * y - end_y * x + length * end_y);

@@ -65,7 +65,8 @@ std::vector<Number> some(std::size_t n, unsigned seed) {
 TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lanes alike", Number, double, float) {
     constexpr Index n = 64;
     std::vector<Number> a = some<Number>(n, 1), b = some<Number>(n, 2), c = some<Number>(n, 3);
-    // A little more than half the digits: products are rounded, and whole numbers are exact. Not every C library's fma is.
+    // A little more than half the digits: products are rounded, and whole numbers are exact.
+    // Not every C library's fma is.
     Number const units = static_cast<Number>(1 << (std::numeric_limits<Number>::digits / 2 + 2));
     for (std::vector<Number>* const numbers : {&a, &b, &c})
         for (Number& number : *numbers) number = std::round(number * units) / units;
@@ -80,7 +81,8 @@ TEST_CASE_TEMPLATE("c + a b and c - a b: contracted or rounded twice, in all lan
         bool const contracted = kernel != Kernel::baseline;
         for (std::size_t k = 0; k < n; ++k) {
             Number const product = a[k] * b[k];
-            std::int64_t const exact = whole(a[k]) * whole(b[k]), added = whole(c[k]) * static_cast<std::int64_t>(units);
+            std::int64_t const exact = whole(a[k]) * whole(b[k]),
+                               added = whole(c[k]) * static_cast<std::int64_t>(units);
             CHECK(sum[k] == (contracted ? rounded_once(added + exact) : c[k] + product));
             CHECK(rest[k] == (contracted ? rounded_once(added - exact) : c[k] - product));
         }
@@ -132,7 +134,8 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
         for (int attempt = 0; attempt < 200; ++attempt) {
             std::vector<Number> const both = some<Number>(static_cast<std::size_t>(2 * its.lanes), 7);
             Index picked[most_lanes];
-            for (Index& from : picked) from = static_cast<Index>(random() % static_cast<unsigned>(2 * its.lanes + 1)) - 1;
+            for (Index& from : picked)
+                from = static_cast<Index>(random() % static_cast<unsigned>(2 * its.lanes + 1)) - 1;
             Number out[most_lanes];
             its.pick(both.data(), both.data() + its.lanes, picked, out);
             for (Index lane = 0; lane < its.lanes; ++lane)
@@ -144,7 +147,8 @@ TEST_CASE_TEMPLATE("lanes are picked from two registers, or none", Number, doubl
 TEST_CASE("larger, smaller and less: the second number where one is NaN, and NaN is not less") {
     Untrapped const untrapped;
     double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan}, b{2, 1, 3, nan, infinity, -infinity, -1, nan};
+    std::vector<double> const a{1, 2, nan, 3, -infinity, infinity, -1, nan},
+        b{2, 1, 3, nan, infinity, -infinity, -1, nan};
     for (Kernel const kernel : usable_kernels()) {
         Operations const& its = operations(kernel);
         double high[8], low[8];

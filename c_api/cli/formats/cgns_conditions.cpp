@@ -9,7 +9,9 @@ namespace cli {
 
 namespace {
 
-std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) { return {std::min(a, b), std::max(a, b)}; }
+std::pair<std::int32_t, std::int32_t> edge_of(std::int32_t a, std::int32_t b) {
+    return {std::min(a, b), std::max(a, b)};
+}
 
 template <class Visit> void for_each(const std::vector<cgsize_t>& items, bool is_range, Visit visit) {
     if (!is_range) {
@@ -62,7 +64,8 @@ void CgnsConditions::add_conditions(std::size_t z) {
         cgsize_t n = 0, list_size = 0;
         DataType_t list_type;
         int normal_index[3], n_data = 0;
-        cgns_(cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n, normal_index, &list_size, &list_type, &n_data),
+        cgns_(cg_boco_info(cgns_.file, cgns_base, number, c, name, &type, &set, &n, normal_index, &list_size,
+                           &list_type, &n_data),
               in_zone(zones_[z]) + ", boundary condition " + std::to_string(c));
         cgns_(cg_boco_gridlocation_read(cgns_.file, cgns_base, number, c, &location));
         const std::size_t dimensions = zones_[z].is_structured ? static_cast<std::size_t>(cell_dimension_) : 1;
@@ -92,12 +95,12 @@ CgnsConditions::Points CgnsConditions::structured_points(const CgnsZone& zone, c
     const auto add = [&](const std::array<std::int64_t, 3>& index) {
         for (std::size_t d = 0; d < 3; ++d) {
             if (index[d] < 1 || index[d] > zone.n[d]) {
-                cgns_.fail(in_zone(zone) + ": a boundary condition has a point with the index " + std::to_string(index[d]) +
-                           " of " + std::to_string(zone.n[d]));
+                cgns_.fail(in_zone(zone) + ": a boundary condition has a point with the index " +
+                           std::to_string(index[d]) + " of " + std::to_string(zone.n[d]));
             }
         }
-        points.insert(plane_point(static_cast<std::int32_t>(
-            static_cast<std::int64_t>(zone.first) + index[0] - 1 + zone.n[0] * (index[1] - 1 + zone.n[1] * (index[2] - 1)))));
+        points.insert(plane_point(static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + index[0] - 1 +
+                                                            zone.n[0] * (index[1] - 1 + zone.n[1] * (index[2] - 1)))));
     };
     std::array<std::int64_t, 3> low = {1, 1, 1}, high = {1, 1, 1};
     if (!is_range) {

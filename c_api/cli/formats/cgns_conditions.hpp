@@ -17,8 +17,8 @@ public:
     // plane_point: the point of the mesh that each point of the file is or follows.
     CgnsConditions(Mesh& mesh, const Cgns& cgns, const std::vector<CgnsZone>& zones, int cell_dimension,
                    std::vector<std::int32_t> plane_point, const CgnsSides& sides)
-        : mesh_(mesh), cgns_(cgns), zones_(zones), cell_dimension_(cell_dimension), plane_point_(std::move(plane_point)),
-          sides_(sides) {}
+        : mesh_(mesh), cgns_(cgns), zones_(zones), cell_dimension_(cell_dimension),
+          plane_point_(std::move(plane_point)), sides_(sides) {}
 
     void read(); // adds faces and markers to the mesh, which has its cells
 

@@ -54,8 +54,10 @@ std::vector<CgnsZone> read_zones(const Cgns& cgns, int& cell_dimension) {
         zone.name = name;
         zone.is_structured = type == Structured;
         zone.first = first;
-        if (!zone.is_structured && type != Unstructured) cgns.fail(in_zone(zone) + " is neither structured nor unstructured");
-        for (int d = 0; d < (zone.is_structured ? cell_dimension : 1); ++d) zone.n[static_cast<std::size_t>(d)] = size[d];
+        if (!zone.is_structured && type != Unstructured)
+            cgns.fail(in_zone(zone) + " is neither structured nor unstructured");
+        for (int d = 0; d < (zone.is_structured ? cell_dimension : 1); ++d)
+            zone.n[static_cast<std::size_t>(d)] = size[d];
         for (const std::int64_t n : zone.n) {
             if (n < 1 || n > INT32_MAX) cgns.fail(in_zone(zone) + " has a size that is none: " + std::to_string(n));
         }
@@ -74,7 +76,8 @@ std::vector<CgnsArray> read_arrays(const Cgns& cgns, int zone, const std::string
         for (int c = 1; c <= n; ++c) {
             char name[33] = "";
             DataType_t type;
-            cgns(cg_coord_info(cgns.file, cgns_base, zone, c, &type, name), where + ", coordinate " + std::to_string(c));
+            cgns(cg_coord_info(cgns.file, cgns_base, zone, c, &type, name),
+                 where + ", coordinate " + std::to_string(c));
             if (std::string(name) == wanted) arrays.push_back({name, type});
         }
     }
@@ -117,13 +120,16 @@ void store_cgns(std::ostream& out, const Mesh& mesh, const std::string& numbers)
                 for (std::size_t k = 0; k < zones[z].points(); ++k) {
                     const std::size_t at = d * n_points + zones[z].first + k;
                     const char* const bytes = numbers.data() + at * (single ? 4 : 8);
-                    values.push_back(single ? static_cast<double>(load<float>(bytes, false)) : load<double>(bytes, false));
+                    values.push_back(single ? static_cast<double>(load<float>(bytes, false))
+                                            : load<double>(bytes, false));
                     singles.push_back(static_cast<float>(values.back()));
                 }
                 ++d;
                 int c = 0;
-                const void* const data = array.type == RealSingle ? static_cast<const void*>(singles.data()) : values.data();
-                cgns(cg_coord_partial_write(cgns.file, cgns_base, number, array.type, array.name.c_str(), low, high, data, &c));
+                const void* const data =
+                    array.type == RealSingle ? static_cast<const void*>(singles.data()) : values.data();
+                cgns(cg_coord_partial_write(cgns.file, cgns_base, number, array.type, array.name.c_str(), low, high,
+                                            data, &c));
             }
         }
         cgns.close();

@@ -73,14 +73,16 @@ private:
                 const double value = space_.x[d][k];
                 const float single = static_cast<float>(value);
                 if (!(value - value == 0)) cgns_.fail(place(zones_, n, (d * n + k)) + " is not finite");
-                std::memcpy(&numbers[(d * n + k) * bytes], all_single ? static_cast<const void*>(&single) : &value, bytes);
+                std::memcpy(&numbers[(d * n + k) * bytes], all_single ? static_cast<const void*>(&single) : &value,
+                            bytes);
             }
         }
         for (std::size_t d = 0; d < 3; ++d) {
             for (std::size_t k = 0; k < n; ++k) space_.offset[d].push_back((d * n + k) * bytes);
         }
         mesh_.file = TextFile(mesh_.file.path(), std::move(numbers));
-        mesh_.file.name_places([zones = zones_, n, bytes](std::size_t offset) { return place(zones, n, offset / bytes); });
+        mesh_.file.name_places(
+            [zones = zones_, n, bytes](std::size_t offset) { return place(zones, n, offset / bytes); });
         mesh_.in_file.kind = all_single ? NumberKind::real32 : NumberKind::real64;
         mesh_.in_file.store = store_cgns;
         mesh_.in_file.swapped = false;
@@ -98,13 +100,15 @@ private:
 
     void add_structured(const CgnsZone& zone) {
         const auto at = [&zone](std::int64_t i, std::int64_t j, std::int64_t k) {
-            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i + zone.n[0] * (j + zone.n[1] * k));
+            return static_cast<std::int32_t>(static_cast<std::int64_t>(zone.first) + i +
+                                             zone.n[0] * (j + zone.n[1] * k));
         };
         const bool solid = cell_dimension_ == 3;
         for (std::int64_t k = 0; k + 1 < zone.n[2] || (!solid && k == 0); ++k) {
             for (std::int64_t j = 0; j + 1 < zone.n[1]; ++j) {
                 for (std::int64_t i = 0; i + 1 < zone.n[0]; ++i) {
-                    std::vector<std::int32_t> cell = {at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k)};
+                    std::vector<std::int32_t> cell = {at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k),
+                                                      at(i, j + 1, k)};
                     for (std::size_t c = 0; solid && c < 4; ++c) {
                         cell.push_back(cell[c] + static_cast<std::int32_t>(zone.n[0] * zone.n[1]));
                     }
@@ -131,15 +135,18 @@ private:
             ElementType_t type;
             cgsize_t begin = 0, end = 0, size = 0;
             int n_boundary = 0, has_parents = 0;
-            cgns_(cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary, &has_parents),
-                  in_zone(zones_[z]) + ", section " + std::to_string(s));
+            cgns_(
+                cg_section_read(cgns_.file, cgns_base, number, s, name, &type, &begin, &end, &n_boundary, &has_parents),
+                in_zone(zones_[z]) + ", section " + std::to_string(s));
             if (type == NODE) continue;
             const std::string where = in_zone(zones_[z]) + ", section " + in_quotes(name);
             cgns_(cg_ElementDataSize(cgns_.file, cgns_base, number, s, &size), where);
-            std::vector<cgsize_t> data(static_cast<std::size_t>(size)), start(static_cast<std::size_t>(end - begin) + 2);
+            std::vector<cgsize_t> data(static_cast<std::size_t>(size)),
+                start(static_cast<std::size_t>(end - begin) + 2);
             const bool has_start = type == MIXED || type == NGON_n || type == NFACE_n;
             if (has_start) {
-                cgns_(cg_poly_elements_read(cgns_.file, cgns_base, number, s, data.data(), start.data(), nullptr), where);
+                cgns_(cg_poly_elements_read(cgns_.file, cgns_base, number, s, data.data(), start.data(), nullptr),
+                      where);
             } else {
                 cgns_(cg_elements_read(cgns_.file, cgns_base, number, s, data.data(), nullptr), where);
             }

@@ -19,7 +19,8 @@ namespace cli {
 
 namespace {
 
-enum SectionType { dimension_section = 2, node_section = 10, cell_section = 12, face_section = 13, old_name_section = 39,
+enum SectionType { dimension_section = 2, node_section = 10, cell_section = 12, face_section = 13,
+                   old_name_section = 39,
                    name_section = 45, cell_tree_section = 58, face_tree_section = 59 };
 constexpr std::int64_t first_binary_section = 2000; // 2010, 3010: nodes in single and double precision, and so on
 enum ZoneType { no_type = 0, interior = 2 };

@@ -25,9 +25,11 @@ struct Format {
     void (*create)(std::ostream& out, const Mesh& mesh);   // a new file with points, cells, markers; NULL: not written
 };
 
-extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format, su2_format, ugrid_format, vtk_format, vtk_xml_format;
+extern const Format cgns_format, fluent_format, gmsh_format, openfoam_format, plot3d_format, su2_format, ugrid_format,
+    vtk_format, vtk_xml_format;
 
-// Of a folder of OpenFOAM (a case, or polyMesh) the file of its points, which is what is read and written; else the path.
+// Of a folder of OpenFOAM (a case, or polyMesh) the file of its points, which is what is read and written;
+// else the path.
 std::string mesh_file(const std::string& path);
 
 // Refuses, with the file's line or byte, what is none of the formats or not a mesh that can be morphed.

@@ -46,6 +46,7 @@ void create_gmsh(std::ostream& out, const Mesh& mesh) {
 
 } // namespace
 
-const Format gmsh_format = {"gmsh", ".msh", "Gmsh MSH 2.2 and 4.1, text and binary", probe_gmsh, read_gmsh, create_gmsh};
+const Format gmsh_format = {"gmsh",     ".msh",    "Gmsh MSH 2.2 and 4.1, text and binary",
+                            probe_gmsh, read_gmsh, create_gmsh};
 
 } // namespace cli

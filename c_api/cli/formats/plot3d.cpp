@@ -4,8 +4,8 @@
 //
 // Points of blocks' sides at the same coordinates (to 1e-12 of the largest) are one point of the mesh, so that
 // interfaces and cuts close and cells at a pole become triangles. What is left of the sides is boundary: of the names
-// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin. Numbers with a repeat count, 3*1.0, are written out when the
-// file is read: the morphed file has them one by one.
+// in a .nmf file beside the grid, else BLOCK:SIDE, as 1:jmin. Numbers with a repeat count, 3*1.0, are written out when
+// the file is read: the morphed file has them one by one.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"
@@ -123,8 +123,8 @@ void Plot3dReader::read_points() {
     }
 }
 
-// The direction from one plane of a block to the other, which has two points, or one where there is one plane; -1: several
-// directions have two, and only the whole mesh tells.
+// The direction from one plane of a block to the other, which has two points, or one where there is one plane; -1:
+// several directions have two, and only the whole mesh tells.
 int Plot3dReader::across(const Plot3dBlock& block) const {
     for (const int d : {2, 1, 0}) {
         if (block.n[static_cast<std::size_t>(d)] == 1) return d;
@@ -187,7 +187,8 @@ void Plot3dReader::join_points() {
 // are the same as the one before.
 std::vector<std::int32_t> Plot3dReader::corners(std::size_t block, const Index3& low, const Index3& high,
                                                 int direction) const {
-    const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0), v = static_cast<std::size_t>(direction == 2 ? 1 : 2);
+    const auto u = static_cast<std::size_t>(direction == 0 ? 1 : 0),
+               v = static_cast<std::size_t>(direction == 2 ? 1 : 2);
     std::vector<std::int32_t> found;
     for (const auto& corner : {std::array<bool, 2>{false, false}, {true, false}, {true, true}, {false, true}}) {
         Index3 index = low;

@@ -5,7 +5,8 @@
 
 namespace cli {
 
-// False: the text has none. Otherwise `expanded` is the text with every number written out, in the line where it stands.
+// False: the text has none. Otherwise `expanded` is the text with every number written out,
+// in the line where it stands.
 bool expand_repeats(const std::string& text, std::string& expanded);
 
 } // namespace cli

@@ -1,6 +1,6 @@
 // AFLR's UGRID files (http://www.simcenter.msstate.edu/software/documentation/ug_io/3d_grid_file_type_ugrid.html), one
-// cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders (.b8, .lb8, .b4, .lb4). Markers have the names that a .mapbc file
-// beside the mesh gives their tags, else the tags themselves.
+// cell thick, between planes of any direction or in a wedge: text, or binary of both byte orders (.b8, .lb8, .b4,
+// .lb4). Markers have the names that a .mapbc file beside the mesh gives their tags, else the tags themselves.
 #include "formats/format.hpp"
 
 #include "formats/bytes.hpp"

@@ -23,9 +23,9 @@ struct VtkCells {
     std::size_t starts_offset = 0;    // in the file, of the first of `starts`
 };
 
-// Adds triangles, quadrilaterals and polygons to a mesh that has its points, passes over vertices and lines, and refuses other
-// cells. VTK knows no boundaries: each loop of boundary edges is a marker, boundary1, boundary2, ... by the least point
-// in it.
+// Adds triangles, quadrilaterals and polygons to a mesh that has its points, passes over vertices and lines, and
+// refuses other cells. VTK knows no boundaries: each loop of boundary edges is a marker, boundary1, boundary2, ... by
+// the least point in it.
 void add_vtk_cells(Mesh& mesh, const VtkCells& cells);
 
 } // namespace cli

@@ -127,7 +127,8 @@ std::int64_t VtkXmlReader::count(const XmlTag& tag, std::string_view key) const 
     std::int64_t value = 0;
     const std::string_view text = trimmed(tag.attribute(key));
     if (!parse(text, value) || value < 0 || value > INT32_MAX) {
-        mesh_.file.fail(tag.begin, "expected " + std::string(key) + " between 0 and 2147483647, found " + in_quotes(text));
+        mesh_.file.fail(tag.begin,
+                        "expected " + std::string(key) + " between 0 and 2147483647, found " + in_quotes(text));
     }
     return value;
 }

@@ -54,7 +54,8 @@ void XmlReader::read_attributes(std::size_t at) {
         at = equals + 1;
         over_blanks();
         if (at == text.size()) no_end();
-        if (text[at] != '"' && text[at] != '\'') file_.fail(at, "expected quotation marks after " + in_quotes(key) + "=");
+        if (text[at] != '"' && text[at] != '\'')
+            file_.fail(at, "expected quotation marks after " + in_quotes(key) + "=");
         const std::size_t end = text.find(text[at], at + 1);
         if (end == text.npos) file_.fail(at, "the value of " + in_quotes(key) + " has no end");
         tag_.attributes.emplace_back(key, text.substr(at + 1, end - at - 1));

@@ -13,8 +13,8 @@ namespace cli {
 
 namespace {
 
-// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a raster says the same in
-// less, and contour lines hide that colours end at pixels.
+// Triangles are shapes of their own up to so many, and as long as each has some pixels; otherwise a raster says the
+// same in less, and contour lines hide that colours end at pixels.
 constexpr double most_triangles = 60000, least_pixels = 16;
 
 // A function is linear on each triangle. The parts of all triangles between two levels are one path: small files, and

@@ -17,7 +17,8 @@ public:
 
     bool is_triangle() const { return corners_.size() == 3; }
 
-    // Takes the ear away that has the largest area; of a polygon that has none (collapsed, inverted), the largest corner.
+    // Takes the ear away that has the largest area; of a polygon that has none (collapsed, inverted),
+    // the largest corner.
     Corners cut() {
         std::size_t best = 0;
         double largest = -1;
@@ -55,8 +56,8 @@ private:
     bool is_empty(const Corners& ear) const {
         return std::none_of(corners_.begin(), corners_.end(), [&](std::int32_t corner) {
             if (std::find(ear.begin(), ear.end(), corner) != ear.end()) return false;
-            return orientation_ * turn(ear[0], ear[1], corner) >= 0 && orientation_ * turn(ear[1], ear[2], corner) >= 0 &&
-                   orientation_ * turn(ear[2], ear[0], corner) >= 0;
+            return orientation_ * turn(ear[0], ear[1], corner) >= 0 &&
+                   orientation_ * turn(ear[1], ear[2], corner) >= 0 && orientation_ * turn(ear[2], ear[0], corner) >= 0;
         });
     }
 

@@ -11,12 +11,12 @@ namespace cli {
 
 using Corners = std::array<std::int32_t, 3>; // points of the mesh
 
-// Adds the triangles of a cell that need not be convex, by cutting off its ears (G. H. Meisters, Polygons have ears, The
-// American Mathematical Monthly 82, 1975).
+// Adds the triangles of a cell that need not be convex, by cutting off its ears (G. H. Meisters, Polygons have ears,
+// The American Mathematical Monthly 82, 1975).
 void divide_polygon(const Mesh& mesh, std::size_t cell, std::vector<Corners>& triangles);
 
-// visit(corners) for each triangle that the window shows at least a part of: a triangular cell, the two of a quad, those of
-// a polygon.
+// visit(corners) for each triangle that the window shows at least a part of: a triangular cell, the two of a quad,
+// those of a polygon.
 template <class Visit> void for_each_triangle(const Mesh& mesh, const Box& window, Visit visit) {
     std::vector<Corners> triangles;
     for (std::size_t cell = 0; cell + 1 < mesh.cell_start.size(); ++cell) {

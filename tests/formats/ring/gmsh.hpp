@@ -1,4 +1,5 @@
-// The ring in Gmsh files of versions 2.2 and 4.1. Nodes are numbered 10, 12, 14, ... to show that numbers may have gaps.
+// The ring in Gmsh files of versions 2.2 and 4.1. Nodes are numbered 10, 12, 14, ...
+// to show that numbers may have gaps.
 #pragma once
 
 #include "ring.hpp"
