@@ -535,8 +535,8 @@ typedef struct hm_condition {
                                       the polyline of the marker, made smooth: straight lines, or the smooth curves
                                       through its points (see hm_slide). The control points of the curves do not move
                                       and have no functions. Each piece of the boundary between two corners slides along
-                                      the curve that is nearest to all of its points; a point that is not on the curve keeps
-                                      its offset. Corners, where a point is fixed, are the points nearest to the ends of
+                                      the curve that is nearest to all of its points; a point that is not on the curve
+                                      keeps its offset. Corners, where a point is fixed, are the points nearest to the ends of
                                       open curves and to the corner of closed ones, and where another marker begins that
                                       slides, unless that marker has the same `along`. Refused (HM_BAD_CONDITION): a
                                       point farther from the curve than 5 % of the length of its piece of the boundary,

@@ -235,8 +235,11 @@ void bench_morph(Settings const& settings, Limits const& limits, Report& report)
                    {}, {}};
     Table steps{"Admissible step and quality against a morph of 20 functions [ms]",
                 {"mesh", "cells", "morph", "step", "quality", "both at once", "ns/cell", "both / morph"}, {}, {}};
-    Table storage{"Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
-                  {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "reading", "% of reading"}, {}, {}};
+    Table storage{
+        "Functions in single precision against double [ms] (threads: " + std::to_string(settings.threads) + ")",
+        {"what", "mesh", "functions", "double", "single", "ratio", "GB/s", "reading", "% of reading"},
+        {},
+        {}};
     Others others;
     for (std::string const& kind : settings.kinds) {
         say(kind + " " + std::to_string(largest) + ": morph");
