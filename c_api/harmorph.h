@@ -683,7 +683,7 @@ typedef struct hm_options {
     hm_progress progress;          /* NULL: none; always called on the thread that made the call */
     void    *progress_user;
     const hm_executor *executor;   /* NULL: one thread. The struct is copied, but the object that executor.user points
-                                      to must exist as long as the plan */
+                                      to must exist as long as analysis and plan */
     int32_t  exponent_quarters;    /* 4 q of the weight, 1 .. 16, or HM_NO_WEIGHT; 0 means 6 (conformal), 4
                                       (weighted) */
     int32_t  offset_correction;    /* 0 or 1; conformal only. 1: boundary functions N_i + e N_i' / C', e the offset of

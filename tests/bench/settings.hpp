@@ -39,6 +39,7 @@ struct Limits {
 Limits measure_machine(Settings const& settings, Report& report);
 void bench_dense(Settings const& settings, Limits const& limits, Report& report);
 void bench_solve(Settings const& settings, Report& report);
+void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);
 void bench_displace(Settings const& settings, Report& report);
 void bench_morph(Settings const& settings, Limits const& limits, Report& report);
