@@ -47,7 +47,7 @@ void CarriedOffsets::find(Basis const& by, MovementPath const& path, Span<const 
         Index nearest = 0;
         for (Index k = begin; k < end; ++k) {
             group[k] = none;
-            if (held[k] != 0 || representative[k] != k) continue;
+            if (held[k] != 0 || representative[k] != k || !walls.may_reach(now[k], reach)) continue;
             FaceDistance::Foot const foot = walls.foot(now[k], nearest);
             if (foot.face == none) continue;
             Real const weight = fade_of_offset(length(now[k] - walls.at(foot, now)) / reach);

@@ -21,7 +21,7 @@ namespace bench {
 namespace {
 
 char const* const usage =
-    "usage: bench [--parts \"dense solve threads iterative displace morph\"] [--sizes \"10000 100000 1000000\"]\n"
+    "usage: bench [--parts \"dense solve threads iterative displace safe morph\"] [--sizes \"10000 100000 1000000\"]\n"
     "             [--kinds \"iso viscous thin unstructured shuffled\"] [--functions \"20 60\"] [--threads N] "
     "[--repeats N]\n"
     "             [--kernel 0..4] [--precision double|single] [--elasticity POINTS] [--json FILE]\n";
@@ -141,6 +141,7 @@ void run(Settings settings) {
     part("threads", [&] { bench_threads(settings, report); });
     part("iterative", [&] { bench_iterative(settings, report); });
     part("displace", [&] { bench_displace(settings, report); });
+    part("safe", [&] { bench_safe(settings, report); });
     part("morph", [&] { bench_morph(settings, limits, report); });
     if (!settings.json.empty() && !report.write_json(settings.json))
         throw std::runtime_error(settings.json + ": cannot be written");

@@ -1,6 +1,6 @@
 #!/bin/sh
 # `make bench`: finds out which peers this machine has, builds what changed, runs. Everything may be set from outside:
-#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative displace morph files" \
+#   make bench SIZES="10000 100000" KINDS=iso PARTS="dense solve threads iterative displace safe morph files" \
 #       FUNCTIONS="20 60" THREADS="1 2" REPEATS=5 PRECISION=single ELASTICITY=1000000 JSON=bench.json
 # BUILD_ONLY=1 only builds $BUILD/bench/bench.
 : "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS:=-O3}"

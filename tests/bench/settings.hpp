@@ -42,6 +42,7 @@ void bench_solve(Settings const& settings, Report& report);
 void bench_threads(Settings const& settings, Report& report);
 void bench_iterative(Settings const& settings, Report& report);
 void bench_displace(Settings const& settings, Report& report);
+void bench_safe(Settings const& settings, Report& report);
 void bench_morph(Settings const& settings, Limits const& limits, Report& report);
 
 }  // namespace bench

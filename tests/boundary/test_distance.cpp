@@ -131,6 +131,27 @@ TEST_CASE("feet: the nearest place, whichever group is tried first, also where t
     CHECK(FaceTree(std::size_t{0}).foot({0, 0}, group).face == harmorph::none);
 }
 
+TEST_CASE("the box round all faces: no point nearer than the reach is left out, points twice as far off are") {
+    std::mt19937 random(23);
+    for (double const unit : {1e-9, 1.0, 3e7}) {
+        CAPTURE(unit);
+        FaceLoops loops;
+        loops.add(ellipse_points(40, 1.3 * unit, 0.2 * unit, {5 * unit, -3 * unit}));
+        loops.add(ellipse_points(9, 0.1 * unit, 0.1 * unit, {7 * unit, -3 * unit}));
+        FaceTree const tree(loops);
+        int left_out = 0;
+        for (int trial = 0; trial < 1000; ++trial) {
+            Point const p{unit * (12 * uniform(random) - 1), unit * (8 * uniform(random) - 7)};
+            double const distance = by_trying_all(loops, p);
+            CHECK(tree.may_reach(vec(p), distance));
+            if (!tree.may_reach(vec(p), 0.5 * distance)) ++left_out;
+        }
+        CHECK(left_out > 300);
+        CHECK(tree.may_reach({5 * unit, -3 * unit}, 0));
+        CHECK_FALSE(tree.may_reach({9 * unit, -3 * unit}, unit));
+    }
+}
+
 TEST_CASE("loops that are moved and turned have the same distances to rounding") {
     std::mt19937 random(8);
     FaceLoops loops;

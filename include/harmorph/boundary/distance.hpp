@@ -84,6 +84,12 @@ struct FaceDistance {
         Real t = 0;  // (1 - t) point[0] + t point[1]
     };
     Foot foot(Vec2 from, Index& group) const noexcept;
+    // May a face be nearer than `reach`? Cheap: asks the box round all faces, as they were built.
+    bool may_reach(Vec2 from, Real reach) const noexcept {
+        Vec2 const off = inverse_unit * from - middle;
+        Real const most = (1 + slack) * (inverse_unit * reach);
+        return !(absolute(off.x) > half_size.x + most || absolute(off.y) > half_size.y + most);
+    }
     Vec2 at(Foot const& foot, Points points) const noexcept;
 
 private:
