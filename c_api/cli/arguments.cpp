@@ -63,7 +63,11 @@ std::size_t Arguments::take_option(const std::vector<std::string>& words, std::s
     return at;
 }
 
-std::vector<std::string> Arguments::all(const std::string& option) const {
+bool Arguments::has(std::string_view option) const {
+    return std::any_of(given_.begin(), given_.end(), [option](const Given& given) { return given.option == option; });
+}
+
+std::vector<std::string> Arguments::all(std::string_view option) const {
     std::vector<std::string> values;
     for (const Given& given : given_) {
         if (given.option == option) values.push_back(given.value);
@@ -71,32 +75,32 @@ std::vector<std::string> Arguments::all(const std::string& option) const {
     return values;
 }
 
-std::string Arguments::text(const std::string& option) const {
+std::string Arguments::text(std::string_view option) const {
     const std::vector<std::string> values = all(option);
-    if (values.empty()) refuse(option + " is missing");
-    if (values.size() > 1) refuse(option + " is given twice");
+    if (values.empty()) refuse(std::string(option) + " is missing");
+    if (values.size() > 1) refuse(std::string(option) + " is given twice");
     return values[0];
 }
 
-std::int32_t Arguments::whole(const std::string& option, std::int32_t fallback, std::int32_t low,
+std::int32_t Arguments::whole(std::string_view option, std::int32_t fallback, std::int32_t low,
                               std::int32_t high) const {
     if (!has(option)) return fallback;
     std::int32_t value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(option + " expects a whole number between " + std::to_string(low) + " and " + std::to_string(high) +
+        refuse(std::string(option) + " expects a whole number between " + std::to_string(low) + " and " + std::to_string(high) +
                ", found " + in_quotes(text(option)));
     }
     return value;
 }
 
-std::vector<std::int32_t> Arguments::whole_list(const std::string& option, std::int32_t low, std::int32_t high) const {
+std::vector<std::int32_t> Arguments::whole_list(std::string_view option, std::int32_t low, std::int32_t high) const {
     const std::string list = text(option);
     std::vector<std::int32_t> values;
     for (std::size_t begin = 0; begin <= list.size();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
         std::int32_t value = 0;
         if (!parse(std::string_view(list).substr(begin, end - begin), value) || value < low || value > high) {
-            refuse(option + " expects whole numbers between " + std::to_string(low) + " and " + std::to_string(high) +
+            refuse(std::string(option) + " expects whole numbers between " + std::to_string(low) + " and " + std::to_string(high) +
                    " with commas between, found " + in_quotes(list));
         }
         values.push_back(value);
@@ -105,26 +109,26 @@ std::vector<std::int32_t> Arguments::whole_list(const std::string& option, std::
     return values;
 }
 
-double Arguments::positive(const std::string& option, double fallback) const {
+double Arguments::positive(std::string_view option, double fallback) const {
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value <= 0) {
-        refuse(option + " expects a number above 0, found " + in_quotes(text(option)));
+        refuse(std::string(option) + " expects a number above 0, found " + in_quotes(text(option)));
     }
     return value;
 }
 
-double Arguments::real(const std::string& option, double fallback, double low, double high) const {
+double Arguments::real(std::string_view option, double fallback, double low, double high) const {
     if (!has(option)) return fallback;
     double value = 0;
     if (!parse(text(option), value) || value < low || value > high) {
-        refuse(option + " expects a number between " + brief(low) + " and " + brief(high) + ", found " +
+        refuse(std::string(option) + " expects a number between " + brief(low) + " and " + brief(high) + ", found " +
                in_quotes(text(option)));
     }
     return value;
 }
 
-std::int32_t Arguments::choice(const std::string& option, const std::vector<Choice>& choices) const {
+std::int32_t Arguments::choice(std::string_view option, const std::vector<Choice>& choices) const {
     if (!has(option)) return choices[0].number;
     const std::string given = text(option);
     std::string names;
@@ -133,12 +137,12 @@ std::int32_t Arguments::choice(const std::string& option, const std::vector<Choi
         names += names.empty() ? "" : ", ";
         names += choice.name;
     }
-    refuse(option + " is one of " + names + ", found " + in_quotes(given));
+    refuse(std::string(option) + " is one of " + names + ", found " + in_quotes(given));
 }
 
-void Arguments::refuse(const std::string& message) const {
+void Arguments::refuse(std::string_view message) const {
     const std::string name = command_.name;
-    throw Failure(exit_usage, name + ": " + message + "\nTry: harmorph " + name + " --help");
+    throw Failure(exit_usage, (name + ": ").append(message) + "\nTry: harmorph " + name + " --help");
 }
 
 const Option threads_option = {"--threads", "N",

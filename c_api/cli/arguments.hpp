@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cli {
@@ -40,17 +41,17 @@ public:
     Arguments(const Command& command, const std::vector<std::string>& words); // refuses what the command does not know
 
     const std::string& operand(std::size_t index) const { return operands_[index]; }
-    bool has(const std::string& option) const { return !all(option).empty(); }
-    std::vector<std::string> all(const std::string& option) const; // of an option that may be repeated
-    std::string text(const std::string& option) const;             // must be given
-    std::int32_t whole(const std::string& option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
+    bool has(std::string_view option) const;
+    std::vector<std::string> all(std::string_view option) const; // of an option that may be repeated
+    std::string text(std::string_view option) const;             // must be given
+    std::int32_t whole(std::string_view option, std::int32_t fallback, std::int32_t low, std::int32_t high) const;
     // "3,5": must be given.
-    std::vector<std::int32_t> whole_list(const std::string& option, std::int32_t low, std::int32_t high) const;
-    std::int32_t choice(const std::string& option, const std::vector<Choice>& choices) const; // the first: if not given
-    double positive(const std::string& option, double fallback) const;
-    double real(const std::string& option, double fallback, double low, double high) const; // low and high are allowed
+    std::vector<std::int32_t> whole_list(std::string_view option, std::int32_t low, std::int32_t high) const;
+    std::int32_t choice(std::string_view option, const std::vector<Choice>& choices) const; // the first: if not given
+    double positive(std::string_view option, double fallback) const;
+    double real(std::string_view option, double fallback, double low, double high) const; // low and high are allowed
 
-    [[noreturn]] void refuse(const std::string& message) const; // wrong usage of this command
+    [[noreturn]] void refuse(std::string_view message) const; // wrong usage of this command
 
 private:
     struct Given {

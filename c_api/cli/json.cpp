@@ -9,7 +9,7 @@ namespace cli {
 
 namespace {
 
-std::string json_string(const std::string& text) {
+std::string json_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
@@ -26,27 +26,27 @@ std::string json_string(const std::string& text) {
 
 } // namespace
 
-JsonObject& JsonObject::add(const std::string& key, double value) {
+JsonObject& JsonObject::add(std::string_view key, double value) {
     return add_member(key, std::isfinite(value) ? exact(value) : "null");
 }
 
-JsonObject& JsonObject::add(const std::string& key, bool value) { return add_member(key, value ? "true" : "false"); }
+JsonObject& JsonObject::add(std::string_view key, bool value) { return add_member(key, value ? "true" : "false"); }
 
-JsonObject& JsonObject::add(const std::string& key, std::int64_t value) {
+JsonObject& JsonObject::add(std::string_view key, std::int64_t value) {
     return add_member(key, std::to_string(value));
 }
 
-JsonObject& JsonObject::add(const std::string& key, const std::string& value) {
+JsonObject& JsonObject::add(std::string_view key, const std::string& value) {
     return add_member(key, json_string(value));
 }
 
-JsonObject& JsonObject::add(const std::string& key, const std::vector<JsonObject>& values) {
+JsonObject& JsonObject::add(std::string_view key, const std::vector<JsonObject>& values) {
     std::string list;
     for (const JsonObject& value : values) list += (list.empty() ? "" : ", ") + value.text();
     return add_member(key, "[" + list + "]");
 }
 
-JsonObject& JsonObject::add_member(const std::string& key, const std::string& value) {
+JsonObject& JsonObject::add_member(std::string_view key, const std::string& value) {
     members_ += (members_.empty() ? "" : ", ") + json_string(key) + ": " + value;
     return *this;
 }

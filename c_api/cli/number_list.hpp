@@ -9,7 +9,7 @@
 
 namespace cli {
 
-inline std::vector<double> number_list(const Arguments& arguments, const std::string& option) {
+inline std::vector<double> number_list(const Arguments& arguments, std::string_view option) {
     const std::string text = arguments.text(option);
     std::vector<double> numbers;
     for (std::size_t from = 0; from <= text.size();) {
@@ -17,7 +17,7 @@ inline std::vector<double> number_list(const Arguments& arguments, const std::st
         if (to == std::string::npos) to = text.size();
         double number = 0;
         if (!parse(std::string_view(text).substr(from, to - from), number)) {
-            arguments.refuse(option + " expects numbers with commas between them, found '" + text + "'");
+            arguments.refuse(std::string(option) + " expects numbers with commas between them, found '" + text + "'");
         }
         numbers.push_back(number);
         from = to + 1;

@@ -59,8 +59,8 @@ std::string scientific(double value) { return print("%.16E", value); }
 
 std::string brief(double value) { return print("%.4g", value); }
 
-std::string plural(std::int64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+std::string plural(std::int64_t count, std::string_view noun) {
+    return (std::to_string(count) + " ").append(noun) + (count == 1 ? "" : "s");
 }
 
 } // namespace cli

@@ -15,6 +15,6 @@ bool parse(std::string_view word, double& value);
 std::string exact(double value);              // 17 significant digits: reads back as the same bits
 std::string scientific(double value);         // as many, always with a decimal point and an exponent: 1.5E+00
 std::string brief(double value);              // 4 significant digits, for people
-std::string plural(std::int64_t count, const std::string& noun); // "1 point", "2 points"
+std::string plural(std::int64_t count, std::string_view noun); // "1 point", "2 points"
 
 } // namespace cli

@@ -61,8 +61,8 @@ std::string TextFile::place(std::size_t offset) const {
     return path_ + ":" + std::to_string(line);
 }
 
-void TextFile::fail(std::size_t offset, const std::string& message) const {
-    throw Failure(exit_file, place(offset) + ": " + message);
+void TextFile::fail(std::size_t offset, std::string_view message) const {
+    throw Failure(exit_file, (place(offset) + ": ").append(message));
 }
 
 void TextFile::listen(std::function<void(double)> listener) {
@@ -117,12 +117,12 @@ std::size_t LineReader::offset(std::string_view part) const {
     return static_cast<std::size_t>(part.data() - file_.text().data());
 }
 
-void LineReader::fail(const std::string& message) const { file_.fail(offset(), message); }
+void LineReader::fail(std::string_view message) const { file_.fail(offset(), message); }
 
-void LineReader::expected(const std::string& what) const { expected(what, line_); }
+void LineReader::expected(std::string_view what) const { expected(what, line_); }
 
-void LineReader::expected(const std::string& what, std::string_view found) const {
-    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
+void LineReader::expected(std::string_view what, std::string_view found) const {
+    fail("expected " + std::string(what) + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::string_view trimmed(std::string_view text) {

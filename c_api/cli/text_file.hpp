@@ -22,7 +22,7 @@ public:
     std::string place(std::size_t offset) const; // "FILE:LINE"; behind binary parts "FILE: byte N"
     // Where the text is not what people see of the file: other words for an offset.
     void name_places(std::function<std::string(std::size_t)> name) { name_of_place_ = std::move(name); }
-    [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
+    [[noreturn]] void fail(std::size_t offset, std::string_view message) const;
 
     // Readers say how far they have come; hundredth by hundredth the listener hears which part that is, 0 .. 1.
     void listen(std::function<void(double)> listener);
@@ -51,9 +51,9 @@ public:
     std::size_t offset(std::string_view part) const;                         // of a part of it
     std::size_t next_offset() const { return next_; }                        // of the line after it
     void jump(std::size_t offset) { next_ = offset; }                        // next() goes on there
-    [[noreturn]] void fail(const std::string& message) const;                // about this line
-    [[noreturn]] void expected(const std::string& what) const;               // "expected WHAT, found LINE"
-    [[noreturn]] void expected(const std::string& what, std::string_view found) const;
+    [[noreturn]] void fail(std::string_view message) const;                // about this line
+    [[noreturn]] void expected(std::string_view what) const;               // "expected WHAT, found LINE"
+    [[noreturn]] void expected(std::string_view what, std::string_view found) const;
 
 private:
     const TextFile& file_;

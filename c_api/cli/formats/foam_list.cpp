@@ -80,9 +80,9 @@ std::string_view FoamReader::word() {
     return std::string_view(text).substr(word_, at_ - word_);
 }
 
-void FoamReader::expected(const std::string& what) const {
+void FoamReader::expected(std::string_view what) const {
     const std::string_view found = std::string_view(file_.text()).substr(word_, at_ - word_);
-    fail("expected " + what + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
+    fail("expected " + std::string(what) + ", found " + (found.empty() ? "the end of the file" : in_quotes(found)));
 }
 
 std::int64_t FoamReader::count(const char* what) {

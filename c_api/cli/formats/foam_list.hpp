@@ -29,7 +29,7 @@ public:
     bool is_next(std::string_view wanted); // does this word follow? It is not taken
     std::size_t offset() const { return word_; }
     [[noreturn]] void fail(const std::string& message) const { file_.fail(word_, message); }
-    [[noreturn]] void expected(const std::string& what) const;
+    [[noreturn]] void expected(std::string_view what) const;
 
     std::vector<std::int64_t> labels();    // a list of whole numbers: N (...), N {value} or binary
     // The faces of a faceList or faceCompactList: where the points of each begin, and all points.

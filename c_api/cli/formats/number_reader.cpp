@@ -92,8 +92,8 @@ double NumberReader::real(const char* what, int bytes) {
     return value;
 }
 
-void NumberReader::expected(const std::string& what) const {
-    file_.fail(number_, "expected " + what + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
+void NumberReader::expected(std::string_view what) const {
+    file_.fail(number_, "expected " + std::string(what) + ", found " + (word_.empty() ? found_end() : in_quotes(word_)));
 }
 
 } // namespace cli

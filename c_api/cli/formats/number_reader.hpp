@@ -29,7 +29,7 @@ public:
     void jump(std::size_t offset) { at_ = offset; }
     void stop_at(std::size_t offset) { end_ = offset; } // nothing from there on is read: as if the file ended there
     const TextFile& file() const { return file_; }
-    [[noreturn]] void expected(const std::string& what) const; // at the last number or word, or at the end
+    [[noreturn]] void expected(std::string_view what) const; // at the last number or word, or at the end
     [[noreturn]] void fail(const std::string& message) const { file_.fail(number_, message); }
 
 private:
