@@ -3,6 +3,14 @@
 #include "harmorph/base/parallel_reduce.hpp"
 
 namespace harmorph {
+namespace {
+
+struct Count {
+    Index n = 0;
+    void merge(Count const& later) noexcept { n += later.n; }
+};
+
+}  // namespace
 
 void Quality::merge(Quality const& later) noexcept {
     if (inverted == 0) first_inverted = later.first_inverted;
@@ -63,6 +71,37 @@ Quality measure_quality(OrientedMesh const& cells, Points points, Points referen
         });
         result = quality;
     });
+}
+
+// With skew quality q a corner's area is at least q / 8 of the sum of the two products that it is the difference of, and
+// their rounding is a few epsilon of this sum: so only poor cells need the exact test.
+Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept {
+    constexpr Real surely_positive = 1e-10;  // skew quality
+    auto const is_bad = [&](Index cell) {
+        CellShape const shape = shape_of(cells, cell, points);
+        return is_inverted(shape) || is_inverted_exactly(shape);
+    };
+    if (cells.mesh.is_of_pieces()) {
+        return reduce_cells<Count>(cells.mesh.n_checked(), executor, [&](Index cell, Count& count) {
+            count.n += is_bad(cell) ? 1 : 0;
+        }).n;
+    }
+    CellKernels const& kernels = cell_kernels(executor.kernel, cells.mesh.n_cells);
+    return reduce_ranges<Count>(cells.mesh.n_cells, executor, [&](Index begin, Index end, Count& result) {
+        Count count;
+        for_each_batch(cells, begin, end, [&](CellBatches const& batches) {
+            CellBounds const bounds = {infinity, 0, surely_positive};
+            ListQuality triangles, quads;
+            kernels.triangles(batches.triangles, {points, {}, {}}, bounds, &triangles);
+            kernels.quads(batches.quads, {points, {}, {}}, bounds, &quads);
+            if ((triangles.notable | quads.notable) == 0) return;
+            batches.for_each([&](Index number, bool is_triangle, Index i) {
+                bool const is_poor = ((is_triangle ? triangles : quads).notable >> i & 1) != 0;
+                count.n += is_poor && is_bad(number) ? 1 : 0;
+            });
+        });
+        result = count;
+    }).n;
 }
 
 }  // namespace harmorph

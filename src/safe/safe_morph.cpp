@@ -1,21 +1,12 @@
 #include "harmorph/safe/safe_morph.hpp"
 
 #include "basis_match.hpp"
-#include "harmorph/base/parallel_reduce.hpp"
 #include "harmorph/base/range.hpp"
 #include "harmorph/morph/weighted_sum.hpp"
 #include "harmorph/safe/target.hpp"
 #include "safe_work.hpp"
 
 namespace harmorph {
-namespace {
-
-struct Count {
-    Index n = 0;
-    void merge(Count const& later) noexcept { n += later.n; }
-};
-
-}  // namespace
 
 void SafeMorph::lay_out(Arena& arena, Plan const& plan, BasisCounts const& counts) noexcept {
     Index const n = plan.mesh.n_points, n_functions = counts.functions();
@@ -135,16 +126,8 @@ bool SafeMorph::is_valid(Work const& work, Points points) const noexcept {
     for (Index k = 0; k < best_x.count(); ++k) {
         if (!is_coordinate(points[k])) return false;
     }
-    return count_inverted(work, points) == 0 &&
+    return count_inverted(work.cells(), points, work.executor()) == 0 &&
            !find_crossing(work.basis.boundary_point, work.basis.loop_start, points).found;
-}
-
-Index SafeMorph::count_inverted(Work const& work, Points points) const noexcept {
-    OrientedMesh const cells = work.cells();
-    return reduce_cells<Count>(cells.mesh.n_checked(), work.executor(), [&](Index cell, Count& count) {
-        CellShape const shape = shape_of(cells, cell, points);
-        count.n += is_inverted(shape) || is_inverted_exactly(shape) ? 1 : 0;
-    }).n;
 }
 
 // To where it looked, which is valid.

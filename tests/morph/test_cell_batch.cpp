@@ -374,3 +374,28 @@ TEST_CASE("cells that are compared with cells without an area have their skew qu
         }
     }
 }
+
+TEST_CASE("inverted cells are counted exactly, needles and flat cells among them") {
+    for (CellLayout const layout : layouts) {
+        CAPTURE(static_cast<int>(layout));
+        for (double const height : {1.0, 1e-6, 1e-9, 1e-12, 1e-15, 1e-17, 0.0}) {  // of the cells
+            CAPTURE(height);
+            for (double const noise : {0.0, 0.3, 0.9}) {
+                Grid grid(layout, noise, 0, 29);
+                for (std::size_t i = 0; i < grid.x.size(); ++i) grid.y[i] = height * grid.y[i] + 0.1 * grid.x[i];
+                Index expected = 0;
+                for (Index i = 0; i < grid.cells.mesh.n_cells; ++i) {
+                    CellShape const shape(grid.cells.cell(i), grid.points(), false);
+                    expected += is_inverted(shape) || is_inverted_exactly(shape) ? 1 : 0;
+                }
+                if (height == 1 && noise == 0) CHECK(expected == 0);
+                if (height == 0) CHECK(expected > 0);
+                for (harmorph::Kernel const kernel : usable_kernels()) {
+                    harmorph::Executor executor;
+                    executor.kernel = kernel;
+                    CHECK(harmorph::count_inverted(grid.cells, grid.points(), executor) == expected);
+                }
+            }
+        }
+    }
+}

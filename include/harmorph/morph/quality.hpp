@@ -149,4 +149,7 @@ CellMeasure measure_cell(OrientedMesh const& cells, Index number, Points points)
 Quality measure_quality(OrientedMesh const& cells, Points points, Points reference,
                         Executor const& executor) noexcept;
 
+// Cells, and guards, of which a corner has no positive area exactly, or not as quality measures it.
+Index count_inverted(OrientedMesh const& cells, Points points, Executor const& executor) noexcept;
+
 }  // namespace harmorph

@@ -91,7 +91,6 @@ private:
     void begin(Work& work) noexcept;
     AdmissibleStep look_ahead(Work& work, Basis const& by, Real to) noexcept;
     bool is_valid(Work const& work, Points points) const noexcept;
-    Index count_inverted(Work const& work, Points points) const noexcept;
     void take_step(Work& work, Basis const& by) noexcept;
     void turn_sliding(Work const& work) const noexcept;
     void keep_if_better(Work& work) noexcept;
