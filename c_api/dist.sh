@@ -10,5 +10,5 @@ else
     find . \( -name build -o -name .git \) -prune -o -type f -print | sed 's|^\./||' >"$list"
 fi
 LC_ALL=C sort -o "$list" "$list"
-tar --create --format=ustar --no-recursion --files-from="$list" --transform="s|^|$1/|" --mtime=@946684800 --owner=0 --group=0 \
-    --numeric-owner --mode=u=rw,go=r | gzip -9 -n
+tar --create --format=ustar --no-recursion --files-from="$list" --transform="s|^|$1/|" --mtime=@946684800 --owner=0 \
+    --group=0 --numeric-owner --mode=u=rw,go=r | gzip -9 -n

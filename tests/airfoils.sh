@@ -15,7 +15,7 @@ refuses() { # refuses NAME TEXT ARGUMENTS...
 value() { sed -n "s/.*\"$1\": \([^,}]*\).*/\1/p" "$tmp/json"; }
 at_most() { awk -v a="$1" -v b="$2" 'BEGIN { print a; exit !(a != "" && a + 0 <= b + 0) }'; }
 
-# ---- To another airfoil --------------------------------------------------------------------------------------------------
+# ---- To another airfoil ---------------------------------------------------------------------------------------------
 
 naca=$meshes/naca0012.su2
 check "fit" "$harmorph" fit "$naca" --marker airfoil -o "$tmp/airfoil.curve"
@@ -35,7 +35,8 @@ naca2412() { # naca2412 ORDER (selig, backwards, open, lednicer) SCALE DEGREES D
             y = m / q ^ 2 * (front ? 2 * p * x - x ^ 2 : 1 - 2 * p + 2 * p * x - x ^ 2)
             angle = atan2(2 * m / q ^ 2 * (p - x), 1)
             px = x - side * half * sin(angle); py = y + side * half * cos(angle)
-            at[side, k] = sprintf("%.7f %.7f", scale * (px * cos(turn) - py * sin(turn)) + dx, scale * (px * sin(turn) + py * cos(turn)) + dy)
+            at[side, k] = sprintf("%.7f %.7f", scale * (px * cos(turn) - py * sin(turn)) + dx,
+            scale * (px * sin(turn) + py * cos(turn)) + dy)
         }
         print "NACA 2412"
         if (order == "lednicer") {
@@ -62,7 +63,8 @@ distance_from_2412() {
             fx = x - side * half * sin(angle); fy = yc + side * half * cos(angle)
         }
         END {
-            for (side = -1; side <= 1; side += 2) for (k = 0; k <= 4000; k++) { formula(.5 * (1 - cos(k * 3.141592653589793 / 4000)), side); sx[m] = fx; sy[m++] = fy }
+            for (side = -1; side <= 1; side += 2) for (k = 0; k <= 4000; k++) {
+            formula(.5 * (1 - cos(k * 3.141592653589793 / 4000)), side); sx[m] = fx; sy[m++] = fy }
             for (k in on) {
                 least = 9
                 for (i = 0; i < m; i++) { d = (x[k] - sx[i]) ^ 2 + (y[k] - sy[i]) ^ 2; if (d < least) least = d }
@@ -75,22 +77,24 @@ distance_from_2412() {
 }
 for order in selig backwards open lednicer; do
     naca2412 $order 1 0 0 0 >"$tmp/$order.dat"
-    check "to NACA 2412, $order" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/$order.dat" -o "$tmp/$order.su2" \
-        --moves-out "$tmp/$order.moves" --json
+    check "to NACA 2412, $order" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/$order.dat" \
+        -o "$tmp/$order.su2" --moves-out "$tmp/$order.moves" --json
     cp "$tmp/log" "$tmp/json"
     check "to NACA 2412, $order: its points are near the curve" at_most "$(value airfoil_max_error)" 5e-5
     check "to NACA 2412, $order: on average" at_most "$(value airfoil_rms_error)" 1.5e-5
     check "to NACA 2412, $order: the wall is where the formula says" distance_from_2412 "$tmp/$order.su2"
-    check "to NACA 2412, $order: the moves make the same mesh" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --move "$tmp/$order.moves" \
-        -o "$tmp/by-moves.su2"
+    check "to NACA 2412, $order: the moves make the same mesh" "$harmorph" morph "$naca" "$tmp/airfoil.basis" \
+        --move "$tmp/$order.moves" -o "$tmp/by-moves.su2"
     check "to NACA 2412, $order: bit for bit" cmp "$tmp/by-moves.su2" "$tmp/$order.su2"
 done
 # Another chord and place, with and without bringing the edges to where those of the mesh are. The point of NACA 2412
 # that is farthest from the trailing edge is not quite at the beginning of the camber line,
 # so the result is turned a little.
 naca2412 selig 2.5 20 3 -1 >"$tmp/placed.dat"
-check "another chord, turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/placed.dat" --on-chord -o "$tmp/placed.su2"
-edges_meet() { awk '/^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside && n++ < 132 { d = ($1 - 1) ^ 2 + $2 ^ 2; if (d > far) { far = d; x = $1; y = $2 } }
+check "another chord, turned and moved" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/placed.dat" \
+    --on-chord -o "$tmp/placed.su2"
+edges_meet() { awk '/^NPOIN/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside && n++ < 132 {
+    d = ($1 - 1) ^ 2 + $2 ^ 2; if (d > far) { far = d; x = $1; y = $2 } }
     END { print x, y; exit !(x ^ 2 + y ^ 2 < 1e-6) }' "$1"; }
 check "another chord, turned and moved: the edges are where they were" edges_meet "$tmp/placed.su2"
 naca2412 selig 1 5 .1 -.05 >"$tmp/turned.dat"
@@ -101,13 +105,16 @@ check "turned and moved: its points are near the curve" at_most "$(value airfoil
 # A section that is the mesh's own curve with moved control points: it is met, and the moves come back but for a slide
 # of control points along the curve that leaves its shape.
 printf '3 .01 .02\n7 0 -.01\n12 .002 .004\n16 -.01 .03\n' >"$tmp/known.moves"
-check "known moves" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --move "$tmp/known.moves" --curve-out "$tmp/known.dat"
-check "known moves: back" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/known.dat" --moves-out "$tmp/back.moves" --json
+check "known moves" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --move "$tmp/known.moves" \
+    --curve-out "$tmp/known.dat"
+check "known moves: back" "$harmorph" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/known.dat" \
+    --moves-out "$tmp/back.moves" --json
 cp "$tmp/log" "$tmp/json"
 check "known moves: the curve is met" at_most "$(value airfoil_max_error)" 4e-6
 moves_agree() {
     awk '/^#/ { next } FILENAME ~ /known/ { x[$1] = $2; y[$1] = $3; next }
-        { d = sqrt(($2 - x[$1]) ^ 2 + ($3 - y[$1]) ^ 2); if (d > worst) worst = d } END { print worst; exit !(NR > 20 && worst < 1e-2) }' "$1" "$2"
+        { d = sqrt(($2 - x[$1]) ^ 2 + ($3 - y[$1]) ^ 2); if (d > worst) worst = d }
+        END { print worst; exit !(NR > 20 && worst < 1e-2) }' "$1" "$2"
 }
 check "known moves: control points" moves_agree "$tmp/known.moves" "$tmp/back.moves"
 
@@ -125,11 +132,14 @@ check "a blunt section for a sharp edge: warns" grep 'blunt base, 0.006 wide, be
 refuses "no airfoil" "No such file" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/none.dat"
 printf 'name\n1 0\n0.5 abc\n' >"$tmp/bad.dat"
 refuses "a bad number" "bad.dat:3" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/bad.dat"
-refuses "two goals" "name one of them" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" --move "$tmp/known.moves"
-refuses "on what chord" "--on-chord goes with --to-airfoil" morph "$naca" "$tmp/airfoil.basis" --move "$tmp/known.moves" --on-chord
-refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" --airfoil-curve 2
+refuses "two goals" "name one of them" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" \
+    --move "$tmp/known.moves"
+refuses "on what chord" "--on-chord goes with --to-airfoil" morph "$naca" "$tmp/airfoil.basis" \
+    --move "$tmp/known.moves" --on-chord
+refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoil.basis" --to-airfoil "$tmp/selig.dat" \
+    --airfoil-curve 2
 
-# ---- Rational curves -----------------------------------------------------------------------------------------------------
+# ---- Rational curves ------------------------------------------------------------------------------------------------
 
 # A circle as a rational B-spline of degree 2 (The NURBS Book, example 7.2) and a mesh round it. Control points are
 # scaled to an ellipse of half axes 1.2 and .8: so is the circle,
@@ -137,27 +147,32 @@ refuses "a curve that is not there" "--airfoil-curve" morph "$naca" "$tmp/airfoi
 awk 'BEGIN {
     n = 48; m = 12; pi = atan2(0, -1)
     print "NDIME= 2\nNELEM= " n * m
-    for (j = 0; j < m; j++) for (i = 0; i < n; i++) { a = j * n + i; b = j * n + (i + 1) % n; print 9, a, a + n, b + n, b }
+    for (j = 0; j < m; j++) for (i = 0; i < n; i++) { a = j * n + i; b = j * n + (i + 1) % n;
+    print 9, a, a + n, b + n, b }
     print "NPOIN= " n * (m + 1)
-    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) printf "%.17g %.17g\n", 4 ^ (j / m) * cos(2 * pi * i / n), 4 ^ (j / m) * sin(2 * pi * i / n)
+    for (j = 0; j <= m; j++) for (i = 0; i < n; i++) printf "%.17g %.17g\n", 4 ^ (j / m) * cos(2 * pi * i / n),
+    4 ^ (j / m) * sin(2 * pi * i / n)
     print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " n; for (i = 0; i < n; i++) print 3, i, (i + 1) % n
     print "MARKER_TAG= far\nMARKER_ELEMS= " n; for (i = 0; i < n; i++) print 3, m * n + i, m * n + (i + 1) % n
 }' >"$tmp/ring.su2"
 awk 'BEGIN { print "degree 2\nclosed tied\npoints 8\n1 0\n1 1\n0 1\n-1 1\n-1 0\n-1 -1\n0 -1\n1 -1\nweights 8"
     for (i = 0; i < 8; i++) printf "%.17g\n", i % 2 ? sqrt(.5) : 1
     print "knots 12\n0 0 0 1 1 2 2 3 3 4 4 4" }' >"$tmp/circle.curve"
-awk 'BEGIN { split("1 1 0 -1 -1 -1 0 1", x); split("0 1 1 1 0 -1 -1 -1", y); for (i = 1; i <= 8; i++) print i, .2 * x[i], -.2 * y[i] }' >"$tmp/ellipse.moves"
+awk 'BEGIN { split("1 1 0 -1 -1 -1 0 1", x); split("0 1 1 1 0 -1 -1 -1", y);
+    for (i = 1; i <= 8; i++) print i, .2 * x[i], -.2 * y[i] }' >"$tmp/ellipse.moves"
 check "rational: solve" "$harmorph" solve "$tmp/ring.su2" --curve body="$tmp/circle.curve" -o "$tmp/circle.basis"
 for ending in curve igs step nml; do
-    check "rational: morph, $ending" "$harmorph" morph "$tmp/ring.su2" "$tmp/circle.basis" --move "$tmp/ellipse.moves" -o "$tmp/ellipse.su2" \
-        --curve-out "$tmp/ellipse.$ending"
+    check "rational: morph, $ending" "$harmorph" morph "$tmp/ring.su2" "$tmp/circle.basis" --move "$tmp/ellipse.moves" \
+        -o "$tmp/ellipse.su2" --curve-out "$tmp/ellipse.$ending"
 done
-on_ellipse() { awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 { d = ($1 / 1.2) ^ 2 + ($2 / .8) ^ 2 - 1; if (d < 0) d = -d
+on_ellipse() { awk '/^NPOIN/ { inside = 1; next } /^[A-Z]/ { inside = 0 } inside && n++ < 48 {
+    d = ($1 / 1.2) ^ 2 + ($2 / .8) ^ 2 - 1; if (d < 0) d = -d
     if (d > worst) worst = d } END { print n, worst; exit !(n > 48 && worst < 1e-14) }' "$1"; }
 check "rational: the wall is on the ellipse" on_ellipse "$tmp/ellipse.su2"
 # What an independent reader found, evaluated by de Boor's algorithm in homogeneous coordinates.
 curve_is_ellipse() {
-    awk 'BEGIN { n = nt = 0 } $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 } $1 == "x" { x[n] = $2 } $1 == "y" { y[n] = $2 }
+    awk 'BEGIN { n = nt = 0 } $1 == "degree" { p = $2 } $1 == "knot" { t[nt++] = $2 } $1 == "x" { x[n] = $2 }
+        $1 == "y" { y[n] = $2 }
         $1 == "weight" { w[n] = $2; ++n; rational += $2 < .9 }
         END {
             for (s = 0; s <= 200; s++) {
@@ -166,7 +181,8 @@ curve_is_ellipse() {
                 for (j = 0; j <= p; j++) { i = k - p + j; X[j] = x[i] * w[i]; Y[j] = y[i] * w[i]; W[j] = w[i] }
                 for (r = 1; r <= p; r++) for (j = p; j >= r; j--) {
                     i = k - p + j; a = (u - t[i]) / (t[i + p - r + 1] - t[i])
-                    X[j] = (1 - a) * X[j - 1] + a * X[j]; Y[j] = (1 - a) * Y[j - 1] + a * Y[j]; W[j] = (1 - a) * W[j - 1] + a * W[j]
+                    X[j] = (1 - a) * X[j - 1] + a * X[j]; Y[j] = (1 - a) * Y[j - 1] + a * Y[j];
+                    W[j] = (1 - a) * W[j - 1] + a * W[j]
                 }
                 d = (X[p] / W[p] / 1.2) ^ 2 + (Y[p] / W[p] / .8) ^ 2 - 1; if (d < 0) d = -d
                 if (d > worst) worst = d
@@ -185,13 +201,20 @@ if $FC --version >/dev/null 2>&1; then
     check "namelist: a Fortran program reads it" sh -c "'$tmp/read_namelist' <'$tmp/ellipse.nml' >'$tmp/nml.numbers'"
     check "namelist: it is the ellipse" curve_is_ellipse "$tmp/nml.numbers"
     # Two curves, one of them a base, of many control points.
-    check "namelist: two bodies" sh -c "'$harmorph' solve '$meshes/two_bodies.su2' --curve left='$meshes/two_bodies_left.curve' \
-        --curve right='$meshes/two_bodies_right.curve' -o '$tmp/two.basis' && printf '1 .1 0\n15 0 .1\n' >'$tmp/two.moves' &&
-        for ending in nml curve; do '$harmorph' morph '$meshes/two_bodies.su2' '$tmp/two.basis' --move '$tmp/two.moves' --curve-out '$tmp/two'.\$ending || exit 1; done"
+    check "namelist: two bodies" sh -c \
+        "'$harmorph' solve '$meshes/two_bodies.su2' --curve left='$meshes/two_bodies_left.curve' \
+        --curve right='$meshes/two_bodies_right.curve' -o '$tmp/two.basis' &&
+        printf '1 .1 0\n15 0 .1\n' >'$tmp/two.moves' &&
+        for ending in nml curve; do
+            '$harmorph' morph '$meshes/two_bodies.su2' '$tmp/two.basis' --move '$tmp/two.moves' \
+                --curve-out '$tmp/two'.\$ending || exit 1
+        done"
     "$tmp/read_namelist" <"$tmp/two.nml" >"$tmp/two.numbers" 2>"$tmp/log"
     awk -f "$here/read_curves.awk" "$tmp/two.curve" >"$tmp/two.wanted"
-    check "namelist: two bodies: the same numbers" awk 'FILENAME ~ /wanted/ { name[FNR] = $1; value[FNR] = $2; n = FNR; next }
-        { d = $2 - value[FNR]; bad += $1 != name[FNR] || d > 1e-15 || d < -1e-15; ++m } END { print n, m, bad; exit !(n == m && n > 60 && !bad) }' \
+    check "namelist: two bodies: the same numbers" awk 'FILENAME ~ /wanted/ { name[FNR] = $1; value[FNR] = $2;
+        n = FNR; next }
+        { d = $2 - value[FNR]; bad += $1 != name[FNR] || d > 1e-15 || d < -1e-15; ++m }
+        END { print n, m, bad; exit !(n == m && n > 60 && !bad) }' \
         "$tmp/two.wanted" "$tmp/two.numbers"
 else
     skip namelists "there is no Fortran compiler"

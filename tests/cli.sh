@@ -126,24 +126,29 @@ for engine in multigrid fas; do
         --agglomeration directional --history "$tmp/$engine.csv" -o "$tmp/$engine.basis" --json
     check "solve: $engine: its levels" says '"levels": 3'
     check "solve: $engine: history from 1 to the tolerance" awk -F, 'NR == 1 { ok = $0 == "cycle,residual" }
-        NR > 1 { ok = ok && $1 == NR - 2 && (NR > 2 || ($2 > .999 && $2 < 1.001)); last = $2 } END { exit !(ok && last <= 1e-10) }' \
+        NR > 1 { ok = ok && $1 == NR - 2 && (NR > 2 || ($2 > .999 && $2 < 1.001)); last = $2 }
+        END { exit !(ok && last <= 1e-10) }' \
         "$tmp/$engine.csv"
 done
 runs "export: a level" 0 export "$ring" "$tmp/fas.basis" --level 1 --svg "$tmp/level.svg"
 check "export: a level: SVG is whole" grep -c '</svg>' "$tmp/level.svg"
-refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 --svg "$tmp/none.svg"
-refuses "an engine that does not go with the operator" 2 'goes with the direct engine only' solve "$ring" --curve body="$curve" \
-    --engine multigrid -o "$tmp/none.basis"
-refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast -o "$tmp/none.basis"
+refuses "export: a level that does not exist" 2 'no level' export "$ring" "$tmp/fas.basis" --level 19 \
+    --svg "$tmp/none.svg"
+refuses "an engine that does not go with the operator" 2 'goes with the direct engine only' solve "$ring" \
+    --curve body="$curve" --engine multigrid -o "$tmp/none.basis"
+refuses "unknown engine" 2 'direct, multigrid, fas' solve "$ring" --curve body="$curve" --engine fast \
+    -o "$tmp/none.basis"
 runs "solve: fas from zero" 0 solve "$ring" --curve body="$curve" --operator laplace --engine fas --start zero \
     -o "$tmp/fas.basis"
 refuses "a start of an engine that has none" 2 '--start' solve "$ring" --curve body="$curve" --operator laplace \
     --engine multigrid --start zero -o "$tmp/none.basis"
-refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --curve body="$curve" --levels 3 -o "$tmp/none.basis"
+refuses "levels without an engine that has them" 2 '--levels' solve "$ring" --curve body="$curve" --levels 3 \
+    -o "$tmp/none.basis"
 leaves_nothing "refused engines leave no file" "$tmp/none.basis"
 runs "morph" 0 morph "$ring" "$basis" --move "$tmp/small.txt" -o "$tmp/small.su2" --vtu "$tmp/small.vtu" \
     --svg "$tmp/small.svg" --repeat 3 --json
-has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
+has_keys "morph: keys" inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds \
+    moved_curve
 check "morph: the mesh is valid" says '"inverted": 0'
 check "morph: the mesh moved" sh -c "! cmp -s '$ring' '$tmp/small.su2'"
 check "morph: VTU is whole" grep -c '</VTKFile>' "$tmp/small.vtu"
@@ -157,33 +162,38 @@ runs "a moved mesh only warns" 0 morph "$tmp/small.su2" "$basis" --move "$no_mov
 check "a moved mesh only warns: says so" says 'warning'
 for kept in 5 100 4000; do
     head -c $kept "$basis" >"$tmp/short.basis"
-    refuses "a basis file cut off after $kept bytes" 3 "short.basis: the file is cut off: it has $kept bytes, at least" \
+    refuses "a basis file cut off after $kept bytes" \
+        3 "short.basis: the file is cut off: it has $kept bytes, at least" \
         morph "$ring" "$tmp/short.basis" --move "$no_moves"
 done
 : >"$tmp/short.basis"
-refuses "an empty basis file" 3 'short.basis: this is not a harmorph basis' morph "$ring" "$tmp/short.basis" --move "$no_moves"
+refuses "an empty basis file" 3 'short.basis: this is not a harmorph basis' morph "$ring" "$tmp/short.basis" \
+    --move "$no_moves"
 refuses "a mesh for a basis" 3 'this is not a harmorph basis' morph "$ring" "$ring" --move "$no_moves"
 runs "export" 0 export "$ring" "$basis" --function 12 --csv "$tmp/f.csv" --vtu "$tmp/f.vtu" --svg "$tmp/f.svg"
 check "export: CSV columns" sh -c "head -1 '$tmp/f.csv' | grep -Eqx 'point,x,y,(value,imaginary|xx,xy,yx,yy)'"
 check "export: CSV lines" test "$(wc -l <"$tmp/f.csv")" -eq 625
 refuses "export: function out of range" 2 '--function' export "$ring" "$basis" --function 13 --csv "$tmp/f.csv"
 refuses "export: nothing to write" 2 'nothing to write' export "$ring" "$basis" --function 1
-runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far --operator laplace -o "$tmp/free.basis"
-runs "solve, bounded" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme bounded -o "$tmp/bounded.basis" --json
+runs "solve with a free boundary" 0 solve "$ring" --curve body="$curve" --free far --operator laplace \
+    -o "$tmp/free.basis"
+runs "solve, bounded" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme bounded \
+    -o "$tmp/bounded.basis" --json
 check "solve, bounded: no value below 0" says '"min_value": 0,'
 runs "solve, nodal gradients" 0 solve "$ring" --curve body="$curve" --operator laplace --scheme nodal-gradient \
     -o "$tmp/nodal.basis"
 runs "solve, nodal gradients by the paper's iteration" 0 solve "$ring" --curve body="$curve" --operator laplace \
     --scheme nodal-gradient --engine fas -o "$tmp/nodal.basis"
-refuses "nodal gradients without correction go with fas" 2 'go with the engine fas only' solve "$ring" --curve body="$curve" \
-    --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
-refuses "the bounded scheme has no conformal operator" 2 'goes with the compact scheme only' solve "$ring" --curve body="$curve" \
-    --scheme bounded -o "$tmp/x"
+refuses "nodal gradients without correction go with fas" 2 'go with the engine fas only' solve "$ring" \
+    --curve body="$curve" --operator laplace --scheme nodal-gradient-plain -o "$tmp/x"
+refuses "the bounded scheme has no conformal operator" 2 'goes with the compact scheme only' solve "$ring" \
+    --curve body="$curve" --scheme bounded -o "$tmp/x"
 runs "solve twice" 0 solve "$ring" --curve body="$curve" -o "$tmp/again.basis"
 check "solve twice: equal files" cmp "$basis" "$tmp/again.basis"
 refuses "a marker with two conditions" 2 'two conditions' solve "$ring" --curve body="$curve" --free body -o "$tmp/x"
 runs "solve: two curve files" 0 fit "$ring" --marker far --points 8 -o "$tmp/far.curve"
-runs "solve: two curve files" 0 solve "$ring" --curve body="$curve" --curve far="$tmp/far.curve" -o "$tmp/two.basis" --json
+runs "solve: two curve files" 0 solve "$ring" --curve body="$curve" --curve far="$tmp/far.curve" -o "$tmp/two.basis" \
+    --json
 check "solve: numbers go on" says '"functions": 20'
 runs "--storage single" 0 solve "$ring" --curve body="$curve" -o "$tmp/single.basis" --storage single --json
 check "--storage single: says so" says '"storage": "single"'
@@ -193,12 +203,14 @@ check "--storage single: the wall moves as the B-spline" grep -E '"boundary_erro
 runs "--storage single: zero move" 0 morph "$ring" "$tmp/single.basis" --move "$no_moves" -o "$tmp/same.su2"
 check "--storage single: zero move: the same file" cmp "$ring" "$tmp/same.su2"
 runs "--storage single: export" 0 export "$ring" "$tmp/single.basis" --function 2 --csv "$tmp/single.csv"
-refuses "--storage single: not with --safe" 2 'single precision' morph "$ring" "$tmp/single.basis" --move "$tmp/small.txt" --safe
+refuses "--storage single: not with --safe" 2 'single precision' morph "$ring" "$tmp/single.basis" \
+    --move "$tmp/small.txt" --safe
 refuses "--storage: what there is" 2 'double, single' solve "$ring" --curve body="$curve" -o "$tmp/x" --storage half
 
 # ---- Not usable: exit code 1 -------------------------------------------------------------------------------------
 
-refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" --json
+refuses "morph that inverts cells" 1 'admissible' morph "$ring" "$basis" --move "$tmp/large.txt" -o "$tmp/large.su2" \
+    --json
 leaves_nothing "morph that inverts cells: nothing written" "$tmp/large.su2"
 has_keys "morph that inverts cells: JSON all the same" \
     inverted admissible_step self_crossing boundary_error min_quality mean_quality morph_seconds moved_curve
@@ -259,7 +271,8 @@ refuses "a program for a mesh" 3 "$tmp/bad.su2:1: " check "$tmp/bad.su2"
 runs "morph: pictures" 0 morph "$ring" "$basis" --move "$tmp/small.txt" --svg "$tmp/whole.svg" --window -4,-4,4,4 \
     --boundary-svg "$tmp/boundary.svg"
 check "morph: the window shows the far field" test "$(wc -c <"$tmp/whole.svg")" -gt "$(wc -c <"$tmp/small.svg")"
-check "morph: the boundary picture has a circle for each point" test "$(grep -c '<circle.*r="3.2"' "$tmp/boundary.svg")" -gt 47
+check "morph: the boundary picture has a circle for each point" test "$(grep -c '<circle.*r="3.2"' \
+    "$tmp/boundary.svg")" -gt 47
 for window in 1,2,3 1,2,3,4,5 1,1,1,2 2,0,1,1 a,b,c,d ,,,; do
     refuses "a window $window" 2 '--window expects' export "$ring" "$basis" --function 1 --svg "$tmp/x" --window $window
 done
@@ -278,8 +291,8 @@ for operator in conformal laplace weighted; do
     wall_field "$ring" "$tmp/by_curve.su2" >"$tmp/wall.txt"
     runs "displace: $operator" 0 displace "$ring" --given body --wall "$tmp/wall.txt" --operator $operator \
         -o "$tmp/displaced.su2" --json
-    has_keys "displace: $operator: keys" inverted admissible_step self_crossing min_quality mean_quality factor_seconds \
-        displace_seconds
+    has_keys "displace: $operator: keys" inverted admissible_step self_crossing min_quality mean_quality \
+        factor_seconds displace_seconds
     check "displace: $operator: the mesh of the morph" awk 'NF == 3 && index($0, ".") { getline other <FILE2
         split(other, b); d = $1 - b[1]; e = $2 - b[2]; if (d * d + e * e > 1e-18) wrong++; n++; next }
         { getline other <FILE2 } END { exit wrong > 0 || n < 600 }' FILE2="$tmp/by_curve.su2" "$tmp/displaced.su2"
@@ -304,7 +317,8 @@ refuses "displace: no such point" 3 'between 0 and 623' displace "$ring" --given
 refuses "displace: no marker" 2 '--given is missing' displace "$ring" --wall "$tmp/wall.txt"
 refuses "displace: a marker both given and slipping" 2 'two conditions' \
     displace "$ring" --given body --slip body --wall "$tmp/wall.txt"
-awk '{ t = 2 * atan2(0, -1) * $1 / 48; print $1, cos(t + 2) - cos(t), sin(t + 2) - sin(t) }' "$tmp/wall.txt" >"$tmp/turn.txt"
+awk '{ t = 2 * atan2(0, -1) * $1 / 48; print $1, cos(t + 2) - cos(t), sin(t + 2) - sin(t) }' "$tmp/wall.txt" \
+    >"$tmp/turn.txt"
 refuses "displace: inverted cells" 1 'of this displacement is admissible' \
     displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace -o "$tmp/x"
 leaves_nothing "displace: inverted cells: no file" "$tmp/x"
@@ -318,7 +332,8 @@ refuses "displace: a wall that crosses itself" 1 'the moved boundary crosses its
 # Safely, all of the way; beside a rigid body; and what does not go together.
 worst_cell="cell quality start_quality x y"
 safe_keys="turned_offset start_quality warning worst_cells $worst_cell $worst_cell $worst_cell $worst_cell $worst_cell"
-runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe -o "$tmp/safe.su2" --json
+runs "displace --safe" 0 displace "$ring" --given body --wall "$tmp/turn.txt" --operator laplace --safe \
+    -o "$tmp/safe.su2" --json
 has_keys "displace --safe: keys" inverted self_crossing min_quality mean_quality factor_seconds displace_seconds \
     step_fraction steps resolves strategy last_step_admissible $safe_keys
 check "displace --safe: all of the way" says '"step_fraction": 1,'
@@ -331,8 +346,8 @@ runs "displace --safe: for people" 0 displace "$ring" --given body --wall "$tmp/
 check "displace --safe: says how" says '100 % of the way'
 refuses "displace --safe: a wall that crosses itself" 1 'the moved boundary crosses itself' \
     displace "$ring" --given body --wall "$tmp/through.txt" --safe -o "$tmp/x"
-runs "displace --safe --strict: poor cells" 1 displace "$ring" --given body --wall "$tmp/turn.txt" --safe --min-quality 1 --strict \
-    -o "$tmp/x"
+runs "displace --safe --strict: poor cells" 1 displace "$ring" --given body --wall "$tmp/turn.txt" --safe \
+    --min-quality 1 --strict -o "$tmp/x"
 leaves_nothing "displace --safe --strict: no file" "$tmp/x"
 refuses "displace --min-quality alone" 2 '--min-quality goes with --safe' \
     displace "$ring" --given body --wall "$tmp/wall.txt" --min-quality .5
@@ -349,14 +364,21 @@ echo "rigid right 0.02 0 10" >"$tmp/right.txt"
 for way in "" --safe; do
     runs "displace beside a rigid body $way" 0 displace "$bodies" --given left --wall "$tmp/left.txt" --rigid right \
         --move "$tmp/right.txt" $way -o "$tmp/both.su2"
-    for body in left right; do marker_points "$bodies" $body >"$tmp/$body.before"; marker_points "$tmp/both.su2" $body >"$tmp/$body.after"; done
+    for body in left right; do
+        marker_points "$bodies" $body >"$tmp/$body.before"
+        marker_points "$tmp/both.su2" $body >"$tmp/$body.after"
+    done
     check "displace beside a rigid body $way: the given wall" awk '{ getline b <BEFORE; split(b, p)
-        if (($2 - p[2] - .03) ^ 2 + ($3 - p[3] - .1 * (p[2] - 1.2)) ^ 2 > 1e-16) wrong++; n++ } END { exit wrong > 0 || n < 50 }' \
+        if (($2 - p[2] - .03) ^ 2 + ($3 - p[3] - .1 * (p[2] - 1.2)) ^ 2 > 1e-16) wrong++; n++ }
+        END { exit wrong > 0 || n < 50 }' \
         BEFORE="$tmp/left.before" "$tmp/left.after"
-    check "displace beside a rigid body $way: the body turned by 10 degrees" awk 'NR == 1 { x = $2; y = $3; getline b <BEFORE
-        split(b, p); u = p[2]; v = p[3]; next } { getline b <BEFORE; split(b, p); c = cos(.17453292519943295); s = sin(.17453292519943295)
+    check "displace beside a rigid body $way: the body turned by 10 degrees" awk 'NR == 1 { x = $2; y = $3;
+        getline b <BEFORE
+        split(b, p); u = p[2]; v = p[3]; next } { getline b <BEFORE; split(b, p); c = cos(.17453292519943295);
+        s = sin(.17453292519943295)
         d = $2 - x - c * (p[2] - u) + s * (p[3] - v); e = $3 - y - s * (p[2] - u) - c * (p[3] - v)
-        if (d * d + e * e > 1e-16) wrong++; n++ } END { exit wrong > 0 || n < 50 }' BEFORE="$tmp/right.before" "$tmp/right.after"
+        if (d * d + e * e > 1e-16) wrong++; n++ } END { exit wrong > 0 || n < 50 }' BEFORE="$tmp/right.before" \
+            "$tmp/right.after"
 done
 # One body goes farther than the gap, and the other one, half as large, away from it: nothing crosses where everything
 # has moved.
@@ -389,7 +411,8 @@ check "transfer: threads give the same bits" cmp "$tmp/fine.basis" "$tmp/fine2.b
 check "transfer: says how many were interpolated" says '3300 of them interpolated'
 runs "transfer: to single precision" 0 transfer "$ring" "$basis" "$tmp/fine.su2" -o "$tmp/fine3.basis" --storage single
 check "transfer: to single precision: smaller" test "$(wc -c <"$tmp/fine3.basis")" -lt "$(wc -c <"$tmp/fine.basis")"
-refuses "transfer: from single precision" 2 'single precision' transfer "$ring" "$tmp/single.basis" "$tmp/fine.su2" -o "$tmp/x"
+refuses "transfer: from single precision" 2 'single precision' transfer "$ring" "$tmp/single.basis" "$tmp/fine.su2" \
+    -o "$tmp/x"
 awk 'NF == 3 && index($0, ".") { $1 = 1.5 * $1; $2 = 1.5 * $2 } { print }' "$tmp/fine.su2" >"$tmp/larger.su2"
 refuses "transfer: a larger domain" 3 'outside the coarse mesh' transfer "$ring" "$basis" "$tmp/larger.su2" -o "$tmp/x"
 sed 's/body/wing/' "$tmp/fine.su2" >"$tmp/renamed.su2"
@@ -487,10 +510,12 @@ printf 'degree 1\nclosed tied\npoints 4\n4 5\n8 5\n8 7\n4 7\nknots 7\n0 0 1 2 3 
 # place X Y FILE: where the mesh in FILE has the point that box.su2 has at X, Y
 place() {
     awk -v x="$1" -v y="$2" '/^NPOIN/ { left = $2; if (++file == 1) at = -1; k = 0; next }
-        left > 0 { if (file == 1 && $1 == x && $2 == y) at = k; if (file == 2 && k == at) print $1, $2; k++; left-- }' "$box" "$3"
+        left > 0 { if (file == 1 && $1 == x && $2 == y) at = k; if (file == 2 && k == at) print $1, $2; k++;
+        left-- }' "$box" "$3"
 }
 near() { # near X Y WANTED_X WANTED_Y: to 1e-12; a * is any
-    echo "$@" | awk 'function off(a, b) { return b != "*" && (a - b > 1e-12 || b - a > 1e-12) } { exit off($1, $3) || off($2, $4) || NF != 4 }'
+    echo "$@" | awk 'function off(a, b) { return b != "*" && (a - b > 1e-12 || b - a > 1e-12) } { exit off($1, $3) ||
+        off($2, $4) || NF != 4 }'
 }
 turn() { # turn DEGREES [SHIFT]: moves of the block's corners about its middle, and to the right
     awk -v a="$1" -v d="${2:-0}" 'BEGIN {
@@ -513,7 +538,8 @@ for exponent in -1 4.25 1.3 x '' nan inf 1e300; do
     refuses "--exponent '$exponent'" 2 '--exponent' solve "$box" $on_block --exponent "$exponent" -o "$tmp/x"
 done
 refuses "--exponent with laplace" 2 'weight' solve "$box" $on_block --operator laplace --exponent 1 -o "$tmp/x"
-refuses "--offset-correction with laplace" 2 'offset' solve "$box" $on_block --operator laplace --offset-correction -o "$tmp/x"
+refuses "--offset-correction with laplace" 2 'offset' solve "$box" $on_block --operator laplace --offset-correction \
+    -o "$tmp/x"
 refuses "--free with conformal" 2 'slip' solve "$box" $on_block --free out -o "$tmp/x"
 runs "--offset-correction" 0 solve "$box" $on_block --offset-correction -o "$tmp/offset.basis"
 
@@ -524,11 +550,12 @@ for operator in laplace weighted conformal flat offset; do
 done
 runs "export of a real function" 0 export "$box" "$tmp/laplace.basis" --function 4 --csv "$tmp/f.csv" --svg "$tmp/f.svg"
 check "export of a real function: columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,value
-refuses "export: a number that a real value does not have" 2 '--number' export "$box" "$tmp/laplace.basis" --function 4 \
-    --number 2 --csv "$tmp/f.csv"
+refuses "export: a number that a real value does not have" 2 '--number' export "$box" "$tmp/laplace.basis" \
+    --function 4 --number 2 --csv "$tmp/f.csv"
 
 runs "--slip" 0 solve "$box" $on_block --slip low,high --slip in:let -o "$tmp/slip.basis"
-runs "export of a function with slip" 0 export "$box" "$tmp/slip.basis" --function 4 --number 4 --csv "$tmp/f.csv" --svg "$tmp/f.svg"
+runs "export of a function with slip" 0 export "$box" "$tmp/slip.basis" --function 4 --number 4 --csv "$tmp/f.csv" \
+    --svg "$tmp/f.svg"
 check "export of a function with slip: columns" test "$(head -1 "$tmp/f.csv")" = point,x,y,xx,xy,yx,yy
 runs "--slip: morph" 0 morph "$box" "$tmp/slip.basis" --move "$tmp/turn40.txt" -o "$tmp/slip.su2"
 check "--slip: points below slide on their line" near $(place 5 0 "$tmp/slip.su2") '*' 0
@@ -540,15 +567,20 @@ refuses "--slip on a marker with a curve" 2 'two conditions' solve "$box" $on_bl
 refuses "--slip on an unknown marker" 2 "'high'" solve "$box" $on_block --slip top -o "$tmp/x"
 sed 's/^5 0$/5 -.01/' "$box" >"$tmp/bent.su2"
 runs "--slip on a bent line: a curve" 0 solve "$tmp/bent.su2" $on_block --slip low -o "$tmp/bent.basis"
-runs "--slip on a bent line: morph" 0 morph "$tmp/bent.su2" "$tmp/bent.basis" --move "$tmp/turn40.txt" -o "$tmp/bent-moved.su2"
-below() { awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && $2 < .02 && $1 > 4 && $1 < 6 { print $2 }' "$1"; }
-check "--slip on a bent line: points stay near it" sh -c "echo '$(below "$tmp/bent-moved.su2")' | awk '\$1 > 1e-9 || \$1 < -.0101 { bad = 1 } END { exit bad || NR < 2 }'"
+runs "--slip on a bent line: morph" 0 morph "$tmp/bent.su2" "$tmp/bent.basis" --move "$tmp/turn40.txt" \
+    -o "$tmp/bent-moved.su2"
+below() { awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && $2 < .02 && $1 > 4 && $1 < 6 {
+    print $2 }' "$1"; }
+check "--slip on a bent line: points stay near it" \
+    sh -c "echo '$(below "$tmp/bent-moved.su2")' |
+        awk '\$1 > 1e-9 || \$1 < -.0101 { bad = 1 } END { exit bad || NR < 2 }'"
 
 # A circle of radius 4 in quarters, rational, and a ring whose sides of 30 degrees are far off the circle between
 # points.
 awk 'BEGIN {
     print "degree 2\nclosed tied\npoints 8"
-    for (i = 0; i < 8; i++) { t = i * atan2(0, -1) / 4; r = i % 2 ? 4 * sqrt(2) : 4; printf "%.17g %.17g\n", r * cos(t), r * sin(t) }
+    for (i = 0; i < 8; i++) { t = i * atan2(0, -1) / 4; r = i % 2 ? 4 * sqrt(2) : 4;
+    printf "%.17g %.17g\n", r * cos(t), r * sin(t) }
     print "weights 8"
     for (i = 0; i < 8; i++) printf "%.17g\n", i % 2 ? sqrt(.5) : 1
     print "knots 12\n0 0 0 1 1 2 2 3 3 4 4 4"
@@ -558,7 +590,8 @@ make_ring 24 12 >"$tmp/less-coarse.su2"
 echo 'rigid body 0 0 40' >"$tmp/body40.txt"
 off_circle() { # of the outer points: the largest distance from the circle
     awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 }
-        points { r = sqrt($1 * $1 + $2 * $2) - 4; r = r < 0 ? -r : r; if (r < .2 && r > most) most = r } END { print most + 0 }' "$1"
+        points { r = sqrt($1 * $1 + $2 * $2) - 4; r = r < 0 ? -r : r; if (r < .2 && r > most) most = r }
+        END { print most + 0 }' "$1"
 }
 is_on_circle() { off_circle "$1" | awk '{ exit !($1 < 1e-10) }'; }
 for points in 12 fine; do
@@ -568,40 +601,50 @@ for points in 12 fine; do
         cp "$tmp/less-coarse.su2" "$tmp/coarse.su2"
         cp "$tmp/finer.basis" "$tmp/circle.basis"
     else
-        runs "--slip along a curve" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$tmp/circle.curve" -o "$tmp/circle.basis"
+        runs "--slip along a curve" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$tmp/circle.curve" \
+            -o "$tmp/circle.basis"
         mv "$tmp/circle.curve" "$tmp/circle.curve.kept" # BASIS keeps it
     fi
     for way in "" --safe --improve; do
-        runs "--slip along a curve: morph $points $way" 0 morph "$tmp/coarse.su2" "$tmp/circle.basis" --move "$tmp/body40.txt" $way \
-            -o "$tmp/on-circle.su2"
+        runs "--slip along a curve: morph $points $way" 0 morph "$tmp/coarse.su2" "$tmp/circle.basis" \
+            --move "$tmp/body40.txt" $way -o "$tmp/on-circle.su2"
         check "--slip along a curve: points are on the circle: $points $way" is_on_circle "$tmp/on-circle.su2"
-        check "--slip along a curve: and have moved: $points $way" sh -c "! tail -n 200 '$tmp/on-circle.su2' | grep -q '^4 0'"
+        check "--slip along a curve: and have moved: $points $way" \
+            sh -c "! tail -n 200 '$tmp/on-circle.su2' | grep -q '^4 0'"
     done
 done
 mv "$tmp/circle.curve.kept" "$tmp/circle.curve"
 make_ring 12 6 >"$tmp/coarse.su2"
-runs "--slip along the curve through the points" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far -o "$tmp/through.basis"
-runs "--slip along the curve through the points: morph" 0 morph "$tmp/coarse.su2" "$tmp/through.basis" --move "$tmp/body40.txt" \
-    -o "$tmp/on-circle.su2"
-check "--slip along the curve through the points: is another curve" sh -c "! $(off_circle "$tmp/on-circle.su2" | awk '{ print $1 < 1e-8 ? "true" : "false" }')"
+runs "--slip along the curve through the points" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far \
+    -o "$tmp/through.basis"
+runs "--slip along the curve through the points: morph" 0 morph "$tmp/coarse.su2" "$tmp/through.basis" \
+    --move "$tmp/body40.txt" -o "$tmp/on-circle.su2"
+check "--slip along the curve through the points: is another curve" sh -c "! $(off_circle "$tmp/on-circle.su2" |
+    awk '{ print $1 < 1e-8 ? "true" : "false" }')"
 refuses "--slip along a curve: another one's" 2 "from the curve that it should slide along" \
     solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$curve" -o "$tmp/x"
-refuses "--slip along a curve: no file" 3 'none.curve' solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$tmp/none.curve" -o "$tmp/x"
-awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && k < 12 { print k++, -.2 * $1 - .6 * $2, .6 * $1 - .2 * $2 }' \
+refuses "--slip along a curve: no file" 3 'none.curve' solve "$tmp/coarse.su2" --rigid body=0,0 \
+    --slip far="$tmp/none.curve" -o "$tmp/x"
+awk '/^NPOIN/ { points = 1; next } /^[A-Z]/ { points = 0 } points && k < 12 {
+    print k++, -.2 * $1 - .6 * $2, .6 * $1 - .2 * $2 }' \
     "$tmp/coarse.su2" >"$tmp/turned-wall.txt"
 runs "--slip along a curve: displace" 0 displace "$tmp/coarse.su2" --given body --slip far="$tmp/circle.curve" \
     --wall "$tmp/turned-wall.txt" -o "$tmp/on-circle.su2"
 check "--slip along a curve: displace: points are on the circle" is_on_circle "$tmp/on-circle.su2"
-runs "--slip along a curve: the basis again" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$tmp/circle.curve" -o "$tmp/circle.basis"
+runs "--slip along a curve: the basis again" 0 solve "$tmp/coarse.su2" --rigid body=0,0 --slip far="$tmp/circle.curve" \
+    -o "$tmp/circle.basis"
 for lines in 1 5 30; do
-    LC_ALL=C sed '$d' "$tmp/circle.basis" | LC_ALL=C awk -v n=$lines '{ line[NR] = $0 } END { for (k = 1; k <= NR - n; k++) print line[k] }' >"$tmp/cut.basis"
-    refuses "--slip along a curve: cut off by $lines" 3 'cut' morph "$tmp/coarse.su2" "$tmp/cut.basis" --move "$tmp/body40.txt"
+    LC_ALL=C sed '$d' "$tmp/circle.basis" | LC_ALL=C awk -v n=$lines '{ line[NR] = $0 }
+        END { for (k = 1; k <= NR - n; k++) print line[k] }' >"$tmp/cut.basis"
+    refuses "--slip along a curve: cut off by $lines" 3 'cut' morph "$tmp/coarse.su2" "$tmp/cut.basis" \
+        --move "$tmp/body40.txt"
 done
 
 runs "--periodic, with a colon in a tag" 0 solve "$box" $on_block --periodic in:let:out -o "$tmp/pair.basis"
 runs "--periodic: morph" 0 morph "$box" "$tmp/pair.basis" --move "$tmp/turn40.txt" -o "$tmp/pair.su2"
 set -- $(place 0 7 "$tmp/pair.su2")
-check "--periodic: both sides move alike" near $(place 12 7 "$tmp/pair.su2") "$(echo "$1" | awk '{ printf "%.17g", $1 + 12 }')" "$2"
+check "--periodic: both sides move alike" near $(place 12 7 "$tmp/pair.su2") "$(echo "$1" | awk '{
+    printf "%.17g", $1 + 12 }')" "$2"
 check "--periodic: and do move" sh -c "! echo '$2' | grep -q '^7$'"
 refuses "--periodic without a partner" 2 '--periodic' solve "$box" $on_block --periodic low -o "$tmp/x"
 refuses "--periodic with an unknown partner" 2 "'low:nowhere'" solve "$box" $on_block --periodic low:nowhere -o "$tmp/x"
@@ -610,10 +653,12 @@ refuses "--periodic: no translates" 2 'periodic' solve "$tmp/bent.su2" $on_block
 # A passage of an annulus: the box bent round a centre; its right side is its left one, turned by 36 degrees.
 bend() { # bend CENTRE_X CENTRE_Y
     awk -v cx="$1" -v cy="$2" '/^NPOIN/ { points = 1; print; next } /^[A-Z]/ { points = 0 }
-        points { a = atan2(0, -1) / 5 * $1 / 12; r = 30 - $2; printf "%.17g %.17g\n", cx + r * cos(a), cy + r * sin(a); next }
+        points { a = atan2(0, -1) / 5 * $1 / 12; r = 30 - $2; printf "%.17g %.17g\n", cx + r * cos(a),
+        cy + r * sin(a); next }
         { print }' "$box"
 }
-misfit() { # misfit FILE CENTRE_X CENTRE_Y: how far the moved right side is from the left one, turned; is anything moved?
+# misfit FILE CENTRE_X CENTRE_Y: how far the moved right side is from the left one, turned; is anything moved?
+misfit() {
     set -- "$1" "$2" "$3" $(place 0 7 "$1") $(place 12 7 "$1")
     awk -v cx="$2" -v cy="$3" -v x="$4" -v y="$5" -v u="$6" -v v="$7" 'BEGIN {
         a = atan2(0, -1) / 5; x -= cx; y -= cy; u -= cx; v -= cy
@@ -624,33 +669,37 @@ printf 'rigid block .3 .2 25\n' >"$tmp/passage.txt"
 for centre in '0 0' '5 -7'; do
     bend $centre >"$tmp/passage.su2"
     for operator in conformal laplace; do
-        runs "--periodic: a passage about $centre, $operator" 0 solve "$tmp/passage.su2" --rigid block --periodic in:let:out \
-            --operator $operator -o "$tmp/passage.basis"
-        check "--periodic: says how the sides are turned" says "'in:let' to 'out' turned by 36 degrees about ($(echo $centre | sed 's/ /, /'))"
-        runs "--periodic: morph of a passage" 0 morph "$tmp/passage.su2" "$tmp/passage.basis" --move "$tmp/passage.txt" \
-            -o "$tmp/passage-moved.su2"
+        runs "--periodic: a passage about $centre, $operator" 0 solve "$tmp/passage.su2" --rigid block \
+            --periodic in:let:out --operator $operator -o "$tmp/passage.basis"
+        check "--periodic: says how the sides are turned" says "'in:let' to 'out' turned by 36 degrees about ($(echo \
+            $centre | sed 's/ /, /'))"
+        runs "--periodic: morph of a passage" 0 morph "$tmp/passage.su2" "$tmp/passage.basis" \
+            --move "$tmp/passage.txt" -o "$tmp/passage-moved.su2"
         check "--periodic: the sides of the passage stay images" misfit "$tmp/passage-moved.su2" $centre
         runs "--periodic: safe morph of a passage" 0 morph "$tmp/passage.su2" "$tmp/passage.basis" \
             --move "$tmp/passage.txt" --safe -o "$tmp/passage-safe.su2"
         check "--periodic: the sides stay images in a safe morph" misfit "$tmp/passage-safe.su2" $centre
     done
 done
-runs "--periodic: transfer of a passage" 0 transfer "$tmp/passage.su2" "$tmp/passage.basis" "$tmp/passage.su2" -o "$tmp/passage-fine.basis"
+runs "--periodic: transfer of a passage" 0 transfer "$tmp/passage.su2" "$tmp/passage.basis" "$tmp/passage.su2" \
+    -o "$tmp/passage-fine.basis"
 runs "--periodic: morph by the functions that were transferred" 0 morph "$tmp/passage.su2" "$tmp/passage-fine.basis" \
     --move "$tmp/passage.txt" -o "$tmp/passage-moved.su2"
 check "--periodic: the sides of the passage stay images with them" misfit "$tmp/passage-moved.su2" 5 -7
 runs "--periodic: page of a passage" 0 explore "$tmp/passage.su2" "$tmp/passage.basis" -o "$tmp/passage.html"
-refuses "--periodic: a passage with multigrid" 2 'rotation pairs go with the direct engine only' solve "$tmp/passage.su2" \
-    --rigid block --periodic in:let:out --operator laplace --engine multigrid -o "$tmp/x"
+refuses "--periodic: a passage with multigrid" 2 'rotation pairs go with the direct engine only' \
+    solve "$tmp/passage.su2" --rigid block --periodic in:let:out --operator laplace --engine multigrid -o "$tmp/x"
 refuses "--periodic: a passage with sliding sides" 2 'rotation pairs do not go with slipping boundaries' solve \
     "$tmp/passage.su2" --rigid block --periodic in:let:out --slip low -o "$tmp/x"
 
 # Pieces: the lower and the upper side are one marker; only the one near (6, 9) slides.
 sed -e 's/^MARKER_TAG= *high$/MARKER_TAG= low/' "$box" >"$tmp/sides.su2"
 runs "a piece of a marker" 0 solve "$tmp/sides.su2" $on_block --slip low@6:9 -o "$tmp/piece.basis"
-runs "a piece of a marker: morph" 0 morph "$tmp/sides.su2" "$tmp/piece.basis" --move "$tmp/turn40.txt" -o "$tmp/piece.su2"
+runs "a piece of a marker: morph" 0 morph "$tmp/sides.su2" "$tmp/piece.basis" --move "$tmp/turn40.txt" \
+    -o "$tmp/piece.su2"
 check "a piece of a marker: below is fixed" near $(place 5 0 "$tmp/piece.su2") 5 0
-refuses "a piece of a marker, twice" 2 'choose all of' solve "$tmp/sides.su2" $on_block --slip low@6:9,low@6:12 -o "$tmp/x"
+refuses "a piece of a marker, twice" 2 'choose all of' solve "$tmp/sides.su2" $on_block --slip low@6:9,low@6:12 \
+    -o "$tmp/x"
 refuses "a piece of an unknown marker" 2 "'top'" solve "$box" $on_block --slip top@6:9 -o "$tmp/x"
 runs "--rigid, a piece" 0 solve "$box" --rigid block@6:4 -o "$tmp/piece.basis"
 
@@ -685,9 +734,10 @@ turn 150 >"$tmp/turn150.txt"
 turn 3 4.5 >"$tmp/away.txt"
 turn 60 >"$tmp/turn60.txt"
 refuses "a large turn" 1 'admissible' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" -o "$tmp/turned.su2"
-runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe -o "$tmp/turned.su2" --json
-has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction steps \
-    resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
+runs "--safe: a large turn" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    -o "$tmp/turned.su2" --json
+has_keys "--safe: keys" inverted self_crossing boundary_error min_quality mean_quality morph_seconds step_fraction \
+    steps resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
 check "--safe: the whole way" says '"step_fraction": 1,'
 check "--safe: nothing inverted" says '"inverted": 0'
 check "--safe: not by the linear morph" sh -c "! grep -q '\"strategy\": \"linear\"' '$tmp/out'"
@@ -695,64 +745,79 @@ runs "--safe: check of the result" 0 check "$tmp/turned.su2"
 check "--safe: the block is where it should be" near $(place 8 6 "$tmp/turned.su2") \
     $(awk 'BEGIN { a = atan2(0, -1) * 5 / 6; printf "%.17g %.17g", 6 + 2 * cos(a), 6 + 2 * sin(a) }')
 quality() { sed -n 's/.*"mean_quality": \([0-9.e-]*\).*/\1/p' "$tmp/out"; }
-poorer=$(runs "--safe: before --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe --json >/dev/null; quality)
-runs "--improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe --improve -o "$tmp/better.su2" --json
+poorer=$(runs "--safe: before --improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe \
+    --json >/dev/null; quality)
+runs "--improve" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn60.txt" --safe --improve -o "$tmp/better.su2" \
+    --json
 better=$(quality)
 check "--improve: better on average" awk "BEGIN { exit !($better > $poorer) }"
 check "--improve: nothing inverted" says '"inverted": 0'
 runs "--improve: check of the result" 0 check "$tmp/better.su2"
-runs "--improve of a mesh that does not move" 0 morph "$box" "$tmp/conformal.basis" --move "$no_moves" --improve -o "$tmp/same.su2"
+runs "--improve of a mesh that does not move" 0 morph "$box" "$tmp/conformal.basis" --move "$no_moves" --improve \
+    -o "$tmp/same.su2"
 check "--improve of a mesh that does not move: the same file" cmp "$box" "$tmp/same.su2"
 runs "--safe: a small move" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --json
 check "--safe: a small move: linear" says '"strategy": "linear"'
-check "--safe: a small move: worst cells with their places" grep -E '"worst_cells": \[\{"cell": [0-9]+, "quality": [^,]*, "start_quality": 1, "x": ' "$tmp/out"
-runs "--min-quality: missed, with a warning" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --min-quality 0.99 \
-    -o "$tmp/poor.su2"
-check "--min-quality: the warning names a cell and its place" grep -E 'smallest quality is .*: cell [0-9]+ at \(' "$tmp/err"
-refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe --min-quality 0.99 --strict \
-    -o "$tmp/strict.su2"
+check "--safe: a small move: worst cells with their places" grep -E \
+    '"worst_cells": \[\{"cell": [0-9]+, "quality": [^,]*, "start_quality": 1, "x": ' "$tmp/out"
+runs "--min-quality: missed, with a warning" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    --min-quality 0.99 -o "$tmp/poor.su2"
+check "--min-quality: the warning names a cell and its place" grep -E 'smallest quality is .*: cell [0-9]+ at \(' \
+    "$tmp/err"
+refuses "--strict" 1 'smallest quality' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe \
+    --min-quality 0.99 --strict -o "$tmp/strict.su2"
 leaves_nothing "--strict: nothing written" "$tmp/strict.su2"
 for bad in 1.5 -0.1 nan good; do
-    refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe --min-quality=$bad
+    refuses "--min-quality $bad" 2 '--min-quality' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe \
+        --min-quality=$bad
 done
-refuses "--max-height-change 1" 2 '--max-height-change' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe --max-height-change 1
+refuses "--max-height-change 1" 2 '--max-height-change' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --safe \
+    --max-height-change 1
 refuses "--strict without --safe" 2 '--strict' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --strict
 : >"$tmp/empty.txt"
-refuses "an empty file of moves" 3 'empty.txt:1: the file is empty' morph "$box" "$tmp/conformal.basis" --move "$tmp/empty.txt"
+refuses "an empty file of moves" 3 'empty.txt:1: the file is empty' morph "$box" "$tmp/conformal.basis" \
+    --move "$tmp/empty.txt"
 bad_body "moves: a body of scale 0" 1 'rigid block 1 0 0 0\n'
 bad_body "moves: a body of a negative scale" 1 'rigid block 1 0 0 -1\n'
 runs "--safe for people" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn150.txt" --safe
 check "--safe for people: strategy" says 'strategy:'
 runs "--other" 0 morph "$box" "$tmp/laplace.basis" --move "$tmp/turn60.txt" --safe --other "$tmp/conformal.basis" --json
 check "--other: helps" says '"strategy": "other"'
-refuses "--other of other conditions" 3 'other bases' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe \
-    --other "$tmp/rigid.basis"
-refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe --other "$basis"
+refuses "--other of other conditions" 3 'other bases' morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" \
+    --safe --other "$tmp/rigid.basis"
+refuses "--other of another mesh" 3 "$basis" morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --safe \
+    --other "$basis"
 runs "--safe --reached" 0 morph "$box" "$tmp/rigid.basis" --move "$tmp/rigid.txt" --safe --reached "$tmp/rigid.reached"
-check "--safe --reached: a body's movement" awk '$1 == "rigid" { n++; ok = $2 == "block" && ($3 - .5) ^ 2 + ($4 + .25) ^ 2 < 1e-24 &&
+check "--safe --reached: a body's movement" awk '$1 == "rigid" { n++; ok = $2 == "block" &&
+    ($3 - .5) ^ 2 + ($4 + .25) ^ 2 < 1e-24 &&
     ($5 - 90) ^ 2 < 1e-20 && ($6 - 1.25) ^ 2 < 1e-24 } END { exit !(ok && n == 1) }' "$tmp/rigid.reached"
-refuses "--reached without --safe" 2 '--reached' morph "$box" "$tmp/conformal.basis" --move "$no_moves" --reached "$tmp/x"
+refuses "--reached without --safe" 2 '--reached' morph "$box" "$tmp/conformal.basis" --move "$no_moves" \
+    --reached "$tmp/x"
 refuses "--safe: a boundary that crosses itself" 1 'crosses itself' morph "$box" "$tmp/conformal.basis" \
     --move "$tmp/away.txt" --safe -o "$tmp/away.su2"
 leaves_nothing "--safe: a boundary that crosses itself: nothing written" "$tmp/away.su2"
-runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/away.txt" --safe --json
+runs "--safe: a boundary that crosses itself, --json" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/away.txt" \
+    --safe --json
 check "--safe: a boundary that crosses itself: nothing moved, nothing is off" says '"boundary_error": 0,'
 turn 0 30 >"$tmp/outside.txt" # through the side and out of the square
-refuses "--safe: out of the domain" 1 'outside the boundary' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe
+refuses "--safe: out of the domain" 1 'outside the boundary' morph "$box" "$tmp/conformal.basis" \
+    --move "$tmp/outside.txt" --safe
 turn 150 3.767949192 >"$tmp/outside.txt" # but for 4e-10 at the side: no step of several, nor untangling, gets there
-refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" \
-    --safe -o "$tmp/outside.su2" --json
-has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality mean_quality \
+refuses "--safe: short of the target" 1 'stands in the way' morph "$box" "$tmp/conformal.basis" \
+    --move "$tmp/outside.txt" --safe -o "$tmp/outside.su2" --json
+has_keys "--safe: short of the target: JSON all the same" inverted self_crossing boundary_error min_quality \
+    mean_quality \
     morph_seconds step_fraction steps resolves strategy last_step_admissible reached_moves $safe_keys moved_curve
 leaves_nothing "--safe: short of the target: nothing written" "$tmp/outside.su2"
-runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe --force \
-    -o "$tmp/outside.su2" --json
+runs "--safe: short of the target, --force" 1 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.txt" --safe \
+    --force -o "$tmp/outside.su2" --json
 check "--safe: short of the target: only part of the way" grep -E '"step_fraction": 0\.[0-9]*[1-9]' "$tmp/out"
 check "--safe: short of the target: the boundary is the B-spline's, as far as it went" \
     grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
-check "--safe: short of the target, --force: the moves that it has" says "\"reached_moves\": \"$tmp/outside.su2.reached\""
-runs "--safe: the reached moves are read by morph" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/outside.su2.reached" --safe \
-    -o "$tmp/reached.su2"
+check "--safe: short of the target, --force: the moves that it has" \
+    says "\"reached_moves\": \"$tmp/outside.su2.reached\""
+runs "--safe: the reached moves are read by morph" 0 morph "$box" "$tmp/conformal.basis" \
+    --move "$tmp/outside.su2.reached" --safe -o "$tmp/reached.su2"
 for corner in "4 5" "8 5" "8 7" "4 7"; do
     check "--safe: the reached moves put the block where the mesh has it ($corner)" \
         near $(place $corner "$tmp/reached.su2") $(place $corner "$tmp/outside.su2")
@@ -761,14 +826,14 @@ runs "--safe: short of the target, --force: the last valid mesh" 0 check "$tmp/o
 check "--safe: short of the target, --force: which moved" sh -c "! cmp -s '$box' '$tmp/outside.su2'"
 leaves_nothing "refused commands leave no file" "$tmp/x"
 
-# ---- Markers by name ---------------------------------------------------------------------------------------------------
+# ---- Markers by name ------------------------------------------------------------------------------------------------
 
 # The same mesh with its markers in another order, with other names, and with two sides' faces exchanged.
 markers_of() { awk -v tag="$1" '/^MARKER_TAG=/ { on = $2 == tag } on' "$box"; }
 { sed '/^MARKER_TAG/,$d' "$box"; for tag in out block high in:let low; do markers_of $tag; done; } >"$tmp/shuffled.su2"
 sed 's/MARKER_TAG= block/MARKER_TAG= brick/' "$box" >"$tmp/renamed.su2"
-sed 's/MARKER_TAG= low/MARKER_TAG= swap/; s/MARKER_TAG= high/MARKER_TAG= low/; s/MARKER_TAG= swap/MARKER_TAG= high/' "$box" \
-    >"$tmp/exchanged.su2"
+sed 's/MARKER_TAG= low/MARKER_TAG= swap/; s/MARKER_TAG= high/MARKER_TAG= low/; s/MARKER_TAG= swap/MARKER_TAG= high/' \
+    "$box" >"$tmp/exchanged.su2"
 check "markers in another order: another file" sh -c "! cmp -s '$box' '$tmp/shuffled.su2'"
 runs "markers in another order: solve" 0 solve "$tmp/shuffled.su2" $on_block --slip low -o "$tmp/shuffled.basis"
 runs "markers in another order: the basis serves both" 0 morph "$box" "$tmp/shuffled.basis" --move "$tmp/turn40.txt" \
@@ -778,48 +843,57 @@ check "markers in another order: what is fixed stays" near $(place 5 12 "$tmp/sh
 runs "markers in another order: the body that is named moves" 0 morph "$tmp/shuffled.su2" "$tmp/rigid.basis" \
     --move "$tmp/rigid.txt" --safe -o "$tmp/shuffled-moved.su2"
 check "markers in another order: where it is to be" near $(place 4 5 "$tmp/shuffled-moved.su2") 7.75 3.25
-refuses "a marker of another name" 3 "its markers are 'block', 'high', 'in:let', 'low', 'out'; those of $tmp/renamed.su2 are 'brick'" \
+refuses "a marker of another name" \
+    3 "its markers are 'block', 'high', 'in:let', 'low', 'out'; those of $tmp/renamed.su2 are 'brick'" \
     morph "$tmp/renamed.su2" "$tmp/rigid.basis" --move "$no_moves"
-refuses "the same names on other points" 3 'other points are on its markers' morph "$tmp/exchanged.su2" "$tmp/rigid.basis" \
-    --move "$no_moves"
+refuses "the same names on other points" 3 'other points are on its markers' morph "$tmp/exchanged.su2" \
+    "$tmp/rigid.basis" --move "$no_moves"
 sed '/^harmorph markers/,$d' "$tmp/rigid.basis" >"$tmp/unnamed.basis"
 refuses "a basis without names" 3 'without the names of its' morph "$box" "$tmp/unnamed.basis" --move "$no_moves"
 { cat "$tmp/unnamed.basis"; printf 'harmorph markers 5\nblock\nhigh\nin:l'; } >"$tmp/cut.basis"
-refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" --move "$no_moves"
-refuses "messages name markers: periodic" 2 "marker 'block', the periodic partner of 'low', has a condition" solve "$box" --rigid block \
-    --periodic low:block -o "$tmp/x"
+refuses "a basis with its names cut off" 3 'it has 2 names of markers, expected are 5' morph "$box" "$tmp/cut.basis" \
+    --move "$no_moves"
+refuses "messages name markers: periodic" 2 "marker 'block', the periodic partner of 'low', has a condition" \
+    solve "$box" --rigid block --periodic low:block -o "$tmp/x"
 refuses "messages name markers: one piece" 2 "periodic marker 'block' is not one open piece" solve "$box" --rigid high \
     --periodic block:low -o "$tmp/x"
 
-# ---- Curves out and in ---------------------------------------------------------------------------------------------------
+# ---- Curves out and in -----------------------------------------------------------------------------------------------
 
 shape() { awk -f "$(dirname "$0")/read_curves.awk" "$1"; } # FILE: its curves in numbers, by a reader of its own
-same_shape() { shape "$1" >"$tmp/shape.1" && shape "$2" >"$tmp/shape.2" && test -s "$tmp/shape.1" && cmp "$tmp/shape.1" "$tmp/shape.2"; }
+same_shape() { shape "$1" >"$tmp/shape.1" && shape "$2" >"$tmp/shape.2" && test -s "$tmp/shape.1" &&
+    cmp "$tmp/shape.1" "$tmp/shape.2"; }
 for ending in curve igs step; do
     runs "curve out: $ending" 0 fit "$ring" --marker body --points 12 -o "$tmp/out.$ending"
     check "curve out: $ending: re-read" same_shape "$tmp/out.$ending" "$tmp/out.curve"
-    runs "moved curve: $ending" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" --curve-out "$tmp/moved.$ending"
+    runs "moved curve: $ending" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" \
+        --curve-out "$tmp/moved.$ending"
     check "moved curve: $ending: re-read" same_shape "$tmp/moved.$ending" "$tmp/moved.curve"
 done
 check "moved curve: control points and their moves" sh -c "awk '
     FILENAME ~ /turn40/ { x[\$1] = \$2; y[\$1] = \$3; next }
     /^points/ { n = \$2; k = 0; next }
     k < n { k++; wx = (k == 1 || k == 4 ? 4 : 8) + x[k]; wy = (k < 3 ? 5 : 7) + y[k]
-        bad += (\$1 - wx) ^ 2 + (\$2 - wy) ^ 2 > 1e-24 } END { exit bad || n != 4 }' '$tmp/turn40.txt' '$tmp/moved.curve'"
-runs "moved curve: beside the mesh" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" -o "$tmp/with.su2" --json
+        bad += (\$1 - wx) ^ 2 + (\$2 - wy) ^ 2 > 1e-24 }
+    END { exit bad || n != 4 }' '$tmp/turn40.txt' '$tmp/moved.curve'"
+runs "moved curve: beside the mesh" 0 morph "$box" "$tmp/conformal.basis" --move "$tmp/turn40.txt" -o "$tmp/with.su2" \
+    --json
 check "moved curve: beside the mesh: says where" says "\"moved_curve\": \"$tmp/with.su2.curve\""
 check "moved curve: beside the mesh: the same" cmp "$tmp/with.su2.curve" "$tmp/moved.curve"
-runs "moved curve: solved on the moved mesh" 0 solve "$tmp/with.su2" --curve block="$tmp/with.su2.curve" -o "$tmp/with.basis" --json
+runs "moved curve: solved on the moved mesh" 0 solve "$tmp/with.su2" --curve block="$tmp/with.su2.curve" \
+    -o "$tmp/with.basis" --json
 check "moved curve: the moved mesh is on it" grep -E '"boundary_error": ([0-9.]*e-1[5-9]|0),' "$tmp/out"
 runs "bodies alone have no curve" 0 morph "$box" "$tmp/rigid.basis" --move "$no_moves" -o "$tmp/alone.su2" --json
 check "bodies alone have no curve: says so" says '"moved_curve": ""'
 
 runs "Selig out" 0 fit "$meshes/naca0012.su2" --marker airfoil -o "$tmp/foil.dat"
-check "Selig out: counter-clockwise from and to the trailing edge" awk 'NR == 1 { next } NR == 2 { ok = $1 == 1 && $2 == 0; x = $1; y = $2; next }
+check "Selig out: counter-clockwise from and to the trailing edge" awk 'NR == 1 { next } NR == 2 { ok = $1 == 1 &&
+    $2 == 0; x = $1; y = $2; next }
     { area += x * $2 - $1 * y; x = $1; y = $2 } END { exit !(ok && x == 1 && y == 0 && area > 0) }' "$tmp/foil.dat"
 runs "Selig in" 0 fit "$tmp/foil.dat" -o "$tmp/foil.curve" --json
 check "Selig in: a sharp trailing edge" says '"closed": "tied", "reason": "corner"'
-check "Selig in: the curve again" awk '{ match($0, /"max_error": [^,]*/); exit !(substr($0, RSTART + 13, RLENGTH - 13) + 0 < 2e-5) }' "$tmp/out"
+check "Selig in: the curve again" awk '{ match($0, /"max_error": [^,]*/);
+    exit !(substr($0, RSTART + 13, RLENGTH - 13) + 0 < 2e-5) }' "$tmp/out"
 runs "a curve in, for other control points" 0 fit "$tmp/out.curve" --points 9 -o "$tmp/nine.curve"
 check "a curve in: nine points" grep -x 'points 9' "$tmp/nine.curve"
 awk 'NR == 1 { next } { x[++n] = $1; y[n] = $2 } END { half = 1; for (k = 1; k <= n; k++) if (x[k] < x[half]) half = k
@@ -840,7 +914,8 @@ refuses "section: a name alone" 3 "$tmp/bad.dat" fit "$tmp/bad.dat" -o "$tmp/x"
 
 # A square: with as many points for 16 control points of degree 5 the curve runs back at a corner.
 awk 'BEGIN { print "square"; for (k = 0; k < 20; k++) { s = int(k / 5); t = (k % 5) / 5
-    print s == 0 ? t : s == 1 ? 1 : s == 2 ? 1 - t : 0, s == 0 ? 0 : s == 1 ? t : s == 2 ? 1 : 1 - t } }' >"$tmp/square.dat"
+    print s == 0 ? t : s == 1 ? 1 : s == 2 ? 1 - t : 0, s == 0 ? 0 : s == 1 ? t : s == 2 ? 1 : 1 - t }
+    }' >"$tmp/square.dat"
 runs "fit that runs back" 0 fit "$tmp/square.dat" --degree 5 --points 16 -o "$tmp/square.curve" --json
 check "fit that runs back: is said" says '"backtracks": true'
 check "fit that runs back: and where" says 'the curve runs back'
@@ -851,15 +926,18 @@ leaves_nothing "refused commands leave no file" "$tmp/x"
 # ---- The demo on the shipped mesh --------------------------------------------------------------------------------
 
 runs "demo" 0 demo "$tmp/demo" --mesh "$meshes/naca0012.su2"
-for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg function.svg \
-    far.txt far.su2 fine.su2 fine.basis report.html page.html; do
+for file in mesh.su2 airfoil.curve airfoil.basis moves.txt morphed.su2 morphed.su2.curve morphed.vtu morph.svg \
+    function.svg far.txt far.su2 fine.su2 fine.basis report.html page.html; do
     check "demo leaves $file" test -s "$tmp/demo/$file"
 done
 check "demo: the mesh as it is shipped" cmp "$tmp/demo/mesh.su2" "$meshes/naca0012.su2"
-runs "demo: far.txt is too far for one step" 1 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" --move "$tmp/demo/far.txt"
+runs "demo: far.txt is too far for one step" 1 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" \
+    --move "$tmp/demo/far.txt"
 runs "demo: check of the fine mesh" 0 check "$tmp/demo/fine.su2" --json
-check "demo: the fine mesh has four times the cells" says "\"cells\": $((4 * $(sed -n 's/^NELEM= *//p' "$tmp/demo/mesh.su2" | tr -d '\r')))"
-runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" --move "$tmp/demo/moves.txt"
+check "demo: the fine mesh has four times the cells" \
+    says "\"cells\": $((4 * $(sed -n 's/^NELEM= *//p' "$tmp/demo/mesh.su2" | tr -d '\r')))"
+runs "demo: the fine basis moves the fine mesh" 0 morph "$tmp/demo/fine.su2" "$tmp/demo/fine.basis" \
+    --move "$tmp/demo/moves.txt"
 refuses "demo without its mesh" 3 '--mesh' demo "$tmp/demo" --mesh "$tmp/nowhere.su2"
 
 # ---- Measures and design variables, of the demo's curve ------------------------------------------------------------
@@ -877,7 +955,8 @@ runs "halved and elevated" 0 curve "$airfoil" --elevate --halve --insert 0.111 -
 check "halved and elevated: more points" test "$(number points)" -gt 40
 runs "halved and elevated: measured" 0 curve "$tmp/finer.curve" --json
 check "halved and elevated: the same area" near "$(number area)" "$area" 1e-14
-runs "functions of the finer curve" 0 solve "$tmp/demo/mesh.su2" --curve airfoil="$tmp/finer.curve" -o "$tmp/finer.basis"
+runs "functions of the finer curve" 0 solve "$tmp/demo/mesh.su2" --curve airfoil="$tmp/finer.curve" \
+    -o "$tmp/finer.basis"
 refuses "a knot outside" 2 'not inside' curve "$airfoil" --insert 7
 refuses "no number" 2 'expects numbers' curve "$airfoil" --insert x
 refuses "three numbers for a chord" 2 'four numbers' curve "$airfoil" --chord 0,0,1
@@ -886,16 +965,16 @@ for kind in "--cst 6,6" "--ffd 3,1" "--hicks-henne 2,2" "--naca 0.4"; do
     runs "variables $kind" 0 variables "$airfoil" $kind -o "$tmp/map" --json
     check "variables $kind: errors" test "$(grep -o rms_error "$tmp/out" | wc -l)" -ge 2
     echo '2 0.01' >"$tmp/values"
-    runs "morph by $kind" 0 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" --variables "$tmp/map" --move "$tmp/values" \
-        -o "$tmp/by.su2" --json
+    runs "morph by $kind" 0 morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" --variables "$tmp/map" \
+        --move "$tmp/values" -o "$tmp/by.su2" --json
     check "morph by $kind: on the B-spline" near "$(number boundary_error)" 0 1e-15
 done
 runs "thicker by NACA's mode" 0 curve "$tmp/by.su2.curve" --json
 check "thicker by NACA's mode: by 1 %" near "$(number max_thickness)" 0.13 1e-4
 refuses "two kinds of variables" 2 'one of --ffd' variables "$airfoil" --cst 6,6 --ffd 1,1
 refuses "a box beside the airfoil" 2 'moves no control point' variables "$airfoil" --ffd 1,1 --box 5,5,6,6
-refuses "variables of another curve" 3 'control points' morph "$tmp/demo/mesh.su2" "$tmp/finer.basis" --variables "$tmp/map" \
-    --move "$tmp/values"
+refuses "variables of another curve" 3 'control points' morph "$tmp/demo/mesh.su2" "$tmp/finer.basis" \
+    --variables "$tmp/map" --move "$tmp/values"
 echo '7 1' >"$tmp/values"
 refuses "a variable that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/demo/airfoil.basis" \
     --variables "$tmp/map" --move "$tmp/values"
@@ -905,7 +984,8 @@ awk '/^MARKER_TAG/ { on = $0 ~ /airfoil/ } on && $1 == 3 { seen[$2]; seen[$3] } 
     "$tmp/demo/mesh.su2" >"$tmp/plunge"
 awk '{ print $1, 1, 0.5 }' "$tmp/plunge" | sort >"$tmp/surge"
 sed 's/ 0 1$/ 0.004 0.022/' "$tmp/plunge" >"$tmp/field"
-runs "functions by table" 0 solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/plunge" --mode "$tmp/surge" -o "$tmp/modes.basis"
+runs "functions by table" 0 solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/plunge" --mode "$tmp/surge" \
+    -o "$tmp/modes.basis"
 printf 'mode 1 0.02\nmode 2 0.004\n' >"$tmp/values"
 runs "moved by modes" 0 morph "$tmp/demo/mesh.su2" "$tmp/modes.basis" --move "$tmp/values" -o "$tmp/by-modes.su2"
 runs "displaced" 0 displace "$tmp/demo/mesh.su2" --given airfoil --wall "$tmp/field" -o "$tmp/displaced.su2"
@@ -914,10 +994,11 @@ same_points() { paste -d ' ' "$1" "$2" | awk 'NF % 2 == 0 { for (i = 1; i <= NF 
 check "moved by modes: as displaced" same_points "$tmp/by-modes.su2" "$tmp/displaced.su2"
 refuses "modes without --given" 2 '--given' solve "$tmp/demo/mesh.su2" --mode "$tmp/plunge" -o "$tmp/x"
 sed 1d "$tmp/plunge" >"$tmp/fewer"
-refuses "a mode of fewer points" 3 'has not the points' solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/plunge" \
-    --mode "$tmp/fewer" -o "$tmp/x"
+refuses "a mode of fewer points" 3 'has not the points' solve "$tmp/demo/mesh.su2" --given airfoil \
+    --mode "$tmp/plunge" --mode "$tmp/fewer" -o "$tmp/x"
 sed 's/ 0 1$/ 0 0/' "$tmp/plunge" >"$tmp/zero"
-refuses "a mode that is zero" 2 'mode 0 (from 0) is zero' solve "$tmp/demo/mesh.su2" --given airfoil --mode "$tmp/zero" -o "$tmp/x"
+refuses "a mode that is zero" 2 'mode 0 (from 0) is zero' solve "$tmp/demo/mesh.su2" --given airfoil \
+    --mode "$tmp/zero" -o "$tmp/x"
 echo 'mode 3 1' >"$tmp/values"
 refuses "a mode that is none" 3 'between 1 and 2' morph "$tmp/demo/mesh.su2" "$tmp/modes.basis" --move "$tmp/values"
 

@@ -6,7 +6,8 @@
 # bmake and with busybox's shell and tools. LEVELS="-O2" and COMPILERS="g++-11 clang++-14" choose;
 # LEVELS=-fsyntax-only is quick.
 : "${LEVELS:=-O0 -O1 -O2 -O3}"
-: "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-13 clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
+: "${COMPILERS:=g++-7 g++-8 g++-9 g++-10 g++-11 g++-12 g++-13 g++-14 clang++-13
+    clang++-14 clang++-15 clang++-16 clang++-19 clang++-22}"
 build=$(cd "$1" && pwd)
 dir=$build/compilers
 topic=compilers log=$dir/log
@@ -31,7 +32,8 @@ for header in harmorph.h harmorph_pages.h harmorph_distributed.h; do
             command -v $compiler >/dev/null || continue
             # C89 has no keyword inline, which harmorph_pages.h needs.
             case "$standard $header" in c89*pages*) continue ;; esac
-            check "$header, $compiler -std=$standard" silent $compiler -std=$standard -Wall -Wextra -Werror -Ic_api -fsyntax-only "$dir/header.c"
+            check "$header, $compiler -std=$standard" silent $compiler -std=$standard -Wall -Wextra -Werror -Ic_api \
+                -fsyntax-only "$dir/header.c"
         done
     done
     for compiler in tcc pcc; do
@@ -43,7 +45,8 @@ done
 # The rules of the Makefile, and the generators: what a minimal system has.
 makes() { "$@" >"$dir/made" 2>&1 || cat "$dir/made"; }
 same_rules() {   # up to the name of the folder, which also stands in names of objects
-    make -s BUILD="$dir/gnu" rules && sed "s|compilers\([-/]\)$1|compilers\1gnu|g" "$dir/$1/rules.mk" | cmp - "$dir/gnu/rules.mk"
+    make -s BUILD="$dir/gnu" rules && sed "s|compilers\([-/]\)$1|compilers\1gnu|g" "$dir/$1/rules.mk" |
+        cmp - "$dir/gnu/rules.mk"
 }
 if command -v bmake >/dev/null; then
     check "bmake: rules" silent makes bmake -s BUILD="$dir/bmake" rules
@@ -57,7 +60,8 @@ if command -v busybox >/dev/null; then
     for tool in $(busybox --list); do ln -sf "$(command -v busybox)" "$dir/bin/$tool"; done
     check "busybox: rules" silent makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" rules
     check "busybox: the same rules" silent same_rules busybox
-    check "busybox: the amalgamation" silent makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" BUILD="$dir/busybox" amalgamation
+    check "busybox: the amalgamation" silent makes env PATH="$dir/bin:$PATH" make -s SHELL="$dir/bin/sh" \
+        BUILD="$dir/busybox" amalgamation
     check "busybox: the same file" silent cmp "$dir/busybox/amalgamation/harmorph.cpp" "$dir/harmorph.cpp"
 else
     missing busybox
@@ -66,6 +70,7 @@ for compiler in gfortran-11 gfortran-12 flang-new-16 flang-new-19 flang-19 flang
     command -v $compiler >/dev/null || { missing $compiler; continue; }
     # flang warns of pointers to types without bind(c) from c_f_pointer, which Fortran 2018 allows.
     case $compiler in flang*) quiet=-w ;; *) quiet= ;; esac
-    check "the Fortran module, $compiler" silent sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" "$compiler $quiet" "$build"
+    check "the Fortran module, $compiler" silent sh -c 'cd "$1" && $2 -c -o module.o "$3/harmorph.f90"' sh "$dir" \
+        "$compiler $quiet" "$build"
 done
 finish "$dir"

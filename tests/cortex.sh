@@ -15,27 +15,29 @@ if ! echo "$probe" | $ARM_CXX -x c++ -fsyntax-only - 2>/dev/null; then
     echo "    (Debian: gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev, libnewlib-arm-none-eabi, qemu-system-arm)"
     exit 0
 fi
-processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off -ffunction-sections
-    -fdata-sections"
+processor="-mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard -ffreestanding -Os -ffp-contract=off
+    -ffunction-sections -fdata-sections"
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -ffp-contract=off -Ic_api"
 rm -rf "$dir"
 mkdir -p "$dir"
 sh c_api/amalgamate.sh >"$dir/harmorph.cpp" && cp c_api/harmorph.h "$dir/" || exit 1
-check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall \
-    -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
+check "the library" $ARM_CXX $processor -std=c++17 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno \
+    -Wall -Wextra -Wconversion -Werror -c -o "$dir/harmorph.o" "$dir/harmorph.cpp"
 # A processor without atomic instructions, for which compilers would call a library: what shares out work among threads.
 for file in src/direct/multifrontal_solve.cpp src/ordering/nested_dissection.cpp; do
-    check "$file for a Cortex-M0" $ARM_CXX -mcpu=cortex-m0 -mthumb -ffreestanding -O2 -ffp-contract=off -std=c++17 -fno-exceptions \
+    check "$file for a Cortex-M0" $ARM_CXX -mcpu=cortex-m0 -mthumb -ffreestanding -O2 -ffp-contract=off -std=c++17 \
+        -fno-exceptions \
         -fno-rtti -fno-threadsafe-statics -fno-math-errno -Wall -Wextra -Wconversion -Werror -Iinclude -Isrc -c \
         -o "$dir/m0.o" $file
-    check "$file without calls for atomic operations" sh -c '! ${0%g++}nm -u "$1" | grep -e atomic -e sync' "$ARM_CXX" "$dir/m0.o"
+    check "$file without calls for atomic operations" sh -c '! ${0%g++}nm -u "$1" | grep -e atomic -e sync' "$ARM_CXX" \
+        "$dir/m0.o"
 done
 check "a basis solved here" $CC $strict -O2 -o "$dir/here" tests/cross/morphs.c "$build/libharmorph.a" -lm
 check "saved" "$dir/here" save "$dir/basis"
 check "attached here" "$dir/here" attach "$dir/basis"
 cp "$dir/log" "$dir/expected"
-printf '.section .basis, "a"\n.balign 64\n.global basis_begin, basis_end\nbasis_begin: .incbin "%s"\nbasis_end:\n' "$dir/basis" \
-    >"$dir/basis.S"
+printf '.section .basis, "a"\n.balign 64\n.global basis_begin, basis_end\nbasis_begin: .incbin "%s"\nbasis_end:\n' \
+    "$dir/basis" >"$dir/basis.S"
 check "the program" $ARM_CXX $processor -x c -std=gnu99 -Wall -Wextra -Werror -Wno-missing-field-initializers -Ic_api \
     -c -o "$dir/cortex.o" tests/cross/cortex.c
 check "link" $ARM_CXX $processor -nostdlib -nostartfiles -T tests/cross/cortex.ld -Wl,--gc-sections \
@@ -51,6 +53,7 @@ else
 fi
 size=${ARM_CXX%g++}size
 if command -v $size >/dev/null; then
-    $size -A "$dir/cortex" | awk '$1 == ".text" { print $2 " bytes of code and constants" } $1 == ".basis" { print $2 " bytes of basis" }'
+    $size -A "$dir/cortex" | awk '$1 == ".text" { print $2 " bytes of code and constants" } $1 == ".basis" {
+        print $2 " bytes of basis" }'
 fi
 finish "$dir"

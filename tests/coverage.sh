@@ -19,7 +19,8 @@ long="a function's bits do not depend on the engine's blocks*,airfoils with 20 c
 engines=$!
 "$dir/tests" -sfe="$half" -tce="$long" >"$dir/log" || { cat "$dir/log"; exit 1; }
 wait $engines || { cat "$dir/log.engines"; exit 1; }
-for run in "problem 6000" "basis 2000" "sequence 1000" "polygons 600" "given 600" "parts 400" "plane 400" "shape 600"; do
+for run in "problem 6000" "basis 2000" "sequence 1000" "polygons 600" "given 600" "parts 400" "plane 400" \
+    "shape 600"; do
     "$dir/fuzzer" $run 1 >>"$dir/log" || exit 1
 done
 for notes in "$dir"/objects/core/*.gcno; do
@@ -65,7 +66,8 @@ done | awk -F: '
             if (!refusal[line]) print "refusal " line ": never reached:" of[line]
         }
         for (file in of_file) printf "file %s %d of %d\n", file, hit_of[file], of_file[file]
-        printf "%d of %d branches taken (%.1f %%), %d of %d refusals reached\n", hit, all, 100 * hit / all, seen, refusals
+        printf "%d of %d branches taken (%.1f %%), %d of %d refusals reached\n", hit, all, 100 * hit / all, seen,
+        refusals
     }' | sort -V >"$dir/all"
 grep '^missed\|^refusal' "$dir/all" >"$dir/missed"
 sed -n 's/^file //p' "$dir/all" | awk '$2 < 0.95 * $4'

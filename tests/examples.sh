@@ -31,7 +31,8 @@ check "C: an area by adjoint steps" says "^0 inverted cells on the way"
 check "C: a thousand steps of pitching" says "first mesh bit by bit, 3 of 3 times"
 check "C: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"
 check "C: a mesh from an SU2 file" says "^airfoil: [0-9]* points, 20 functions, 0 inverted cells"
-check "C: a wall that moves as a file says" says "^coupling: 40 steps, 132 points of the wall, quality of at least 0[.][1-9]"
+check "C: a wall that moves as a file says" \
+    says "^coupling: 40 steps, 132 points of the wall, quality of at least 0[.][1-9]"
 check "Fortran, make run" by_make fortran
 cp "$log" "$log.kept"
 check "Fortran: a mesh one cell thick" says "^one cell thick: 0 inverted cells, 0 points"

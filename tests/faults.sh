@@ -83,7 +83,8 @@ if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>er
             under_strace "$system_calls:signal=KILL:when=$call" $(arguments $name place/$name) 2>shell_says
             [ "$(cat place/$name)" = old ] || cmp -s place/$name good/$name || bad=$((bad + 1))
         done 2>shell_says
-        passes "$name, killed at each of the calls $begin to $n: $bad times neither the old file nor the new one" $((bad > 0))
+        passes "$name, killed at each of the calls $begin to $n: $bad times neither the old file nor the new one" \
+            $((bad > 0))
         writes=$(grep -c 'write(' trace) bad=0
         for call in $(seq 1 "$writes"); do
             rm -rf place && mkdir place && echo old >place/$name
@@ -94,7 +95,8 @@ if strace -f -qq -o trace -e trace=$system_calls "$harmorph" --version >out 2>er
                     [ "$(ls -A place)" = $name ] || bad=$((bad + 1))
             fi
         done
-        passes "$name, the disk full at each of $writes writes: $bad times not the old file alone and exit code 3" $((bad > 0))
+        passes "$name, the disk full at each of $writes writes: $bad times not the old file alone and exit code 3" \
+            $((bad > 0))
     done
 else
     skip "kills at each system call and full disks at each write" "strace is not installed or may not trace"
@@ -103,7 +105,8 @@ fi
 # Places that are no files.
 mkdir -p folder
 for name in a.curve a.basis m.su2; do
-    for place in folder missing/$name "$(printf '%0300d' 0)" "$(printf 'missing/%.0s' $(seq 700))$name" /dev/null/$name; do
+    for place in folder missing/$name "$(printf '%0300d' 0)" "$(printf 'missing/%.0s' $(seq 700))$name" \
+        /dev/null/$name; do
         command_for $name "$place"
         status=$?
         passes "$name to $place: exit code $status" "$([ $status = 3 ]; echo $?)"
@@ -168,7 +171,8 @@ passes "lines that end with CR LF" $?
 tr -d '\r' <crlf_moved.su2 >without_cr
 passes "lines that end with CR LF: the same mesh" "$(cmp -s without_cr good/m.su2; echo $?)"
 if localedef -i de_DE -f UTF-8 ./de_DE.UTF-8 >/dev/null 2>&1; then
-    passes "the locale has a decimal comma" "$([ "$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ]; echo $?)"
+    passes "the locale has a decimal comma" "$([ "$(LOCPATH=$PWD LC_ALL=de_DE.UTF-8 locale decimal_point)" = , ]; \
+        echo $?)"
     LOCPATH=$PWD LC_ALL=de_DE.UTF-8 run morph "$mesh" good/a.basis --move moves.txt -o comma.su2
     passes "a locale with a decimal comma" "$(cmp -s comma.su2 good/m.su2; echo $?)"
 else

@@ -36,9 +36,12 @@ check "headings are escaped" grep -q '<h2>One &amp; two</h2>' "$tmp/index.html"
 check "remarks are escaped" grep -q '<p>A remark: 1 &lt; 2' "$tmp/index.html"
 check "lines of a remark are one paragraph" test "$(count '<p>')" -eq 2
 check "captions of tables are escaped" grep -q '<caption>Rows &amp; columns</caption>' "$tmp/index.html"
-check "headings have their cells" grep -q '<th scope="col">name</th><th scope="col">first</th><th scope="col">second value</th>' "$tmp/index.html"
-check "rows have their cells" grep -q '<td>a b</td><td class="number">1.5</td><td class="number">-</td>' "$tmp/index.html"
-check "a row of one cell runs over all columns" grep -q '<td class="remark" colspan="3">a note about a b</td>' "$tmp/index.html"
+check "headings have their cells" \
+    grep -q '<th scope="col">name</th><th scope="col">first</th><th scope="col">second value</th>' "$tmp/index.html"
+check "rows have their cells" grep -q '<td>a b</td><td class="number">1.5</td><td class="number">-</td>' \
+    "$tmp/index.html"
+check "a row of one cell runs over all columns" grep -q '<td class="remark" colspan="3">a note about a b</td>' \
+    "$tmp/index.html"
 check "an empty line ends a table" grep -q '<p>another remark' "$tmp/index.html"
 check "one table" test "$(count '</table>')" -eq 1
 check "pictures have a text" grep -q 'src="b.svg" alt="The second figure"' "$tmp/index.html"
@@ -58,7 +61,8 @@ if [ -n "$driver" ]; then
     sh tests/figures.sh "$tmp/deform" "Large movements" "$driver" "$tmp/deform" >"$tmp/out" 2>&1
     check "deform: exit status" test $? -eq 0
     check "deform: no target is missed" grep -q '^0 targets of the safe morph missed' "$tmp/out"
-    check "deform: a row for each exponent" test "$(grep -c '<td>conformal [0-9.]*</td><td class="number">100.0 %</td>' "$tmp/deform/index.html")" -eq 5
+    check "deform: a row for each exponent" \
+        test "$(grep -c '<td>conformal [0-9.]*</td><td class="number">100.0 %</td>' "$tmp/deform/index.html")" -eq 5
     check "deform: no raw output of other commands" sh -c "! grep -q '{' '$tmp/out'"
 fi
 

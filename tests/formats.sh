@@ -48,7 +48,8 @@ for kind in $("$make_mesh" list); do "$make_mesh" $kind "$tmp/$kind"; done
 cp "$tmp/plain.su2" "$tmp/ring.su2"
 check "plain.su2: fit" "$harmorph" fit "$tmp/ring.su2" --marker body --points 8 -o "$tmp/curve"
 check "plain.su2: solve" "$harmorph" solve "$tmp/ring.su2" --curve "body=$tmp/curve" -o "$tmp/basis"
-check "plain.su2: morph" "$harmorph" morph "$tmp/ring.su2" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved-plain.su2"
+check "plain.su2: morph" "$harmorph" morph "$tmp/ring.su2" "$tmp/basis" --move "$tmp/moves.txt" \
+    -o "$tmp/moved-plain.su2"
 points_of() { sed '1,/^NPOIN/d; /^NMARK/,$d' "$1" | awk '{ print $1, $2 }'; }
 points_of "$tmp/moved-plain.su2" >"$tmp/points-of-all"
 

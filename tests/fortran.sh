@@ -13,7 +13,8 @@ topic=Fortran log=$dir/log
 strict=-std=f2008 legacy= checks= long= openmp= address=
 if $FC --version 2>/dev/null | grep -q '^GNU'; then
     strict="-std=f2008 -Wall -Wextra -Werror" legacy="-std=legacy -Wall -Wextra -Werror"
-    checks="-fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow" long="-fdefault-integer-8 -fdefault-real-8" openmp=-fopenmp
+    checks="-fcheck=all,no-array-temps -ffpe-trap=invalid,zero,overflow" long="-fdefault-integer-8 -fdefault-real-8" \
+        openmp=-fopenmp
     address="-fsanitize=address -fno-omit-frame-pointer"
 fi
 loose="-Wno-conversion -Wno-compare-reals"    # of the tests: numbers that must be equal
@@ -115,7 +116,8 @@ missing() {
     for name in $(sed -n 's/^HM_API .*[ *]\(hm_[a-z_]*\)(.*/\1/p' c_api/harmorph.h); do
         grep -q "name=\"$name\"" "$build/harmorph.f90" || echo "$name"
     done
-    for name in $(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z | cut -d ' ' -f 1); do
+    for name in $(sed -n '/^enum/,/};/p' c_api/harmorph.h | grep -o 'HM_[A-Z0-9_]* =' | tr A-Z a-z |
+        cut -d ' ' -f 1); do
         grep -q "\b$name = " "$build/harmorph.f90" && grep -qi "PUT($name)" tests/layout.c || echo "$name"
     done
 }
@@ -127,8 +129,8 @@ check "harmorph77.f90" quietly $FC $strict $FFLAGS $checks -I"$dir/checked" -J"$
 check "legacy_tools.f" $FC $legacy $FFLAGS $checks -c tests/legacy_tools.f -o "$dir/legacy_tools.o"
 for test in legacy legacy_cells legacy_design; do
     check "$test.f" $FC $legacy $FFLAGS $checks -c tests/$test.f -o "$dir/$test.o"
-    check "link of $test" $FC $FFLAGS "$dir/$test.o" "$dir/legacy_tools.o" "$dir/harmorph77.o" "$dir/checked/harmorph.o" \
-        "$build/libharmorph.a" -o "$dir/$test"
+    check "link of $test" $FC $FFLAGS "$dir/$test.o" "$dir/legacy_tools.o" "$dir/harmorph77.o" \
+        "$dir/checked/harmorph.o" "$build/libharmorph.a" -o "$dir/$test"
     "$dir/$test" || fail $test
 done
 # Every legacy call is in the manual at the head of the file, and is called by a test.

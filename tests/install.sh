@@ -29,7 +29,8 @@ cat >"$dir/expected" <<END
 ./lib/libharmorph.a
 ./lib/pkgconfig/harmorph.pc
 END
-for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_mpi.c harmorph_petsc.c read_su2.c read_su2.h naca0012.su2; do
+for file in fortran/*.f90 harmorph.f90 harmorph77.f90 harmorph_mpi.f90 harmorph_mpi.c harmorph_petsc.c read_su2.c \
+    read_su2.h naca0012.su2; do
     echo "./share/harmorph/$(basename "$file")"
 done | sort >>"$dir/expected"
 echo ./share/man/man1/harmorph.1 >>"$dir/expected"
@@ -80,7 +81,8 @@ check "cmake configures" cmake -S . -B "$dir/cmake" -DBUILD_TESTING=OFF -DCMAKE_
 check "cmake builds" cmake --build "$dir/cmake" -j "${JOBS:-2}"
 check "cmake installs" cmake --install "$dir/cmake" --prefix "$dir/second"
 check "the list of files by cmake" same_files "$dir/second"
-check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f90" "$dir/second/share/harmorph/harmorph.f90"
+check "the same harmorph.f90 by cmake" cmp "$dir/moved/share/harmorph/harmorph.f90" \
+    "$dir/second/share/harmorph/harmorph.f90"
 check "use by pkg-config, by cmake" by_pkg_config "$dir/second"
 check "use by find_package, by cmake" by_find_package "$dir/second"
 

@@ -23,7 +23,8 @@ topic=MPI log=$dir/log
 . "$(dirname "$0")/count.sh"
 # Not optimised, which would take most of the time.
 fortran() { $MPIFC $strict $FFLAGS -O0 $checks -J"$dir" -I"$dir" -c "$1" -o "$dir/$(basename "$1" .f90)_f.o"; }
-c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS "$@"; }
+c() { $MPICC -std=c99 -D_XOPEN_SOURCE=700 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers $CFLAGS \
+    "$@"; }
 
 check "harmorph_mpi.c" c -Ic_api -c c_api/harmorph_mpi.c -o "$dir/harmorph_mpi.o"
 check "harmorph_mpi.c, as it is installed" c -Ic_api -c "$build/harmorph_mpi.c" -o "$dir/harmorph_mpi.o"
@@ -31,8 +32,8 @@ check "mpi.c" c -pthread -Ic_api -Itests -o "$dir/mpi_c" tests/mpi.c "$dir/harmo
 for source in "$build/harmorph.f90" "$build/harmorph_mpi.f90" tests/o_mesh.f90 tests/mpi.f90; do
     check "$(basename "$source")" fortran "$source"
 done
-check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" "$dir/harmorph_f.o" \
-    "$dir/harmorph_mpi.o" "$build/libharmorph.a"
+check "link of mpi.f90" $MPIFC $FFLAGS -o "$dir/mpi_f" "$dir/mpi_f.o" "$dir/o_mesh_f.o" "$dir/harmorph_mpi_f.o" \
+    "$dir/harmorph_f.o" "$dir/harmorph_mpi.o" "$build/libharmorph.a"
 for n in 1 2 3 4; do
     for program in mpi_c mpi_f; do start $n "$dir/$program" 2>&1 || fail "$program on $n processes"; done
 done

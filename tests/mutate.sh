@@ -21,7 +21,8 @@ candidates() {
     awk '
     function mutant(at, from, to) { printf "%s\t%d\t%d\t%s\t%s\t%s\n", FILENAME, FNR, at, from, to, $0 }
     function find(from, to,   start, at) {
-        for (start = 1; (at = index(substr(text, start), from)) > 0; start = start + at) mutant(start + at - 1, from, to)
+        for (start = 1; (at = index(substr(text, start), from)) > 0; start = start + at) mutant(start + at - 1, from,
+        to)
     }
     {
         text = $0
@@ -68,7 +69,8 @@ compile() {   # source, folder: what stands in `mutant.cpp` there, so that names
 }
 link_tests() { $link -o "$1/tests" $(cat "$BUILD/objects/tests.list") "$1/mutant.o" "$BUILD/libharmorph.a"; }
 link_fuzzer() {
-    $link -o "$1/fuzzer" "$BUILD"/objects/fuzz/*.o "$1/mutant.o" $(cat "$BUILD/objects/program.list") "$BUILD/libharmorph.a"
+    $link -o "$1/fuzzer" "$BUILD"/objects/fuzz/*.o "$1/mutant.o" $(cat "$BUILD/objects/program.list") \
+        "$BUILD/libharmorph.a"
 }
 
 # All test cases, in lines of room, seconds, name; those that take more than half a second wait until all others are
@@ -77,7 +79,8 @@ link_fuzzer() {
 LC_ALL=C awk '
     /^(\.\/)?tests\/.*:$/ { room = $0; sub(/.*tests\//, "", room); sub(/\/.*/, "", room) }
     /^[0-9.]+ s: / { seconds = $1 + 0; sub(/^[^:]*: /, ""); print room "\t" seconds "\t" $0 }' "$dir/out" >"$dir/cases"
-slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?"); printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
+slow=$(LC_ALL=C awk -F'\t' '$2 > 0.5 { gsub(/,/, "?");
+    printf "%s,", $3 }' "$dir/cases")   # a comma begins another pattern
 
 # What may find a mutant, the likeliest and quickest first. Of other rooms, those below in the table of src/README.md:
 # the rest cannot know of the file, but through the C interface, whose tests are among them.
@@ -105,7 +108,8 @@ step() {   # which, folder of the programs, room, file
         done ;;
     esac
 }
-(step random "$BUILD" && times) >"$dir/out" 2>&1 || { cat "$dir/out"; echo "random problems fail without a mutant"; exit 1; }
+(step random "$BUILD" && times) >"$dir/out" 2>&1 || { cat "$dir/out"; echo "random problems fail without a mutant"; \
+    exit 1; }
 seconds_of_random=$(tail -n 1 "$dir/out" | LC_ALL=C awk -F'[ms ]+' '{ print int(60 * $1 + $2) }')
 
 # Seconds of processor time that a step may take: twice what it takes without a mutant, and three.
@@ -138,7 +142,8 @@ fate() {   # folder, file, line, column, from, to, steps, otherwise: what become
         compile "$2" "$1" && mv "$1/mutant.o" "$original" || exit 1
     fi
     awk -v line="$3" -v column="$4" -v from="$5" -v to="$6" '
-        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$2" >"$1/mutant.cpp"
+        NR == line { $0 = substr($0, 1, column - 1) to substr($0, column + length(from)) } { print }' "$2" \
+            >"$1/mutant.cpp"
     compile "$2" "$1" || { echo "no C++"; return; }
     if cmp -s "$1/mutant.o" "$original"; then echo "the same instructions"; return; fi
     room=$(basename "$(dirname "$2")") file=$(basename "$2" .cpp)
@@ -193,7 +198,8 @@ while IFS='	' read -r file line column from to; do
     case $known_fate in
     "" | hidden) left=$((left + 1)) ;;
     caught) built=$((built + 1)) caught=$((caught + 1)) ;;
-    "out of time") built=$((built + 1)) endless=$((endless + 1)); echo "out of time: $file:$line: '$from' becomes '$to'" ;;
+    "out of time") built=$((built + 1)) endless=$((endless + 1))
+    echo "out of time: $file:$line: '$from' becomes '$to'" ;;
     survives)
         built=$((built + 1))
         text=$(sed -n "${line}s/^ *//p" "$file")

@@ -10,7 +10,8 @@ for place in "${FOAM_TUTORIALS:-}" /usr/share/doc/openfoam-examples/examples; do
     test -d "$case/constant" && tutorial=$case
 done
 if ! command -v simpleFoam >/dev/null 2>&1 || [ -z "$tutorial" ]; then
-    echo "OpenFOAM or its tutorials are not installed: no case is run on a morphed mesh (Debian's openfoam, openfoam-examples)"
+    echo "OpenFOAM or its tutorials are not installed: no case is run on a morphed mesh" \
+        "(Debian's openfoam, openfoam-examples)"
     exit 0
 fi
 # Debian's package leaves to the caller where its settings are.
@@ -20,14 +21,16 @@ mkdir -p "$tmp" || exit 2
 cp -r "$tutorial" "$tmp/given"
 find "$tmp/given" -name '*.gz' -exec gunzip {} +
 test -d "$tmp/given/0" || cp -r "$tmp/given/0.orig" "$tmp/given/0"
-sed -i.old -e 's/^endTime .*/endTime         100;/' -e 's/^writeInterval .*/writeInterval   100;/' "$tmp/given/system/controlDict"
+sed -i.old -e 's/^endTime .*/endTime         100;/' -e 's/^writeInterval .*/writeInterval   100;/' \
+    "$tmp/given/system/controlDict"
 cp -r "$tmp/given" "$tmp/moved"
 check "airFoil2D: check" "$harmorph" check "$tmp/given"
 check "airFoil2D: fit" "$harmorph" fit "$tmp/given" --marker walls -o "$tmp/curve"
 check "airFoil2D: solve" "$harmorph" solve "$tmp/given" --curve "walls=$tmp/curve" -o "$tmp/basis"
 for k in 4 5 6 7 8 9 10 11 12 13 14 15 16 17; do echo "$k 0 .02"; done >"$tmp/moves.txt" # camber
 check "airFoil2D: morph" "$harmorph" morph "$tmp/given" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved"
-check "airFoil2D: the points have moved" sh -c "! cmp -s '$tmp/given/constant/polyMesh/points' '$tmp/moved/constant/polyMesh/points'"
+check "airFoil2D: the points have moved" \
+    sh -c "! cmp -s '$tmp/given/constant/polyMesh/points' '$tmp/moved/constant/polyMesh/points'"
 for case in given moved; do
     checkMesh -case "$tmp/$case" -constant >"$tmp/$case.check" 2>&1
     grep -E 'Mesh OK|Failed [0-9]+ mesh checks' "$tmp/$case.check" >"$tmp/$case.verdict"
@@ -39,7 +42,8 @@ done
 check "airFoil2D: checkMesh: the same verdict" cmp "$tmp/given.verdict" "$tmp/moved.verdict"
 check "airFoil2D: checkMesh: a verdict" test -s "$tmp/moved.verdict"
 # The residuals of the pressure are those of a run that converges, and not those of the given mesh.
-residual() { awk '/Solving for p,/ { sub(/.*Initial residual = /, ""); sub(/,.*/, ""); r = $0 } END { print r }' "$tmp/$1.log"; }
+residual() { awk '/Solving for p,/ { sub(/.*Initial residual = /, ""); sub(/,.*/, ""); r = $0 }
+    END { print r }' "$tmp/$1.log"; }
 check "airFoil2D: the residual falls" awk -v r="`residual moved`" 'BEGIN { exit !(r > 0 && r < .2) }'
 check "airFoil2D: another flow" test "`residual given`" != "`residual moved`"
 finish

@@ -51,7 +51,8 @@ fi
 
 browse() { # browse PAGE: the page's elements as text, once it is loaded
     timeout 300 "$chromium" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
-        --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" --use-angle=swiftshader \
+        --disable-component-update --disable-sync --disable-dev-shm-usage --user-data-dir="$tmp/profile" \
+        --use-angle=swiftshader \
         --enable-unsafe-swiftshader --window-size=1280,800 --dump-dom "file://$1" 2>"$tmp/browser.log"
     rm -rf "$tmp/profile"
 }
@@ -79,9 +80,11 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
     grep '^check .*FAILED' "$tmp/$case.result" >"$tmp/log"
     while read -r line; do fail "$case: $line"; done <"$tmp/log"
     sed -n '/^moves$/,/^end$/p' "$tmp/$case.result" | sed '1d;$d' >"$tmp/$case.moves"
-    "$harmorph" morph "$mesh" "$basis" --move "$tmp/$case.moves" -o "$tmp/$case.moved" --force --json >"$tmp/$case.json" 2>/dev/null
+    "$harmorph" morph "$mesh" "$basis" --move "$tmp/$case.moves" -o "$tmp/$case.moved" --force \
+        --json >"$tmp/$case.json" 2>/dev/null
     # SU2 or VTK. Coordinates that have not changed keep their text, which is in the mesh's own precision.
-    awk '/^(NPOIN=|POINTS )/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside { print "at", n++, $1, $2 }' "$tmp/$case.moved" |
+    awk '/^(NPOIN=|POINTS )/ { inside = 1; n = 0; next } /^[A-Z]/ { inside = 0 } inside { print "at", n++, $1, $2 }' \
+        "$tmp/$case.moved" |
         cat - "$tmp/$case.result" | awk '
         function off(a, b) { return a > b ? a - b : b - a }
         $1 == "at" { x[$2] = $3; y[$2] = $4; next }
@@ -89,7 +92,8 @@ page() { # page CASE MESH BASIS PIXELS OPTIONS...: drag a point down by so many 
         { ++n; dx = off($3, x[$2]); dy = off($4, y[$2]) }
         dx > $5 || dy > $6 { ++wrong; if (wrong == 1) print "point", $2, "is off by", dx, dy, "and may be by", $5, $6 }
         { if ($5 > 0 && dx / $5 > most) most = dx / $5; if ($6 > 0 && dy / $6 > most) most = dy / $6 }
-        END { print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"; exit !(n > 0 && wrong == 0) }' >"$tmp/log"
+        END { print n, "points,", wrong + 0, "beyond the bound; at most", most, "of it"; exit !(n > 0 &&
+        wrong == 0) }' >"$tmp/log"
     if [ $? -eq 0 ]; then ok; else fail "$case: $(cat "$tmp/log")"; fi
     frame=$(value frame_milliseconds)
     frame=${frame:+"; median frame of a drag $frame ms: morph $(value morph_milliseconds), \
@@ -138,7 +142,8 @@ const lines = [`value percent_before ${percent(2).toFixed(9)}`, `value percent_a
     `value first_layer_missing ${report.wall.layer.length - table("angle_chart").length}`,
     `value inverted ${report.cells.inverted}`, `value admissible_step ${report.cells.step}`,
     `value min_quality ${report.cells.min_quality}`, `value mean_quality ${report.cells.mean_quality}`,
-    `value self_crossing ${report.wall.crossing.length > 0}`, `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
+    `value self_crossing ${report.wall.crossing.length > 0}`,
+    `value close_ups ${document.querySelectorAll("#worst canvas").length}`,
     `value charts ${document.querySelectorAll("article svg").length}`];
 document.body.innerHTML = `<pre>\n\nresult begins\n${lines.join("\n")}\nresult ends\n</pre>`;
 </script>
@@ -157,7 +162,8 @@ fi
 }
 report report "$naca" "$tmp/laplace.basis" inverted
 report polygons-report "$tmp/merged.vtk" "$tmp/merged.basis" polygons-inverted
-"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" >/dev/null 2>&1
+"$harmorph" morph "$naca" "$tmp/laplace.basis" --move "$tmp/inverted.moves" --safe --report "$tmp/safe.html" \
+    >/dev/null 2>&1
 if grep -q '"safe": true' "$tmp/safe.html"; then ok; else fail "--safe --report"; fi
 page thinned "$naca" "$tmp/conformal.basis" 30 --points 2000
 # As many points as a page shows without leaving any out: the demo's fine mesh.

@@ -12,10 +12,10 @@ refuses() { # refuses NAME TEXT ARGUMENTS...
     check "$name" grep -F -e "$text" "$tmp/message"
 }
 bodies=$meshes/two_bodies.su2
-check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve" \
-    --operator laplace --engine multigrid -o "$tmp/harmonic.basis"
-check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.curve" --curve right="$meshes/two_bodies_right.curve" \
-    -o "$tmp/conformal.basis"
+check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.curve" \
+    --curve right="$meshes/two_bodies_right.curve" --operator laplace --engine multigrid -o "$tmp/harmonic.basis"
+check "solve" "$harmorph" solve "$bodies" --curve left="$meshes/two_bodies_left.curve" \
+    --curve right="$meshes/two_bodies_right.curve" -o "$tmp/conformal.basis"
 printf '1 .1 .02\n14 -.05 .1\n' >"$tmp/moves.txt"
 
 # Every picture says what it shows, is whole, gives its scale along both axes, and holds its longest texts: a character
@@ -36,12 +36,14 @@ is_picture() { # is_picture FILE TITLE PANELS
         END {
             print titles, descriptions, open, closed, frames, x, y, last
             if (long || !width) exit 1
-            exit !(titles == 1 && descriptions == 1 && open == closed && frames == panels && x > 0 && y > 0 && last == "</svg>")
+            exit !(titles == 1 && descriptions == 1 && open == closed && frames == panels && x > 0 && y > 0 &&
+            last == "</svg>")
         }' "$1"
 }
 check "check: mesh" "$harmorph" check "$bodies" --svg "$tmp/mesh.svg"
 check "the mesh is a picture" is_picture "$tmp/mesh.svg" "The mesh" 1
-check "the mesh: each marker is in the legend" sh -c "grep -q '>left</text>' '$tmp/mesh.svg' && grep -q '>right</text>' '$tmp/mesh.svg'"
+check "the mesh: each marker is in the legend" \
+    sh -c "grep -q '>left</text>' '$tmp/mesh.svg' && grep -q '>right</text>' '$tmp/mesh.svg'"
 check "check: boundaries and curves" "$harmorph" check "$bodies" --boundaries --curve "$meshes/two_bodies_left.curve" \
     --curve "$meshes/two_bodies_right.curve" --svg "$tmp/boundaries.svg"
 check "boundaries are a picture" is_picture "$tmp/boundaries.svg" "Boundaries of the mesh and its B-spline" 1
@@ -50,28 +52,34 @@ check "check: control volumes" "$harmorph" check "$bodies" --dual-volumes 700,70
 check "control volumes are a picture" is_picture "$tmp/dual.svg" "Control volumes" 1
 check "check: gradient volumes" "$harmorph" check "$bodies" --gradient-volumes 700 --svg "$tmp/gradient.svg"
 check "gradient volumes are a picture" is_picture "$tmp/gradient.svg" "Volumes for the gradients" 1
-refuses "a volume of no point" "--dual-volumes expects whole numbers between 0 and 1838" check "$bodies" --dual-volumes 1839 --svg "$tmp/x"
-check "export: one function" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 12 --svg "$tmp/one.svg" --csv "$tmp/values.csv" \
-    --contour-csv "$tmp/contours.csv" --window -1,-1,5,4
+refuses "a volume of no point" "--dual-volumes expects whole numbers between 0 and 1838" check "$bodies" \
+    --dual-volumes 1839 --svg "$tmp/x"
+check "export: one function" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 12 --svg "$tmp/one.svg" \
+    --csv "$tmp/values.csv" --contour-csv "$tmp/contours.csv" --window -1,-1,5,4
 check "a function is a picture" is_picture "$tmp/one.svg" "Function of control point 12 (point 1 of curve 2)" 1
-check "export: a complex function" "$harmorph" export "$bodies" "$tmp/conformal.basis" --function 12 --svg "$tmp/complex.svg"
+check "export: a complex function" "$harmorph" export "$bodies" "$tmp/conformal.basis" --function 12 \
+    --svg "$tmp/complex.svg"
 check "a complex function is a picture" is_picture "$tmp/complex.svg" "Function of control point 12" 1
-check "export: four functions" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 1,5,12,16 --svg "$tmp/four.svg"
+check "export: four functions" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --function 1,5,12,16 \
+    --svg "$tmp/four.svg"
 check "four functions are a picture of four panels" is_picture "$tmp/four.svg" "Functions of 4 control points" 4
 check "panels are numbered by curve" grep -q '>Control point 16 (point 5 of curve 2): 0 to' "$tmp/four.svg"
-check "export: two operators" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --beside "$tmp/conformal.basis" --function 12 --number 1,2 \
-    --svg "$tmp/beside.svg"
+check "export: two operators" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --beside "$tmp/conformal.basis" \
+    --function 12 --number 1,2 --svg "$tmp/beside.svg"
 check "two operators are a picture of three panels" is_picture "$tmp/beside.svg" "Function of control point 12" 3
 check "export: levels" "$harmorph" export "$bodies" "$tmp/harmonic.basis" --level 0,1,2,3 --svg "$tmp/levels.svg"
 check "levels are a picture of four panels" is_picture "$tmp/levels.svg" "Levels of agglomeration" 4
 check "known values have their volumes" test "$(grep -c '<path fill="#8d969e"' "$tmp/levels.svg")" -eq 4
-check "morph" "$harmorph" morph "$bodies" "$tmp/harmonic.basis" --move "$tmp/moves.txt" -o "$tmp/moved.su2" --svg "$tmp/morph.svg" \
-    --boundary-svg "$tmp/boundary.svg" --csv "$tmp/curves.csv"
+check "morph" "$harmorph" morph "$bodies" "$tmp/harmonic.basis" --move "$tmp/moves.txt" -o "$tmp/moved.su2" \
+    --svg "$tmp/morph.svg" --boundary-svg "$tmp/boundary.svg" --csv "$tmp/curves.csv"
 check "a morph is a picture" is_picture "$tmp/morph.svg" "Mesh and B-spline" 1
 check "a boundary is a picture" is_picture "$tmp/boundary.svg" "The boundary" 1
-refuses "a list that is none" "--function expects whole numbers between 1 and 20" export "$bodies" "$tmp/harmonic.basis" --function 1,,2 --svg "$tmp/x"
-refuses "a table of several functions" "--csv and --vtu take one --function" export "$bodies" "$tmp/harmonic.basis" --function 1,2 --csv "$tmp/x"
-refuses "an imaginary part of real functions" "--number" export "$bodies" "$tmp/harmonic.basis" --function 1 --number 2 --svg "$tmp/x"
+refuses "a list that is none" "--function expects whole numbers between 1 and 20" export "$bodies" \
+    "$tmp/harmonic.basis" --function 1,,2 --svg "$tmp/x"
+refuses "a table of several functions" "--csv and --vtu take one --function" export "$bodies" "$tmp/harmonic.basis" \
+    --function 1,2 --csv "$tmp/x"
+refuses "an imaginary part of real functions" "--number" export "$bodies" "$tmp/harmonic.basis" --function 1 \
+    --number 2 --svg "$tmp/x"
 if [ -e "$tmp/x" ]; then fail "refused pictures leave a file"; fi
 
 # Contour lines: each point lies on an edge of the mesh, where the function, linear along the edge, has the line's
@@ -82,11 +90,13 @@ contours_are_true() {
         FILENAME ~ /su2$/ {
             if (/^NELEM/) inside = 1; else if (/^[A-Z]/) inside = 0; else if (inside) {
                 n = $1 == 5 ? 3 : 4
-                for (i = 0; i < n; i++) { a = $(2 + i); b = $(2 + (i + 1) % n); if (a + 0 > b + 0) { c = a; a = b; b = c } edge[a " " b] = 1 }
+                for (i = 0; i < n; i++) { a = $(2 + i); b = $(2 + (i + 1) % n); if (a + 0 > b + 0) { c = a; a = b;
+                b = c } edge[a " " b] = 1 }
             }
             next
         }
-        FNR > 1 { ++points; at[points] = $4 " " $5; value[points] = $2; levels[$2] = 1; many[$2] += !seen[$2 " " $4 " " $5]++ }
+        FNR > 1 { ++points; at[points] = $4 " " $5; value[points] = $2; levels[$2] = 1;
+        many[$2] += !seen[$2 " " $4 " " $5]++ }
         END {
             size = 1e-9
             for (e in edge) {
@@ -101,11 +111,14 @@ contours_are_true() {
             }
             for (i = 1; i <= points; i++) {
                 split(at[i], p, " ")
-                if (!((value[i], sprintf("%.7f %.7f", p[1], p[2])) in expected)) { ++lost; print "off:", value[i], at[i] }
+                if (!((value[i], sprintf("%.7f %.7f", p[1], p[2])) in expected)) { ++lost;
+                print "off:", value[i], at[i] }
                 multiple = value[i] / .05
-                if (multiple - int(multiple + .5) > 1e-9 || int(multiple + .5) - multiple > 1e-9) { ++odd; print "not a multiple:", value[i] }
+                if (multiple - int(multiple + .5) > 1e-9 || int(multiple + .5) - multiple > 1e-9) { ++odd;
+                print "not a multiple:", value[i] }
             }
-            for (v in levels) if (many[v] != crossed[v]) { print "value", v, "crosses", crossed[v], "edges, and has", many[v], "points"; ++missing }
+            for (v in levels) if (many[v] != crossed[v]) { print "value", v, "crosses", crossed[v], "edges, and has",
+            many[v], "points"; ++missing }
             print points, lost + 0, odd + 0, missing + 0
             exit !(points > 100 && !lost && !odd && !missing)
         }' "$tmp/values.csv" "$bodies" "$tmp/contours.csv"
@@ -114,21 +127,26 @@ check "contour lines" contours_are_true
 
 # Cells that are not convex are painted without overlaps: their triangles run the same way round.
 awk -f "$meshes/l_cells.awk" >"$tmp/l_cells.vtk"
-check "solve on reflex cells" "$harmorph" solve "$tmp/l_cells.vtk" --rigid boundary2=.5,.5 --operator laplace -o "$tmp/l_cells.basis"
-check "picture of reflex cells" "$harmorph" export "$tmp/l_cells.vtk" "$tmp/l_cells.basis" --function 1 --svg "$tmp/l_cells.svg"
-check "reflex cells: one orientation" sh -c 'awk -f "$0" "$1" | grep -E "^0 [1-9][0-9]{2}"' "${0%/*}/orientations.awk" "$tmp/l_cells.svg"
+check "solve on reflex cells" "$harmorph" solve "$tmp/l_cells.vtk" --rigid boundary2=.5,.5 --operator laplace \
+    -o "$tmp/l_cells.basis"
+check "picture of reflex cells" "$harmorph" export "$tmp/l_cells.vtk" "$tmp/l_cells.basis" --function 1 \
+    --svg "$tmp/l_cells.svg"
+check "reflex cells: one orientation" sh -c 'awk -f "$0" "$1" | grep -E "^0 [1-9][0-9]{2}"' "${0%/*}/orientations.awk" \
+    "$tmp/l_cells.svg"
 
 # The table of curves: control points move by moves.txt, points of the mesh to where they are in the morphed mesh.
 curves_are_true() {
     awk -F '[ ,]' '
         function off(a, b) { return a > b ? a - b : b - a }
         FILENAME ~ /moves/ { dx[$1] = $2; dy[$1] = $3; next }
-        FILENAME ~ /su2$/ { if (/^NPOIN/) { inside = 1; n = 0 } else if (/^[A-Z]/) inside = 0; else if (inside) { x[n] = $1; y[n++] = $2 } next }
+        FILENAME ~ /su2$/ { if (/^NPOIN/) { inside = 1; n = 0 } else if (/^[A-Z]/) inside = 0; else if (inside) {
+        x[n] = $1; y[n++] = $2 } next }
         $1 == "control" { ++controls; wrong += off($7 - $5, dx[$3]) > 1e-12 || off($8 - $6, dy[$3]) > 1e-12 }
         $1 == "mesh" { ++points; wrong += off($7, x[$3]) > 1e-9 || off($8, y[$3]) > 1e-9 }
         $1 == "curve" { ++samples; curves[$2] = 1; moved += $5 != $7 }
         END { for (c in curves) ++n_curves; print controls, points, samples, n_curves, moved, wrong
-              exit !(controls == 20 && points > 100 && samples > 200 && n_curves == 2 && moved > 20 && moved < samples && wrong == 0) }' \
+              exit !(controls == 20 && points > 100 && samples > 200 && n_curves == 2 && moved > 20 &&
+              moved < samples && wrong == 0) }' \
         "$tmp/moves.txt" "$tmp/moved.su2" "$tmp/curves.csv"
 }
 check "curves in the table are those of the morph" curves_are_true
@@ -147,7 +165,8 @@ awk 'BEGIN {
     print "NDIME= 2\nNELEM= " cells; for (c = 0; c < cells; c++) print cell[c]
     print "NPOIN= " points; for (p = 0; p < points; p++) print at[p]
     print "NMARK= 2\nMARKER_TAG= body\nMARKER_ELEMS= " 4 * (hi - lo)
-    for (k = lo; k < hi; k++) print "3 " number[k, lo] " " number[k + 1, lo] "\n3 " number[k, hi] " " number[k + 1, hi] \
+    for (k = lo; k < hi; k++) print "3 " number[k, lo] " " number[k + 1, lo] \
+        "\n3 " number[k, hi] " " number[k + 1, hi] \
         "\n3 " number[lo, k] " " number[lo, k + 1] "\n3 " number[hi, k] " " number[hi, k + 1]
     print "MARKER_TAG= far\nMARKER_ELEMS= " 4 * n
     for (k = 0; k < n; k++) print "3 " number[k, 0] " " number[k + 1, 0] "\n3 " number[k, n] " " number[k + 1, n] \
@@ -155,11 +174,13 @@ awk 'BEGIN {
 }' >"$tmp/large.su2"
 printf 'degree 1\nclosed tied\npoints 4\n.4 .4\n.6 .4\n.6 .6\n.4 .6\nknots 7\n0 0 1 2 3 4 4\n' >"$tmp/large.curve"
 printf '1 -.01 -.005\n' >"$tmp/large.moves"
-check "large: solve" "$harmorph" solve "$tmp/large.su2" --curve body="$tmp/large.curve" --operator laplace -o "$tmp/large.basis"
+check "large: solve" "$harmorph" solve "$tmp/large.su2" --curve body="$tmp/large.curve" --operator laplace \
+    -o "$tmp/large.basis"
 check "large: mesh" "$harmorph" check "$tmp/large.su2" --svg "$tmp/large-mesh.svg"
-check "large: morph" "$harmorph" morph "$tmp/large.su2" "$tmp/large.basis" --move "$tmp/large.moves" --svg "$tmp/large-morph.svg" \
-    --window 0,0,1,1
-check "large: function" "$harmorph" export "$tmp/large.su2" "$tmp/large.basis" --function 1 --svg "$tmp/large-function.svg" --window 0,0,1,1
+check "large: morph" "$harmorph" morph "$tmp/large.su2" "$tmp/large.basis" --move "$tmp/large.moves" \
+    --svg "$tmp/large-morph.svg" --window 0,0,1,1
+check "large: function" "$harmorph" export "$tmp/large.su2" "$tmp/large.basis" --function 1 \
+    --svg "$tmp/large-function.svg" --window 0,0,1,1
 is_thinned() { # is_thinned FILE VISIBLE: says so, of so many edges
     sed -n 's/.*Thinned: \([0-9]*\) of \([0-9]*\) visible edges.*/\1 \2/p' "$1" |
         awk -v all="$2" '{ print; good = $1 > 20000 && $1 <= 80000 && (all == 0 || $2 == all) } END { exit !good }'
@@ -168,9 +189,12 @@ check "large: edges are thinned" is_thinned "$tmp/large-mesh.svg" $((2 * 300 * 3
 check "large: edges of a morph are thinned" is_thinned "$tmp/large-morph.svg" 0
 # The rows of pixels cover as much of the frame as the mesh covers of the window.
 covers() {
-    awk '!frame && /^<rect x=.*stroke="#444"/ { split($0, part, "\""); frame = part[6] * part[8]; width = part[6]; height = part[8] }
-        /shape-rendering="crispEdges"/ { sub(/.* d="/, ""); n = split($0, run, "h"); for (i = 2; i <= n; i += 2) area += run[i] }
-        END { side = width < height ? width : height; print area, side * side * .96; exit !(area > .95 * side * side && area < .97 * side * side) }' "$1"
+    awk '!frame && /^<rect x=.*stroke="#444"/ { split($0, part, "\""); frame = part[6] * part[8]; width = part[6];
+        height = part[8] }
+        /shape-rendering="crispEdges"/ {
+        sub(/.* d="/, ""); n = split($0, run, "h"); for (i = 2; i <= n; i += 2) area += run[i] }
+        END { side = width < height ? width : height; print area, side * side * .96;
+        exit !(area > .95 * side * side && area < .97 * side * side) }' "$1"
 }
 check "large: pixels cover the mesh, and not the hole" covers "$tmp/large-function.svg"
 check "large: the picture says that it is drawn pixel by pixel" grep -q 'drawn pixel by pixel' "$tmp/large-function.svg"

@@ -10,17 +10,21 @@ mkdir -p "$dir"
 topic="SU2 readers" log=$dir/log
 . "$(dirname "$0")/count.sh"
 strict=-std=f2008
-if $FC --version 2>/dev/null | grep -q '^GNU'; then strict="-std=f2008 -Wall -Wextra -Werror -fcheck=all,no-array-temps"; fi
+if $FC --version 2>/dev/null | grep -q '^GNU'; then
+    strict="-std=f2008 -Wall -Wextra -Werror -fcheck=all,no-array-temps"
+fi
 both() {   # file: what both say is left in $dir/said
     "$dir/fortran" "$1" >"$dir/said" && "$dir/c" "$1" >"$dir/said_by_c" && diff "$dir/said" "$dir/said_by_c"
 }
-finds() { both "$1" && shift && { for words do grep -q "$words" "$dir/said" || { cat "$dir/said"; return 1; }; done; }; }
+finds() {
+    both "$1" && shift && { for words do grep -q "$words" "$dir/said" || { cat "$dir/said"; return 1; }; done; }
+}
 count() { sed -n "s/^$1= *\([0-9]*\).*/\1/p" "$2"; }
 
 check "read_su2.f90 compiles" $FC $strict $FFLAGS -J"$dir" -c fortran/read_su2.f90 -o "$dir/read_su2.o"
 check "its test compiles" $FC $strict $FFLAGS -I"$dir" -J"$dir" tests/read_su2.f90 "$dir/read_su2.o" -o "$dir/fortran"
-check "read_su2.c compiles" $CC -std=c99 -pedantic -Wall -Wextra -Werror $CFLAGS -Ic_api/examples c_api/examples/read_su2.c \
-    tests/read_su2.c -o "$dir/c"
+check "read_su2.c compiles" $CC -std=c99 -pedantic -Wall -Wextra -Werror $CFLAGS -Ic_api/examples \
+    c_api/examples/read_su2.c tests/read_su2.c -o "$dir/c"
 for mesh in tests/meshes/*.su2; do
     check "$mesh" finds $mesh "points $(count NPOIN $mesh) cells $(count NELEM $mesh) " \
         "faces $(sed -n 's/^MARKER_ELEMS= *//p' $mesh | awk '{ n += $1 } END { print n }')$"
@@ -85,7 +89,8 @@ refuses "the file has no points (NPOIN)" '8,14d'
 refuses "the file has no cells (NELEM)" '4,7d'
 refuses "a cell names a point that the file has not" '5s/.*/5 0 1 6/'
 refuses "a face names a point that the file has not" '18s/.*/3 -1 1/'
-nothing_there() { "$dir/fortran" "$dir/none.su2" | grep -q "^refused: " && "$dir/c" "$dir/none.su2" | grep -q "^refused: "; }
+nothing_there() { "$dir/fortran" "$dir/none.su2" | grep -q "^refused: " && "$dir/c" "$dir/none.su2" |
+    grep -q "^refused: "; }
 check "a file that is not there" nothing_there
 
 finish "$dir"

@@ -43,7 +43,8 @@ solver_lines() {   # as they stand in the example, up to indentation
 }
 example_lines() {   # language, number of the block, example: lines between README and end, up to indentation
     block "$1" "$2" >"$dir/shown"
-    awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$3" | sed '/^$/d; s/^    //' | diff - "$dir/shown"
+    awk '/[!*] README:/ { inside = 1; next } /[!*] end/ { inside = 0 } inside' "$3" | sed '/^$/d; s/^    //' |
+        diff - "$dir/shown"
 }
 check "the lines of c_api/examples/plane.c" example_lines c 3 c_api/examples/plane.c
 check "the lines of fortran/examples/plane.f90" example_lines fortran 3 fortran/examples/plane.f90
@@ -54,9 +55,11 @@ check "from the command line" path 3 "^inverted cells   0"
 check "from the command line: morphed meshes are valid" sh -c \
     'for mesh in morphed far fine_morphed; do "$build/harmorph" check "$dir/case/$mesh.su2" || exit 1; done'
 from_python() {
-    command $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" shared && block python 1 >"$dir/morph.py" &&
+    command $MAKE -s BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS" shared &&
+        block python 1 >"$dir/morph.py" &&
         (cd "$dir/case" && LD_LIBRARY_PATH=$build/shared python3 "$dir/morph.py") >"$dir/out" && cat "$dir/out" &&
-        [ "$(grep -c . "$dir/morph.py")" = 15 ] && awk '/^largest displacement/ { d = $3 } END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
+        [ "$(grep -c . "$dir/morph.py")" = 15 ] && awk '/^largest displacement/ { d = $3 }
+            END { exit !(d > 0.001 && d <= 0.01) }' "$dir/out"
 }
 if command -v python3 >/dev/null && [ "$(uname -s)" = Linux ]; then
     check "from Python" from_python
@@ -68,7 +71,9 @@ check "design variables from the command line" path 4 "^inverted cells   0"
 first_lines() {
     mkdir -p "$dir/bin" && printf '#!/bin/sh\n' >"$dir/bin/apt-get" && chmod +x "$dir/bin/apt-get" || return 1
     { echo 'PATH=$dir/bin:$PATH'
-      echo 'make() { [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"; }'
+      echo 'make() {
+          [ "$1" = test ] || command $MAKE "$@" BUILD="$build" CXX="$CXX" CXXFLAGS="$CXXFLAGS" LDFLAGS="$LDFLAGS"
+      }'
       echo set -e
       awk '/^```/ { inside = !inside && $0 == "```" && !n++; next } inside' README.md; } >"$dir/first.sh"
     grep -q 'make demo' "$dir/first.sh" && sh "$dir/first.sh" && ls "$build/demo/morph.svg"
@@ -89,7 +94,8 @@ several_processes() {
         for file in "$build/harmorph.f90" "$build/harmorph_mpi.f90" "$source/tests/o_mesh.f90" readme_mpi.f90; do
             $MPIFC $FFLAGS -O0 -c "$file" || exit 1   # optimised, the modules take most of the time
         done &&
-        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o "$build/libharmorph.a") || return 1
+        $MPIFC $FFLAGS -o readme_mpi readme_mpi.o o_mesh.o harmorph_mpi.o harmorph.o harmorph_mpi_c.o \
+            "$build/libharmorph.a") || return 1
     start 2 "$dir/readme_mpi" >"$dir/out" 2>&1
     cat "$dir/out"
     grep -q "agree on processes: 2" "$dir/out"

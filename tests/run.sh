@@ -1,7 +1,8 @@
 #!/bin/sh
 # All tests (called by `make test`, which says with what compilers and where). Each step prints one or several lines
 # "N passed, M failed", or is the doctest program; the sum is the last line.
-: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" "${JOBS:=2}"
+: "${MAKE:=make}" "${BUILD:=build}" "${CXX:=c++}" "${CXXFLAGS=}" "${CC:=cc}" "${CFLAGS:=-O2}" "${FC:=gfortran}" \
+    "${JOBS:=2}"
 export MAKE BUILD CXX CXXFLAGS CC CFLAGS FC FFLAGS AR LDFLAGS
 passed=0 failed=0
 logs=$BUILD/test-logs durations=$BUILD/test-durations
@@ -65,7 +66,8 @@ steps() {
     step 2 "the library stands alone" stands_alone
     step 2 "header in C" compile_and_run "$BUILD/c_header" $CC -std=c99 $strict tests/c_header.c
     step 2 "header in C++" compile_and_run "$BUILD/cxx_header" $CXX -std=c++17 $strict -x c++ tests/c_header.c
-    step 2 "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c "$BUILD/libharmorph.a" -lm
+    step 2 "used from C" compile_and_run "$BUILD/use" $CC -std=c99 $strict $CFLAGS tests/use.c tests/traps.c \
+        "$BUILD/libharmorph.a" -lm
     step 1 "one file" sh tests/amalgamation.sh "$BUILD"
     step 1 "binary interface" sh tests/abi/run.sh "$BUILD" quick
     step 1 "distribution" sh tests/dist.sh "$BUILD"
@@ -79,7 +81,8 @@ steps() {
     elif [ $doing = telling ]; then echo "== PETSc: not installed (Debian's petsc-dev), its tests are SKIPPED"; fi
     step 2 "program" sh tests/cli.sh "$BUILD/harmorph" tests/meshes "$BUILD/cli"
     step 2 "faults of files" sh tests/faults.sh "$BUILD/harmorph" tests/meshes "$BUILD/faults"
-    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh "$BUILD"
+    step 2 "given displacements on meshes" env CXX="$CXX" CXXFLAGS="$CXXFLAGS" MESHES="$MESHES" sh tests/given/run.sh \
+        "$BUILD"
     step 1 "mesh files" env CXX="$CXX" sh tests/formats.sh "$BUILD/harmorph" "$BUILD/formats"
     step 2 "moved shapes" sh tests/airfoils.sh "$BUILD/harmorph" tests/meshes "$BUILD/airfoils-test"
     step 2 "pictures of the program" sh tests/pictures.sh "$BUILD/harmorph" tests/meshes "$BUILD/pictures-test"

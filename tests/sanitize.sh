@@ -12,7 +12,8 @@ mkdir -p "$BUILD"
 if wanted memcheck && echo '#include <valgrind/memcheck.h>' | $CXX -x c++ -E - >/dev/null 2>&1; then
     $MAKE -s BUILD="$BUILD" JOBS="$JOBS" fuzzer || exit 1
     for run in "problem 150" "basis 60" "sequence 30" "files 60"; do
-        HARMORPH_UNDEFINED=1 valgrind -q --error-exitcode=9 --track-origins=no "$BUILD/fuzzer" $run 1 >"$BUILD/memcheck.log" 2>&1
+        HARMORPH_UNDEFINED=1 valgrind -q --error-exitcode=9 --track-origins=no "$BUILD/fuzzer" $run 1 \
+            >"$BUILD/memcheck.log" 2>&1
         passes "valgrind: fuzzer $run 1" $? "$BUILD/memcheck.log"
     done
 elif wanted memcheck; then
@@ -32,20 +33,23 @@ fi
 
 if wanted threads; then
     dir=$BUILD/threads
-    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O1 -g1 -fsanitize=thread" LDFLAGS=-fsanitize=thread all || exit 1
+    $MAKE -s BUILD="$dir" JOBS="$JOBS" CXX="$CXX" CXXFLAGS="-O1 -g1 -fsanitize=thread" LDFLAGS=-fsanitize=thread all \
+        || exit 1
     "$dir/harmorph" fit tests/meshes/naca0012.su2 --marker airfoil -o "$dir/a.curve" >"$dir/log" 2>&1
     echo "3 0.05 0.1" >"$dir/moves.txt"
-    for options in "--operator laplace" "--operator weighted" "--operator conformal" "--operator laplace --engine multigrid" \
-        "--operator laplace --engine fas" "--operator laplace --scheme bounded" "--operator conformal --precision single"; do
-        "$dir/harmorph" solve tests/meshes/naca0012.su2 --curve airfoil="$dir/a.curve" $options --threads 4 -o "$dir/a.basis" \
-            >"$dir/log" 2>&1 &&
+    for options in "--operator laplace" "--operator weighted" "--operator conformal" \
+        "--operator laplace --engine multigrid" \
+        "--operator laplace --engine fas" "--operator laplace --scheme bounded" \
+        "--operator conformal --precision single"; do
+        "$dir/harmorph" solve tests/meshes/naca0012.su2 --curve airfoil="$dir/a.curve" $options --threads 4 \
+            -o "$dir/a.basis" >"$dir/log" 2>&1 &&
             "$dir/harmorph" morph tests/meshes/naca0012.su2 "$dir/a.basis" --move "$dir/moves.txt" --threads 4 \
                 -o "$dir/m.su2" >>"$dir/log" 2>&1
         passes "thread sanitizer: solve $options, morph" $? "$dir/log"
     done
     "$dir/harmorph" demo "$dir/demo" --mesh tests/meshes/naca0012.su2 >"$dir/log" 2>&1 &&
-        "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe --threads 4 \
-            -o "$dir/m.su2" >>"$dir/log" 2>&1
+        "$dir/harmorph" morph "$dir/demo/mesh.su2" "$dir/demo/airfoil.basis" --move "$dir/demo/far.txt" --safe \
+            --threads 4 -o "$dir/m.su2" >>"$dir/log" 2>&1
     passes "thread sanitizer: morph --safe" $? "$dir/log"
 fi
 finish

@@ -28,7 +28,8 @@ sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
         }
         constants = 0; text = ""
     }
-    /^typedef struct [a-z_]+ {/ { type = $3; fields = ""; printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", type, type; next }
+    /^typedef struct [a-z_]+ {/ { type = $3; fields = "";
+    printf "    printf(\"struct %s: %%d bytes\\n\", (int)sizeof(%s));\n", type, type; next }
     type != "" && /^}/ {
         n = split(fields, one, ";")
         for (k = 1; k <= n; ++k) {
@@ -37,7 +38,9 @@ sed -n '/^HM_API/,/;/p' "$dir/header" | tr '\n' ' ' | sed 's/;/;\n/g' |
                 name = names[j]
                 sub(/\[.*/, "", name); sub(/ *$/, "", name); sub(/.*[ *]/, "", name)
                 if (name != "")
-                    printf "    printf(\"    %s: %%d, %%d bytes\\n\", (int)offsetof(%s, %s), (int)sizeof(((%s *)0)->%s));\n", name, type, name, type, name
+                    printf "    printf(\"    %s: %%d, %%d bytes\\n\", " \
+                        "(int)offsetof(%s, %s), (int)sizeof(((%s *)0)->%s));\n",
+                        name, type, name, type, name
             }
         }
         type = ""

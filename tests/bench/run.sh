@@ -44,8 +44,8 @@ objects=
 for source in $sources; do
     object=$out/$(basename "$source" .cpp).o
     objects="$objects $object"
-    if [ -f "$object" ] && [ -z "$(find "$source" $here/*.hpp tests/fixtures/*.hpp include/harmorph/*/*.hpp c_api/harmorph.h \
-        "$out/flags" -newer "$object")" ]; then continue; fi
+    if [ -f "$object" ] && [ -z "$(find "$source" $here/*.hpp tests/fixtures/*.hpp include/harmorph/*/*.hpp \
+        c_api/harmorph.h "$out/flags" -newer "$object")" ]; then continue; fi
     echo "$CXX $source"
     $command "-DBENCH_FLAGS=\"$CXXFLAGS\"" -c -o "$object" "$source"
 done
@@ -57,7 +57,8 @@ results=
 for threads in $THREADS; do
     result=$out/result-$threads.json
     "$out/bench" --sizes "$SIZES" --kinds "$KINDS" --parts "$PARTS" --functions "$FUNCTIONS" --threads "$threads" \
-        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --elasticity "${ELASTICITY:-100000}" --json "$result"
+        --repeats "${REPEATS:-0}" --precision "${PRECISION:-double}" --elasticity "${ELASTICITY:-100000}" \
+        --json "$result"
     results="$results $result"
 done
 [ -n "$JSON" ] || exit 0

@@ -12,16 +12,18 @@ build=$(cd "$1" && pwd)
 dir=$build/cross
 topic=cross log=$dir/log
 . "$(dirname "$0")/../count.sh"
-units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_fixed_sum.cpp tests/base/test_predicates.cpp
-    tests/base/test_sort.cpp tests/simd/test_registers.cpp tests/basis/test_basis.cpp tests/basis/test_refused_bases.cpp
-    tests/basis/test_single_precision.cpp
+units="tests/base/test_arena.cpp tests/base/test_elementary.cpp tests/base/test_fixed_sum.cpp
+    tests/base/test_predicates.cpp tests/base/test_sort.cpp tests/simd/test_registers.cpp tests/basis/test_basis.cpp
+    tests/basis/test_refused_bases.cpp tests/basis/test_single_precision.cpp
     tests/morph/test_adjoint.cpp tests/c_api/test_struct_size.cpp"
-core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector -ffp-contract=off"
+core="-std=c++17 -fno-exceptions -fno-rtti -fno-math-errno -fno-threadsafe-statics -fno-stack-protector
+    -ffp-contract=off"
 strict="-std=c99 -pedantic -Wall -Wextra -Werror -Wno-missing-field-initializers -O2 -ffp-contract=off -Ic_api"
 mkdir -p "$dir/include"
 missing() { skip "$topic" "$1 is not installed (Debian: $2)"; }
 same_sums() { "$@" | tr -d '\r' | diff "$dir/sums" -; }
-refused_by_name() { "$@" >"$dir/said"; cat "$dir/said"; grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"; }
+refused_by_name() { "$@" >"$dir/said"; cat "$dir/said"; \
+    grep -q 'HM_BAD_BASIS: the basis was written with another byte order' "$dir/said"; }
 same_use() { "$@" attach here.basis | tr -d '\r' | diff "$dir/use" -; }
 c_tests() {   # where, emulator or nothing, compiler...
     where=$1 by=$2; shift 2
@@ -59,11 +61,12 @@ on() {   # target, Debian's name of it, emulator, where that is found, flags
 wanted() { case " $PARTS " in *" $1 "*) true ;; *) false ;; esac; }
 compile() {   # flags; sources on standard input. Without optimisation: the library has it
     rm -rf "$here/objects" && mkdir -p "$here/objects" &&
-        xargs -P "$JOBS" -I FILE sh -c 'to=$1 file=$2; shift 2; "$@" -c -o "$to/$(echo "$file" | tr / -).o" "$file"' sh \
-            "$here/objects" FILE $cxx $flags -std=c++17 -O0 -ffp-contract=off "$@"
+        xargs -P "$JOBS" -I FILE sh -c 'to=$1 file=$2; shift 2; "$@" -c -o "$to/$(echo "$file" | tr / -).o" "$file"' \
+            sh "$here/objects" FILE $cxx $flags -std=c++17 -O0 -ffp-contract=off "$@"
 }
 checksums_there() {
-    check "checksums: compilation" $c $flags -static $strict -o "$here/morphs$suffix" tests/cross/morphs.c "$archive" -lm
+    check "checksums: compilation" $c $flags -static $strict -o "$here/morphs$suffix" tests/cross/morphs.c "$archive" \
+        -lm
     check "checksums of fits, bases and morphs" same_sums $emulator "$here/morphs$suffix"
     cd "$here" || exit 1
     if [ $topic = s390x ]; then

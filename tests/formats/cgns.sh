@@ -3,8 +3,8 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
     # What `make CGNS=1` makes: the same objects but for some, which are compiled with libcgns.
     with_cgns=$tmp/harmorph-cgns build=`dirname "$harmorph"`
     objects="`sed 's/[^ ]*formats-cgns[^ ]*//g' "$build/objects/program.list"` $build/objects/cli/c_api-cli-main.o"
-    check "a program with CGNS is made" $CXX -std=c++17 -O0 -pthread -DHARMORPH_CGNS -Ic_api -Ic_api/cli -o "$with_cgns" \
-        c_api/cli/formats/cgns*.cpp $objects "$build/libharmorph.a" -lcgns
+    check "a program with CGNS is made" $CXX -std=c++17 -O0 -pthread -DHARMORPH_CGNS -Ic_api -Ic_api/cli \
+        -o "$with_cgns" c_api/cli/formats/cgns*.cpp $objects "$build/libharmorph.a" -lcgns
     check "make_cgns is compiled" ${CC:-cc} -O0 -o "$tmp/make_cgns" tests/formats/make_cgns.c -lcgns -lm
     for kind in plane planes block cells polygons solid; do
         for real in double single; do
@@ -16,37 +16,43 @@ if echo '#include <cgnslib.h>' | $CXX -x c++ -E - >/dev/null 2>&1 && command -v 
             check "$what: fit" "$with_cgns" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
             check "$what: solve" "$with_cgns" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
             check "$what: zero move" "$with_cgns" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$moved"
-            check "$what: zero move: nothing differs" sh -c "cgnsdiff -d '$mesh' '$moved' >'$tmp/a' && ! test -s '$tmp/a'"
+            check "$what: zero move: nothing differs" \
+                sh -c "cgnsdiff -d '$mesh' '$moved' >'$tmp/a' && ! test -s '$tmp/a'"
             check "$what: morph" "$with_cgns" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved"
             check "$what: check the morphed" "$with_cgns" check "$moved"
             check "$what: cgnscheck reads the morphed" cgnscheck "$moved"
             check "$what: cgnscheck finds no error" sh -c "! grep -qi error '$tmp/out'"
-            check "$what: only coordinates differ" sh -c "cgnsdiff -d '$mesh' '$moved' | grep -v -e 'Coordinate[XY]' | grep -q . && exit 1 || exit 0"
+            check "$what: only coordinates differ" \
+                sh -c "cgnsdiff -d '$mesh' '$moved' | grep -v -e 'Coordinate[XY]' | grep -q . && exit 1 || exit 0"
             test $kind = polygons && continue
             # The same mesh in text moves alike.
             "$with_cgns" convert "$mesh" "$tmp/a.su2" >"$tmp/out" 2>&1
             "$with_cgns" convert "$moved" "$tmp/b.su2" >"$tmp/out" 2>&1
             "$harmorph" solve "$tmp/a.su2" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
-            check "$what: as text: morph" "$harmorph" morph "$tmp/a.su2" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/c.su2"
+            check "$what: as text: morph" "$harmorph" morph "$tmp/a.su2" "$tmp/basis" --move "$tmp/moves.txt" \
+                -o "$tmp/c.su2"
             tolerance=1e-12
             test $real = single && tolerance=1e-6
             check "$what: moves as all do" alike $tolerance "$tmp/b.su2" "$tmp/c.su2"
         done
     done
     "$tmp/make_cgns" "$tmp/cube.cgns" cube double
-    refuses "cgns: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$with_cgns" check "$tmp/cube.cgns"
-    refuses "cgns: three dimensions in earnest: where" "zone 'Zone1', point (1, 1, 1), CoordinateX" "$with_cgns" check "$tmp/cube.cgns"
+    refuses "cgns: three dimensions in earnest" 'the mesh has three dimensions and is not one cell thick' "$with_cgns" \
+        check "$tmp/cube.cgns"
+    refuses "cgns: three dimensions in earnest: where" "zone 'Zone1', point (1, 1, 1), CoordinateX" "$with_cgns" \
+        check "$tmp/cube.cgns"
     for kind in nan skew outside; do "$tmp/make_cgns" "$tmp/$kind.cgns" $kind double; done
-    refuses "cgns: a coordinate that is not finite" "nan.cgns: zone 'Zone1', point (6, 2, 1), CoordinateY is not finite" \
-        "$with_cgns" check "$tmp/nan.cgns"
-    refuses "cgns: a point that is opposite none" "skew.cgns: zone 'Zone1', point (4, 3, 2), CoordinateX: the mesh has three" \
-        "$with_cgns" check "$tmp/skew.cgns"
+    refuses "cgns: a coordinate that is not finite" \
+        "nan.cgns: zone 'Zone1', point (6, 2, 1), CoordinateY is not finite" "$with_cgns" check "$tmp/nan.cgns"
+    refuses "cgns: a point that is opposite none" \
+        "skew.cgns: zone 'Zone1', point (4, 3, 2), CoordinateX: the mesh has three" "$with_cgns" check "$tmp/skew.cgns"
     refuses "cgns: a cell of a point that does not exist" \
         "outside.cgns: zone 'Ring', section 'Cells': element 168 has point 1000, but there are 168 points" \
         "$with_cgns" check "$tmp/outside.cgns"
     head -c 3000 "$tmp/plane.cgns" >"$tmp/bad.cgns"
     check "cgns: cut off" sh -c "'$with_cgns' check '$tmp/bad.cgns' >'$tmp/err' 2>&1; test \$? -eq 3"
-    refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" check "$tmp/plane.cgns"
+    refuses "cgns: a program without it says so" 'CGNS files are read by programs made with' "$harmorph" \
+        check "$tmp/plane.cgns"
 else
     echo "libcgns is not installed: CGNS files are not tested (Debian's libcgns-dev and cgns-convert)"
 fi

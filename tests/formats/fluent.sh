@@ -8,7 +8,8 @@ refuses "fluent: three dimensions" "bad.msh:2: expected 2: meshes of two dimensi
 change 's/^(10 (1 1 a8/(10 (1 1 a9/'
 refuses "fluent: too few nodes" "expected a node's x, found the end of the numbers" "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 1 a7/'
-refuses "fluent: too many nodes" 'the section has more numbers than x and y of 167 nodes' "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: too many nodes" 'the section has more numbers than x and y of 167 nodes' "$harmorph" \
+    check "$tmp/bad.msh"
 change 's/^(10 (1 1 a8/(10 (1 2 a9/'
 refuses "fluent: a node is missing" 'bad.msh:8: expected node 1, found node 2' "$harmorph" check "$tmp/bad.msh"
 change 's/^(10 (1 /(3010 (1 /'
@@ -19,10 +20,12 @@ change 's/^2 2 1 1 0/2 2 9 1 0/'
 refuses "fluent: a cell that is not closed" 'the faces of cell 1 (4 faces) do not form a polygon' \
     "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/3 2 1 9 1 0/'
-refuses "fluent: a face of three nodes" 'expected 2 nodes of a face between 2 and 2, found 3' "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: a face of three nodes" 'expected 2 nodes of a face between 2 and 2, found 3' "$harmorph" \
+    check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 2 1 2 0/'
 refuses "fluent: a cell whose faces are no polygon" 'do not form a polygon' "$harmorph" check "$tmp/bad.msh"
 change 's/^2 2 1 1 0/2 1 2 1 0/'
 check "fluent: a face the other way round" "$harmorph" check "$tmp/bad.msh"
 head -c 5000 "$tmp/fluent.msh" >"$tmp/bad.msh"
-refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" check "$tmp/bad.msh"
+refuses "fluent: cut off" 'bad.msh:6: this bracket is not closed before the end of the file' "$harmorph" \
+    check "$tmp/bad.msh"

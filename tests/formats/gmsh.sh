@@ -26,7 +26,8 @@ END
         check "gmsh: writes $variant" gmsh -2 "$tmp/two.geo" -format $1 -setnumber Mesh.Binary $2 -order $3 -o "$mesh"
         check "gmsh $variant: fit" "$harmorph" fit "$mesh" --marker body --points 8 -o "$tmp/curve"
         check "gmsh $variant: solve" "$harmorph" solve "$mesh" --curve "body=$tmp/curve" -o "$tmp/basis"
-        check "gmsh $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$mesh.same.msh"
+        check "gmsh $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" \
+            -o "$mesh.same.msh"
         check "gmsh $variant: zero move: the same file" cmp "$mesh" "$mesh.same.msh"
         check "gmsh $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$mesh.moved.msh"
         gmsh -check "$mesh.moved.msh" >"$tmp/gmsh" 2>&1
@@ -41,7 +42,8 @@ END
     check "gmsh plot3d: no error" sh -c "! grep -E 'Error|Warning' '$tmp/out'"
     sed '1,/^\$Nodes/d; /^\$EndNodes/,$d' "$tmp/of-gmsh.msh" | awk 'NF == 4 { print $2, $3, $4 }' | sort >"$tmp/a"
     awk '{ for (k = 1; k <= NF; k++) word[n++] = $k }
-        END { for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0 }' "$tmp/moved.p3d" |
+        END { for (k = 0; k < 350; k++) print word[4 + k] + 0, word[354 + k] + 0, word[704 + k] + 0 }' \
+            "$tmp/moved.p3d" |
         sort >"$tmp/b"
     check "gmsh plot3d: 350 points" sh -c "test \$(wc -l <'$tmp/a') -eq 350"
     awk '{ x += $1; y += $2; z += $3 } END { print x, y, z }' "$tmp/a" >"$tmp/sum-a"

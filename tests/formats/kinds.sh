@@ -2,7 +2,11 @@
 # What is read, written again by make_mesh, is the file; what is morphed is make_mesh's file of the new coordinates.
 for kind in $("$make_mesh" list); do
     mesh=$tmp/$kind moved=$tmp/moved-$kind zone= close=1e-9
-    case $kind in zones.su2) zone="--zone 2" ;; text*.vtk | fixed.su2 | leading-zero.su2) close=1e-7 ;; *single*) close=1e-5 ;; esac
+    case $kind in
+    zones.su2) zone="--zone 2" ;;
+    text*.vtk | fixed.su2 | leading-zero.su2) close=1e-7 ;;
+    *single*) close=1e-5 ;;
+    esac
     check "$kind: check" "$harmorph" check "$mesh" $zone
     before=$tmp/before.su2 after=$tmp/after.su2
     check "$kind: convert" "$harmorph" convert "$mesh" "$before" $zone
@@ -14,7 +18,15 @@ for kind in $("$make_mesh" list); do
     check "$kind: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$moved" $zone
     check "$kind: morph: the mesh moved" sh -c "! cmp -s '$mesh' '$moved'"
     [ $kind = zones.su2 ] || check "$kind: the format is forced" "$harmorph" check "$mesh" --format \
-        "$(case $kind in *.su2) echo su2 ;; fluent*) echo fluent ;; *.msh) echo gmsh ;; *.ugrid) echo ugrid ;; *.vtk) echo vtk ;; *.vtu) echo vtu ;; *) echo plot3d ;; esac)"
+        "$(case $kind in
+        *.su2) echo su2 ;;
+        fluent*) echo fluent ;;
+        *.msh) echo gmsh ;;
+        *.ugrid) echo ugrid ;;
+        *.vtk) echo vtk ;;
+        *.vtu) echo vtu ;;
+        *) echo plot3d ;;
+        esac)"
     check "$kind: convert the morphed" "$harmorph" convert "$moved" "$after" $zone
     # Points of two blocks have another order.
     case $kind in two-*)

@@ -32,7 +32,8 @@ END
         check "$mesh: fit" "$harmorph" fit "$tmp/$mesh" --marker "$body" --points 8 -o "$tmp/curve"
         check "$mesh: solve" "$harmorph" solve "$tmp/$mesh" --curve "$body=$tmp/curve" -o "$tmp/basis"
         check "$mesh: morph" "$harmorph" morph "$tmp/$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/moved-$mesh"
-        check "meshio reads the morphed $mesh" timeout 60 /usr/bin/python3 "$tmp/compare.py" "$tmp/$mesh" "$tmp/moved-$mesh"
+        check "meshio reads the morphed $mesh" timeout 60 /usr/bin/python3 "$tmp/compare.py" "$tmp/$mesh" \
+            "$tmp/moved-$mesh"
     done
 else
     echo "meshio is not installed: it does not look at the morphed meshes (Debian's python3-meshio)"

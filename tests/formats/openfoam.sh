@@ -20,7 +20,8 @@ for storage in text binary-32 binary-64 binary-single; do
         if [ $plane = z ] || [ $plane = y ]; then
             check "$what: only coordinates differ" cmp "$expected/$points" "$moved/$points"
         elif [ $storage = text ]; then
-            check "$what: the points in space" sh -c "tr '()' '  ' <'$expected/$points' >'$tmp/a' && tr '()' '  ' <'$moved/$points' >'$tmp/b'"
+            check "$what: the points in space" \
+                sh -c "tr '()' '  ' <'$expected/$points' >'$tmp/a' && tr '()' '  ' <'$moved/$points' >'$tmp/b'"
             check "$what: the points in space moved with their plane" alike 1e-12 "$tmp/a" "$tmp/b"
         else
             "$tmp/make_foam" "$expected" $storage $plane "$tmp/before.su2"
@@ -38,17 +39,21 @@ for storage in text binary-64; do
     says "$what: cells of six corners" '"cells": 132, "triangles": 0, "quads": 120, "polygons": 12, "inverted": 0'
     check "$what: fit" "$harmorph" fit "$case" --marker body --points 8 -o "$tmp/curve"
     check "$what: solve" "$harmorph" solve "$case" --curve "body=$tmp/curve" -o "$tmp/basis"
-    check "$what: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" -o "$moved/constant/polyMesh/points"
+    check "$what: zero move" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/none.txt" \
+        -o "$moved/constant/polyMesh/points"
     check "$what: zero move: the same file" cmp "$case/constant/polyMesh/points" "$moved/constant/polyMesh/points"
-    check "$what: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" --safe -o "$moved" --svg "$tmp/picture.svg"
+    check "$what: morph" "$harmorph" morph "$case" "$tmp/basis" --move "$tmp/moves.txt" --safe -o "$moved" \
+        --svg "$tmp/picture.svg"
     check "$what: check the morphed" "$harmorph" check "$moved"
     for new in vtk vtu; do
         check "$what: convert to $new" "$harmorph" convert "$moved" "$tmp/foam.$new"
         check "$what: $new is read" "$harmorph" check "$tmp/foam.$new" --json
         says "$what: $new has the polygons" '"quads": 120, "polygons": 12, "inverted": 0'
     done
-    check "$what: no SU2 file of polygons" sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/why'; test \$? -eq 2"
-    check "$what: no SU2 file of polygons: why" grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/why"
+    check "$what: no SU2 file of polygons" \
+        sh -c "'$harmorph' convert '$moved' '$tmp/none.su2' 2>'$tmp/why'; test \$? -eq 2"
+    check "$what: no SU2 file of polygons: why" \
+        grep -q 'cells of more than four corners (the first is cell 0): SU2 takes triangles and' "$tmp/why"
 done
 "$tmp/make_foam" "$tmp/foam" text z
 broken() { # broken FILE SED: the case with one file changed
@@ -57,16 +62,21 @@ broken() { # broken FILE SED: the case with one file changed
     sed "$2" "$tmp/foam/constant/polyMesh/$1" >"$tmp/foam-bad/constant/polyMesh/$1"
 }
 broken points '188s/^([^ ]*/(2/'
-refuses "openfoam: a point without a partner" 'points:188: the mesh has three dimensions and is not one cell thick: point 173 is 3.54184e-1 away' \
+refuses "openfoam: a point without a partner" \
+    'points:188: the mesh has three dimensions and is not one cell thick: point 173 is 3.54184e-1 away' \
     "$harmorph" check "$tmp/foam-bad"
 broken boundary 's/ empty;/ patch;/'
-refuses "openfoam: three dimensions" 'no patch has the type empty or wedge: the mesh has three dimensions' "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: three dimensions" 'no patch has the type empty or wedge: the mesh has three dimensions' "$harmorph" \
+    check "$tmp/foam-bad"
 broken boundary 's/nFaces          288/nFaces          140/'
-refuses "openfoam: planes without some faces" 'has 140 faces, but the mesh has 144 cells' "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: planes without some faces" 'has 140 faces, but the mesh has 144 cells' "$harmorph" \
+    check "$tmp/foam-bad"
 broken boundary 's/nFaces          24;/nFaces          2400;/'
-refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends behind face" "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: a patch that is too long" "boundary:15: the patch 'body' ends behind face" "$harmorph" \
+    check "$tmp/foam-bad"
 broken faces 's/^4(0 /4(999 /'
-refuses "openfoam: a face of points that do not exist" 'has point 999, but there are 336 points' "$harmorph" check "$tmp/foam-bad"
+refuses "openfoam: a face of points that do not exist" 'has point 999, but there are 336 points' "$harmorph" \
+    check "$tmp/foam-bad"
 broken faces '$d'
 refuses "openfoam: cut off" "expected ')', found the end of the file" "$harmorph" check "$tmp/foam-bad"
 broken owner '17s/^0$/x/'
@@ -88,7 +98,8 @@ if command -v checkMesh >/dev/null 2>&1; then
             cp -r "$tmp/foam" "$tmp/foam-moved"
             "$harmorph" fit "$tmp/foam" --marker body --points 8 -o "$tmp/curve" >"$tmp/out" 2>&1
             "$harmorph" solve "$tmp/foam" --curve "body=$tmp/curve" -o "$tmp/basis" >"$tmp/out" 2>&1
-            check "checkMesh $storage $plane: morph" "$harmorph" morph "$tmp/foam" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/foam-moved"
+            check "checkMesh $storage $plane: morph" "$harmorph" morph "$tmp/foam" "$tmp/basis" \
+                --move "$tmp/moves.txt" -o "$tmp/foam-moved"
             check "checkMesh $storage $plane" checkMesh -case "$tmp/foam-moved" -constant
             says "checkMesh $storage $plane: finds nothing wrong" 'Mesh OK.'
         done

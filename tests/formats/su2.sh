@@ -1,5 +1,6 @@
 # SU2, and what is no mesh at all. (A part of tests/formats.sh.)
-refuses "several zones: which" "zones.su2:1: the file has 3 zones: choose one with --zone" "$harmorph" check "$tmp/zones.su2"
+refuses "several zones: which" "zones.su2:1: the file has 3 zones: choose one with --zone" "$harmorph" \
+    check "$tmp/zones.su2"
 "$harmorph" check "$tmp/zones.su2" --zone 4 >"$tmp/out" 2>&1
 says "several zones: one that does not exist" 'between 1 and 3'
 sed 's/^IZONE= 3/IZONE= 4/' "$tmp/zones.su2" >"$tmp/bad.su2"
@@ -12,7 +13,8 @@ refuses "MARKERTAG" "bad.su2:$line: expected MARKER_TAG=" "$harmorph" check "$tm
 "$harmorph" check "$tmp/odd.su2" >"$tmp/out" 2>&1
 says "faces between cells are ignored, and said" "24 faces of marker 'inside line' between two cells"
 echo 'hello world' >"$tmp/bad.mesh"
-refuses "no mesh at all" "bad.mesh:1: no mesh file that is known begins with 'hello world'" "$harmorph" check "$tmp/bad.mesh"
+refuses "no mesh at all" "bad.mesh:1: no mesh file that is known begins with 'hello world'" "$harmorph" \
+    check "$tmp/bad.mesh"
 : >"$tmp/bad.mesh"
 refuses "an empty file" 'the file is empty' "$harmorph" check "$tmp/bad.mesh"
 "$harmorph" check "$tmp/ring.su2" --format cgnz >"$tmp/out" 2>&1

@@ -15,7 +15,8 @@ turned() {
     END {
         first = ugrid ? 7 : 4   # counts; blocks and their sizes
         points = ugrid ? word[0] : word[1] * word[2] * word[3]
-        for (k = 0; k < points; k++) for (d = 0; d < 3; d++) a[d, k] = word[ugrid ? first + 3 * k + d : first + d * points + k]
+        for (k = 0; k < points; k++) for (d = 0; d < 3; d++)
+            a[d, k] = word[ugrid ? first + 3 * k + d : first + d * points + k]
         for (k = 0; k < points; k++) middle += a[ugrid ? 1 : 2, k] / points
         for (k = 0; k < first; k++) printf "%s ", word[k]
         print ""
@@ -38,7 +39,8 @@ moves_as_plane() {
     check "$1: the plane before" "$harmorph" convert "$mesh" "$tmp/before.su2"
     check "$1: the plane after" "$harmorph" convert "$moved" "$tmp/after.su2"
     check "$1: solve the plane" "$harmorph" solve "$tmp/before.su2" --curve "$3=$tmp/curve" $4 -o "$tmp/basis"
-    check "$1: morph the plane" "$harmorph" morph "$tmp/before.su2" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/plane.su2"
+    check "$1: morph the plane" "$harmorph" morph "$tmp/before.su2" "$tmp/basis" --move "$tmp/moves.txt" \
+        -o "$tmp/plane.su2"
     check "$1: moves as its plane" alike 1e-12 "$tmp/after.su2" "$tmp/plane.su2"
 }
 for how in inclined wedge; do
@@ -112,12 +114,17 @@ awk 'BEGIN { for (i = 1; i <= 8; i++) print i, .3, .1 }' >"$tmp/moves.txt"
 # One plane in three dimensions.
 { echo 25 7 1; sed 1d "$tmp/text.p3d"; awk 'BEGIN { for (i = 0; i < 175; i++) print 2.5 }'; } >"$tmp/one-plane.p3d"
 moves_as_plane "plot3d: one plane" "$tmp/one-plane.p3d" 1:jmin
-awk 'BEGIN { print "3 3 1"; for (d = 0; d < 3; d++) for (j = 0; j < 3; j++) for (i = 0; i < 3; i++) print d == 0 ? i : d == 1 ? j : .1 * i * j }' \
+awk 'BEGIN { print "3 3 1"
+    for (d = 0; d < 3; d++) for (j = 0; j < 3; j++) for (i = 0; i < 3; i++)
+        print d == 0 ? i : d == 1 ? j : .1 * i * j }' \
     >"$tmp/bent.p3d"
-refuses "plot3d: one plane that is none" 'the points must lie in a plane x, y or z = constant' "$harmorph" check "$tmp/bent.p3d"
-awk 'BEGIN { print "4 3 3"; for (d = 0; d < 3; d++) for (k = 0; k < 3; k++) for (j = 0; j < 3; j++) for (i = 0; i < 4; i++)
-    print d == 0 ? i : d == 1 ? j : k }' >"$tmp/two-cells.p3d"
-refuses "plot3d: two cells thick" 'not one cell thick: block 1 (4 x 3 x 3) has no direction of two points' "$harmorph" check "$tmp/two-cells.p3d"
+refuses "plot3d: one plane that is none" 'the points must lie in a plane x, y or z = constant' "$harmorph" \
+    check "$tmp/bent.p3d"
+awk 'BEGIN { print "4 3 3"
+    for (d = 0; d < 3; d++) for (k = 0; k < 3; k++) for (j = 0; j < 3; j++) for (i = 0; i < 4; i++)
+        print d == 0 ? i : d == 1 ? j : k }' >"$tmp/two-cells.p3d"
+refuses "plot3d: two cells thick" 'not one cell thick: block 1 (4 x 3 x 3) has no direction of two points' "$harmorph" \
+    check "$tmp/two-cells.p3d"
 # Hexahedra in two layers: planes that have cells on both sides.
 awk 'function at(i, j, k) { return 1 + i + 3 * (j + 3 * k) } BEGIN {
     print 27, 0, 24, 0, 0, 0, 8
@@ -130,8 +137,10 @@ awk 'function at(i, j, k) { return 1 + i + 3 * (j + 3 * k) } BEGIN {
     for (k = 0; k < 2; k++) for (j = 0; j < 2; j++) for (i = 0; i < 2; i++)
         print at(i, j, k), at(i + 1, j, k), at(i + 1, j + 1, k), at(i, j + 1, k), \
             at(i, j, k + 1), at(i + 1, j, k + 1), at(i + 1, j + 1, k + 1), at(i, j + 1, k + 1) }' >"$tmp/cube.ugrid"
-refuses "ugrid: three dimensions in earnest" 'there are no two planes in which each cell has a face; cell 1 begins at (0, 0, 0)' \
+refuses "ugrid: three dimensions in earnest" \
+    'there are no two planes in which each cell has a face; cell 1 begins at (0, 0, 0)' \
     "$harmorph" check "$tmp/cube.ugrid"
 sed '169s/.*/1 2 30 50/' "$tmp/nozzle.ugrid" >"$tmp/bad.ugrid"
-refuses "ugrid: a face that no cell has" 'bad.ugrid:169: a face of the boundary is that of no cell; it begins at (0, 0, 0)' \
+refuses "ugrid: a face that no cell has" \
+    'bad.ugrid:169: a face of the boundary is that of no cell; it begins at (0, 0, 0)' \
     "$harmorph" check "$tmp/bad.ugrid"

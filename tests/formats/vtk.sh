@@ -1,6 +1,7 @@
 # VTK legacy and XML: bad files, and the files of VTK itself. (A part of tests/formats.sh.)
 sed 's/^9 /12 /' "$tmp/text.vtk" | sed '/^CELL_TYPES/,$s/ 9 / 12 /' >"$tmp/bad.vtk"
-refuses "vtk: three dimensions in earnest" 'is of type 12 with 4 points: triangles, quadrilaterals and polygons are read; the mesh has three' \
+refuses "vtk: three dimensions in earnest" \
+    'is of type 12 with 4 points: triangles, quadrilaterals and polygons are read; the mesh has three' \
     "$harmorph" check "$tmp/bad.vtk"
 check "vtk: convert" "$harmorph" convert "$tmp/ring.su2" "$tmp/ring.vtk"
 check "vtk: what convert writes" "$harmorph" check "$tmp/ring.vtk" --json
@@ -68,7 +69,8 @@ END
         check "VTK $variant: solve" "$harmorph" solve "$mesh" --curve "boundary1=$tmp/curve" -o "$tmp/basis"
         check "VTK $variant: zero move" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/none.txt" -o "$tmp/same.vtu"
         check "VTK $variant: zero move: the same file" cmp "$mesh" "$tmp/same.vtu"
-        check "VTK $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" -o "$tmp/vtk-moved.vtu"
+        check "VTK $variant: morph" "$harmorph" morph "$mesh" "$tmp/basis" --move "$tmp/moves.txt" \
+            -o "$tmp/vtk-moved.vtu"
         check "VTK $variant: reads the morphed" /usr/bin/python3 "$tmp/grid.py" read "$tmp/vtk-moved.vtu"
         cp "$tmp/out" "$tmp/points"
         check "VTK $variant: moves as all do" alike 1e-9 "$tmp/points-of-all" "$tmp/points"

@@ -19,15 +19,16 @@ executions=0 edges=0 findings=0
 export ASAN_OPTIONS="quarantine_size_mb=8:malloc_context_size=8${ASAN_OPTIONS:+:$ASAN_OPTIONS}"
 
 build() {   # compiler, flags to compile, flags to link, flags of files whose branches are followed
-    $MAKE -s JOBS="$JOBS" BUILD="$dir" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" LEVEL="-O2 ${4-}" LEVEL_OF_CALLS="-O2 ${4-}" LEVEL_OF_LOOPS=-O1 \
-        LOOPS="$tables" fuzzer || exit 1
+    $MAKE -s JOBS="$JOBS" BUILD="$dir" CXX="$1" CXXFLAGS="$flags $2" LDFLAGS="$3" LEVEL="-O2 ${4-}" \
+        LEVEL_OF_CALLS="-O2 ${4-}" LEVEL_OF_LOOPS=-O1 LOOPS="$tables" fuzzer || exit 1
 }
 run_libfuzzer() {   # target
     mkdir -p "$dir/$1" "$dir/findings"
     seeds=
     if [ -d "tests/fuzz/corpus/$1" ]; then seeds=tests/fuzz/corpus/$1; fi
     HARMORPH_TARGET=$1 "$dir/fuzzer" -max_total_time=$each -max_len=4096 -timeout=60 -rss_limit_mb=4096 \
-        -entropic_scale_per_exec_time=1 -print_funcs=0 -print_final_stats=1 -artifact_prefix="$dir/findings/$1-" "$dir/$1" $seeds >"$dir/$1.log" 2>&1 || {
+        -entropic_scale_per_exec_time=1 -print_funcs=0 -print_final_stats=1 -artifact_prefix="$dir/findings/$1-" \
+        "$dir/$1" $seeds >"$dir/$1.log" 2>&1 || {
         findings=$((findings + 1))
         tail -n 30 "$dir/$1.log"
     }

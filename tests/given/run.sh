@@ -23,7 +23,8 @@ while [ $k -lt "$GMSH" ]; do
     command -v gmsh >/dev/null || { echo "skipped: meshes of random sections, as gmsh is not installed"; break; }
     section=$dir/section-$((FIRST + k))
     awk -v seed=$((FIRST + k)) -f tests/given/section.awk </dev/null >"$section.geo"
-    gmsh -2 -v 1 "$section.geo" -format su2 -o "$section.su2" >/dev/null 2>&1 || { echo "gmsh failed: $section.geo"; exit 1; }
+    gmsh -2 -v 1 "$section.geo" -format su2 -o "$section.su2" >/dev/null 2>&1 ||
+        { echo "gmsh failed: $section.geo"; exit 1; }
     words="$words $section.su2:wing"
     k=$((k + 1))
 done

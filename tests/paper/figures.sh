@@ -17,40 +17,44 @@ functions() {
 # boundary_figure.
 morph() {
     "$harmorph" morph "$mesh" "$out/$1.basis" --move "$2" --window "$3" -o "$out/$1-morphed.su2" --json \
-        --svg "$out/$1-mesh.svg" --boundary-svg "$out/$1-boundary.svg" >"$out/json" 2>"$out/log" || { fail "morphing $1"; cat "$out/log"; }
+        --svg "$out/$1-mesh.svg" --boundary-svg "$out/$1-boundary.svg" >"$out/json" 2>"$out/log" ||
+        { fail "morphing $1"; cat "$out/log"; }
     echo "  moved: $(number inverted) inverted cells, $(number admissible_step) times the movement is admissible," \
         "quality $(number min_quality) at least; boundary by functions against B-spline: $(number boundary_error)"
 }
 mesh_figure() {   # NAME LABEL
-    figure "$1-mesh.svg" "${2:+$2 | }$text The mesh before the movement is blue and the mesh after it is red, with the control" \
-        "polygon of the moved B-spline. There are $(number inverted) inverted cells."
+    figure "$1-mesh.svg" "${2:+$2 | }$text The mesh before the movement is blue and the mesh after it is red, with" \
+        "the control polygon of the moved B-spline. There are $(number inverted) inverted cells."
 }
 boundary_figure() {   # NAME LABEL
-    figure "$1-boundary.svg" "${2:+$2 | }$text Circles are points of the boundary as the functions move them, the line is the" \
-        "B-spline of the moved control points; the two differ by $(number boundary_error) at most."
+    figure "$1-boundary.svg" "${2:+$2 | }$text Circles are points of the boundary as the functions move them, the" \
+        "line is the B-spline of the moved control points; the two differ by $(number boundary_error) at most."
 }
 # fit MESH MARKER DEGREE POINTS: how well the boundary's own points give the curve back
 fit() {
-    "$harmorph" fit "$meshes/$1.su2" --marker "$2" --degree "$3" --points "$4" --closed periodic -o "$out/fit.curve" --json \
-        >"$out/json" || fail "fitting $2"
+    "$harmorph" fit "$meshes/$1.su2" --marker "$2" --degree "$3" --points "$4" --closed periodic -o "$out/fit.curve" \
+        --json >"$out/json" || fail "fitting $2"
     echo "  a fit to the mesh points of $2, degree $3, $4 points: $(number max_error) off at most"
 }
 # Which control points (first to last) move by how much: lines "index dx dy"
 equally() { awk -v a="$1" -v b="$2" -v dx="$3" -v dy="$4" 'BEGIN { for (i = a; i <= b; i++) print i, dx, dy }'; }
 
-echo "Figures 1 to 7 are numbered as in the paper; 8 to 11 follow the order of its text. Captions are our own words, and shapes"
-echo "are drawn after the paper's description. All pictures are made with the compact scheme and the direct engine."
+echo "Figures 1 to 7 are numbered as in the paper; 8 to 11 follow the order of its text. Captions are our own words,"
+echo "and shapes are drawn after the paper's description. All pictures are made with the compact scheme and the direct"
+echo "engine."
 
 echo "== The method, on an axisymmetric diffuser: cubic, 11 control points (figures 1 to 5)"
 window=-1.85,-0.05,3.25,2.65 near=-0.6,0.3,1.7,1.5
 solve diffuser axisymmetric_diffuser $diffuser
 fit axisymmetric_diffuser diffuser 3 11
 run check "$mesh" --boundaries --curve "$meshes/axisymmetric_diffuser.curve" --svg "$out/diffuser-boundaries.svg"
-figure diffuser-boundaries.svg "Figure 1 | Half plane above the axis of a diffuser. The diffuser's section is a closed cubic" \
-    "B-spline; 11 control points, of which the first three are used again at its end, close it smoothly."
+figure diffuser-boundaries.svg "Figure 1 | Half plane above the axis of a diffuser. The diffuser's section is a" \
+    "closed cubic B-spline; 11 control points, of which the first three are used again at its end, close it smoothly."
 run check "$mesh" --svg "$out/diffuser-mesh-alone.svg"
-figure diffuser-mesh-alone.svg "Figure 2 | The mesh alone. Triangles fill the domain; the points on the section lie on the B-spline."
-text="The function of the fourth control point, N_3,3 in the paper. On the section it is the cubic basis function, on all other boundaries it is 0, and in between it is harmonic."
+figure diffuser-mesh-alone.svg "Figure 2 | The mesh alone. Triangles fill the domain; the points on the section lie" \
+    "on the B-spline."
+text="The function of the fourth control point, N_3,3 in the paper. On the section it is the cubic basis function, on \
+all other boundaries it is 0, and in between it is harmonic."
 functions diffuser "$near" 4 "Figure 3"
 printf '3 .08 .25\n4 .05 .3\n5 .0 .25\n' >"$out/three.moves"
 morph diffuser "$out/three.moves" "$near"
@@ -62,16 +66,21 @@ mesh_figure diffuser "Figure 5"
 echo "== The scheme: control volumes round points (figures 6, 7 and 8)"
 hybrid=$meshes/naca0012.su2
 run check "$hybrid" --dual-volumes 2067 --svg "$out/dual-volume.svg"
-figure dual-volume.svg "Figure 6 | Control volumes of the median dual, over which the flux of each function is balanced (equation 8)." \
-    "They join the middles of edges with the barycentres of the cells, also where quadrilaterals meet triangles."
+figure dual-volume.svg "Figure 6 | Control volumes of the median dual, over which the flux of each function is" \
+    "balanced (equation 8). They join the middles of edges with the barycentres of the cells, also where" \
+    "quadrilaterals meet triangles."
 run check "$hybrid" --gradient-volumes 2067 --svg "$out/gradient-volume.svg"
-figure gradient-volume.svg "Figure 7 | The cells round a point, over which the gradient at the point is formed (equation 10)."
-"$harmorph" solve "$meshes/two_bodies.su2" $two_bodies --operator laplace --engine fas -o "$out/levels.basis" >"$out/log" 2>&1 || fail "levels"
+figure gradient-volume.svg "Figure 7 | The cells round a point, over which the gradient at the point is formed" \
+    "(equation 10)."
+"$harmorph" solve "$meshes/two_bodies.su2" $two_bodies --operator laplace --engine fas -o "$out/levels.basis" \
+    >"$out/log" 2>&1 || fail "levels"
 for kind in isotropic directional; do
-    run export "$meshes/two_bodies.su2" "$out/levels.basis" --agglomeration $kind --level 0,1,2,3 --svg "$out/levels-$kind.svg"
+    run export "$meshes/two_bodies.su2" "$out/levels.basis" --agglomeration $kind --level 0,1,2,3 \
+        --svg "$out/levels-$kind.svg"
 done
-figure levels-isotropic.svg "Figure 8 | Control volumes are merged from level to level for the multigrid method, in all directions alike," \
-    "in the order of a front that advances from the boundaries. Points with known values, in grey, are not merged."
+figure levels-isotropic.svg "Figure 8 | Control volumes are merged from level to level for the multigrid method, in" \
+    "all directions alike, in the order of a front that advances from the boundaries. Points with known values, in" \
+    "grey, are not merged."
 figure levels-directional.svg "Figure 8, directional | The same, merged along the strongest couplings."
 
 echo "== Case 1: a rectangle with two bodies, cubic, 11 and 9 control points (figures 9 and 10)"
@@ -119,7 +128,8 @@ morph airfoil "$out/airfoil.moves" -0.6,-0.5,1.6,1
 text="$shape all control points move by (.16, .13)."
 mesh_figure airfoil "Figure 11, mesh"
 boundary_figure airfoil "Figure 11, boundary"
-echo "  (more inverts cells at the trailing edge, the paper's open problem; the conformal functions go five times as far)"
+echo "  (more inverts cells at the trailing edge, the paper's open problem;" \
+    "the conformal functions go five times as far)"
 solve airfoil-conformal diffuser_airfoil $airfoil --operator conformal
 equally 1 14 0.8 0.65 >"$out/airfoil.moves"
 morph airfoil-conformal "$out/airfoil.moves" -1,-1,2.6,1.8
@@ -162,7 +172,9 @@ while read -r function x y; do
 done <"$out/cage.control"
 awk -F '[ ,]' 'FNR == 1 { ++file; if (file > 1) next }
     file == 1 { px[$1] = $2; py[$1] = $3; next }
-    { split(FILENAME, part, /cage-|[.]csv/); i = part[2]; x[$1] = $2; y[$1] = $3; sx[$1] += $4 * px[i]; sy[$1] += $4 * py[i] }
+    { split(FILENAME, part, /cage-|[.]csv/); i = part[2]; x[$1] = $2; y[$1] = $3; sx[$1] += $4 * px[i];
+    sy[$1] += $4 * py[i] }
     END { for (k in x) { d = (sx[k] - x[k]) ^ 2 + (sy[k] - y[k]) ^ 2; if (d > worst) worst = d }
-          printf "  largest |sum F_i P_i - x| over the mesh: %.2g (its file has ten digits)\n", sqrt(worst) }' "$out/cage.control" "$out"/cage-*.csv
+          printf "  largest |sum F_i P_i - x| over the mesh: %.2g (its file has ten digits)\n", sqrt(worst) }' \
+              "$out/cage.control" "$out"/cage-*.csv
 rm -f "$out"/cage-*.csv "$out/cage.control"
