@@ -14,12 +14,12 @@ constexpr const char* point = "fill=\"none\" stroke=\"#d62828\" stroke-width=\"1
 constexpr const char* polygon = "stroke=\"#888\" stroke-width=\".9\"";
 constexpr const char* control = "fill=\"#1a1a1a\"";
 } // namespace boundary_style
-constexpr double radius = 3.2; // of the circles round the mesh's points
+constexpr double point_radius = 3.2; // of the circles round the mesh's points
 
 void draw_boundary_points(Plot& plot, const hm_basis_info& info, const Field& moved) {
     for (std::int32_t k = 0; k < info.curve_points; ++k) {
         const auto point = static_cast<std::size_t>(info.curve_point[k]);
-        plot.svg().circle(plot.pixel({moved.x[point], moved.y[point]}), radius, boundary_style::point);
+        plot.svg().circle(plot.pixel({moved.x[point], moved.y[point]}), point_radius, boundary_style::point);
     }
 }
 
@@ -50,7 +50,7 @@ std::string boundary_picture(const Basis& basis, const Morph& morph) {
         sheet.legend_line(boundary_style::after, "B-spline of the moved control points");
         sheet.legend_disc(2.6, boundary_style::control, "these control points");
     }
-    sheet.legend_disc(radius, boundary_style::point, "points of the mesh, moved by the functions");
+    sheet.legend_disc(point_radius, boundary_style::point, "points of the mesh, moved by the functions");
     return sheet.document();
 }
 
